@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use egui::{Context, Id};
 use pinhole_core::methods::Method;
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
@@ -16,9 +17,8 @@ use crate::model::given::Given;
 use crate::model::lessons::StepId;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::Scheme;
 use crate::model::session::presenting::Pen;
-use crate::model::session::{Session, ThemeName, ViewLayout};
+use crate::model::session::{Scheme, Session, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 
 /// A document that was generated, such as an exercise's scene.
@@ -356,6 +356,27 @@ action_of! {
     Object(ObjectAction),
     Look(LookAction),
     Help(HelpAction),
+}
+
+fn queue() -> Id {
+    Id::unique("requested actions")
+}
+
+/// Requests an action of the window: it is applied in this pass if the views are not drawn yet, otherwise in
+/// the next one.
+pub(crate) fn request(ctx: &Context, action: impl Into<Action>) {
+    let action = action.into();
+    ctx.data_mut(|data| data.get_temp_mut_or_default::<Vec<Action>>(queue()).push(action));
+}
+
+/// Returns true if an action is requested and not yet applied.
+pub(crate) fn is_any_requested(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp::<Vec<Action>>(queue())).is_some()
+}
+
+/// Removes and returns the requested actions, in their order.
+pub(crate) fn take_requested(ctx: &Context) -> Vec<Action> {
+    ctx.data_mut(|data| data.remove_temp(queue())).unwrap_or_default()
 }
 
 /// The effect of an action on the open animation before the action is applied.

@@ -13,10 +13,10 @@ use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::derivation_sections::DerivationSection;
-use crate::model::given::{Given, Givens};
+use crate::model::given::Givens;
 use crate::model::session::Session;
-use crate::ui::action::Action;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::action::{Action, request};
+use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::number::NumberField;
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, Markup, left_out};
 use crate::view::formula::GivenBox;
@@ -52,8 +52,8 @@ struct DerivationPass<'a> {
     goal_line: Option<usize>,
     /// The number of lines so far.
     line: usize,
-    /// The edits of given numbers, where these can be changed.
-    actions: Option<&'a mut Vec<Action>>,
+    /// True if the given numbers can be changed.
+    is_editable: bool,
 }
 
 /// All lines with their layout.
@@ -70,23 +70,16 @@ impl DerivationPanel {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
         let (mut hovered, mut has_focus) = (None, None);
-        for (section, lines) in laid.derivation.sections.iter().zip(&laid.lines) {
-            for (line, laid) in section.lines.iter().zip(lines) {
-                if focused == Some(laid.id) {
-                    has_focus = line.concept;
-                }
-                if ctx.read_response(laid.id).is_some_and(|response| response.hovered()) {
-                    hovered = line.concept;
-                }
-            }
-        }
-        for (id, concept) in &self.fields {
-            if focused == Some(*id) {
-                has_focus = *concept;
+        let sections = laid.derivation.sections.iter().zip(&laid.lines);
+        let lines = sections.flat_map(|(section, lines)| section.lines.iter().zip(lines));
+        let lines = lines.map(|(line, laid)| (laid.id, line.concept));
+        for (id, concept) in lines.chain(self.fields.iter().copied()) {
+            if focused == Some(id) {
+                has_focus = concept;
             }
             let is_held = |response: Response| response.hovered() || response.dragged();
-            if ctx.read_response(*id).is_some_and(is_held) {
-                hovered = *concept;
+            if ctx.read_response(id).is_some_and(is_held) {
+                hovered = concept;
             }
         }
         let concept = hovered.or(has_focus)?;
@@ -103,30 +96,29 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the derivation. Edits of the given numbers become actions.
+    /// Shows the derivation. Edits of the given numbers are requested as actions.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
         derivation: &Arc<Derivation>,
         document: &Document,
         session: &mut Session,
-        actions: &mut Vec<Action>,
     ) {
         if !theme::installed(ui.ctx()).presenting {
             self.head(ui, derivation, session);
         }
-        self.lines(ui, derivation, document, session, Some(actions));
+        self.lines(ui, derivation, document, session, true);
     }
 
     /// Shows the derivation without the title and the options above it. The given numbers can be changed only
-    /// if `actions` is `Some`.
+    /// if `is_editable` is true.
     pub(crate) fn lines(
         &mut self,
         ui: &mut Ui,
         derivation: &Arc<Derivation>,
         document: &Document,
         session: &Session,
-        actions: Option<&mut Vec<Action>>,
+        is_editable: bool,
     ) {
         // The panel scrolls only once to a concept that is hovered in a view, and once to a new line.
         let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
@@ -147,7 +139,7 @@ impl DerivationPanel {
             revealed,
             goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
             line: 0,
-            actions,
+            is_editable,
         };
         self.fields.clear();
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
@@ -254,10 +246,10 @@ impl DerivationPanel {
                 continue;
             }
             let response = show(ui, line, laid, frame.inks, is_lit(line));
-            if let Some(actions) = frame.actions.as_deref_mut() {
+            if frame.is_editable {
                 let baseline = baseline_of(response.rect, laid);
                 for given in &laid.layout.givens {
-                    let field = field(ui, given, baseline, &frame.givens, SIZE, actions);
+                    let field = field(ui, given, baseline, &frame.givens);
                     self.fields.extend(field.map(|field| (field.id, line.concept)));
                 }
             }
@@ -317,13 +309,13 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     let size = vec2(ui.available_width(), laid.height);
     let (_, rect) = ui.allocate_space(size);
     // The accessible value of a plain text is the text.
-    let response = ui.interact(rect, laid.id, Sense::click()).with_role(Role::Label);
-    let response = response.spoken(laid.text.as_str());
+    let mut response = ui.interact(rect, laid.id, Sense::click()).with_role(Role::Label);
+    response = response.spoken(laid.text.as_str());
     if response.clicked() {
         response.request_focus();
     }
     if is_lit {
-        ui.ctx().accesskit_node_builder(laid.id, |node| node.set_description("highlighted"));
+        response = response.described("highlighted");
     }
     if response.gained_focus() {
         response.scroll_to_me(None);
@@ -353,14 +345,7 @@ const DOT: f32 = 0.7;
 
 /// Shows the field of a given number over its digits in a formula; the formula's first baseline begins at
 /// `baseline`. An edit becomes an action, which is applied before the frame is presented.
-fn field(
-    ui: &mut Ui,
-    shown: &GivenBox,
-    baseline: egui::Pos2,
-    givens: &Givens,
-    size: f32,
-    actions: &mut Vec<Action>,
-) -> Option<Response> {
+fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -> Option<Response> {
     let given = shown.given;
     let mut value = givens.value(given)?;
     let start = baseline + vec2(shown.at[0], shown.at[1]);
@@ -376,16 +361,13 @@ fn field(
         field = field.whole().within(range);
     }
     // A single digit is too narrow to grab.
-    let rect = rect.expand2(vec2((0.5 * (size - rect.width())).max(0.0), 1.0));
-    let response = field.show_over(ui, id_of(given), rect, size);
+    let rect = rect.expand2(vec2((0.5 * (SIZE - rect.width())).max(0.0), 1.0));
+    let id = Id::unique(("derivation number", given));
+    let response = field.show_over(ui, id, rect, SIZE);
     if response.changed() {
-        actions.push(Action::Give(given, value));
+        request(ui.ctx(), Action::Give(given, value));
     }
     Some(response)
-}
-
-fn id_of(given: Given) -> Id {
-    Id::unique(("derivation number", given))
 }
 
 /// Marks a number as one that can be changed.

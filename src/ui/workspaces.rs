@@ -10,7 +10,7 @@ use crate::model::lessons::{StepId, Which};
 use crate::model::overlay_items::Item;
 use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, Split, ViewLayout};
-use crate::ui::action::{Action, Leave, LessonAction, LookAction};
+use crate::ui::action::{Leave, LessonAction, LookAction};
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::exercises::QuestionScene;
@@ -18,11 +18,9 @@ use crate::ui::practice::{answers, exercises, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
-use crate::ui::tools::accuracy;
-use crate::ui::tools::accuracy::Measuring;
+use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator::TranslatorPanel;
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::ViewTexture;
+use crate::ui::widgets::{ResponseExt as _, ViewTexture};
 use crate::view::derive::{Derived, SecondPicture};
 
 /// Returns the page of a layout.
@@ -85,8 +83,6 @@ pub(crate) struct PageContext<'a> {
     pub(crate) style: NumberStyle,
     /// True if a lesson is open.
     pub(crate) has_lesson: bool,
-    /// Actions for the next pass.
-    pub(crate) actions: &'a mut Vec<Action>,
 }
 
 /// Size of the text that replaces hidden content, in points.
@@ -165,11 +161,11 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             switched = ui.button("All numbers").clicked();
             if !context.has_lesson {
-                ui.button("Present").asks(LookAction::Present, context.actions);
+                ui.button("Present").asks(LookAction::Present);
                 let exercises = LookAction::Layout(ViewLayout::Exercises);
-                ui.button("Practise").asks(exercises, context.actions);
+                ui.button("Practise").asks(exercises);
                 let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
-                ui.button("Start the lecture").asks(Leave::GoTo(lecture), context.actions);
+                ui.button("Start the lecture").asks(Leave::GoTo(lecture));
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
@@ -198,8 +194,7 @@ const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
 
 fn derivation(ui: &mut Ui, context: &mut PageContext<'_>) {
     let Some(derivation) = &context.derived.derivation else { return };
-    let (session, actions) = (&mut *context.session, &mut *context.actions);
-    context.tools.derivation.ui(ui, derivation, &context.open.document, session, actions);
+    context.tools.derivation.ui(ui, derivation, &context.open.document, context.session);
 }
 
 const PLOT: Page = Page {
@@ -229,7 +224,7 @@ const TRANSLATOR: Page = Page {
         let document = &context.open.document;
         let Session { translator, selection, settings, .. } = &mut *context.session;
         let panel = &mut context.tools.translator;
-        panel.ui(ui, document, translator, *selection, settings.digits, context.actions);
+        panel.ui(ui, document, translator, *selection, settings.digits);
     },
     ..Page::VIEWS
 };
@@ -237,9 +232,7 @@ const TRANSLATOR: Page = Page {
 const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, context| {
-        exercises::ui(ui, context.session, &mut context.tools.question, context.actions);
-    },
+    rest: |ui, context| exercises::ui(ui, context.session, &mut context.tools.question),
     ..Page::VIEWS
 };
 
@@ -254,12 +247,8 @@ const ACCURACY: Page = Page {
     second: Some(SecondPicture::ErrorMap),
     rest: |ui, context| {
         let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
-        measuring.step(
-            ui.ctx(),
-            &title_of(context.open.origin()),
-            &document.camera,
-            context.derived,
-        );
+        let name = title_of(context.open.origin());
+        measuring.step(ui.ctx(), &name, &document.camera, context.derived);
         accuracy::ui(ui, measuring, context.derived, document, context.session);
     },
     figure: FigureSubject::Camera,
@@ -287,7 +276,7 @@ const COMPARE: Page = Page {
     second: Some(SecondPicture::Ghost),
     rest: |ui, context| {
         let (document, ghost) = (&context.open.document, context.session.ghost.as_ref());
-        compare::ui(ui, context.derived, document, ghost, context.style, context.actions);
+        compare::ui(ui, context.derived, document, ghost, context.style);
     },
     ..Page::VIEWS
 };
@@ -295,7 +284,7 @@ const COMPARE: Page = Page {
 const ANSWERS: Page = Page {
     areas: |divider| divider.three_above(Split::Answers),
     second: Some(SecondPicture::Answers),
-    rest: |ui, context| answers::ui(ui, context.derived, context.session, context.actions),
+    rest: |ui, context| answers::ui(ui, context.derived, context.session),
     figure: FigureSubject::Camera,
     ..Page::VIEWS
 };

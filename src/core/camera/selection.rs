@@ -40,6 +40,15 @@ impl Selection {
         }
     }
 
+    /// Returns the selected pixel, moved back into the image if necessary, or the pixel in which the selected
+    /// (u, v) lies. Returns `None` if the (u, v) is outside the image.
+    pub fn pixel(self, camera: &ResolvedCamera) -> Option<Pixel> {
+        match self.inside(camera.image()) {
+            Selection::Pixel(pixel) => Some(pixel),
+            Selection::Uv(uv) => camera.pixel_of_uv(uv).map(|position| position.pixel),
+        }
+    }
+
     /// Returns the selected view ray without rounding. A pixel must lie [inside](Selection::inside)
     /// the image.
     ///

@@ -14,23 +14,16 @@ use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
-    Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
-    LessonAction, LookAction, PlayAction, PlayEnd,
+    Action, ExchangeAction, FigureAction, FileAction, HistoryAction, Leave, LessonAction,
+    LookAction, PlayAction, PlayEnd,
 };
 use crate::ui::app::files::ScreenContents;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
-use crate::ui::dialogs::{Dialog, Message};
+use crate::ui::dialogs::{Dialog, Question};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
-
-/// Names of the undo steps that swap with the ghost and that paste a camera.
-const SWAP: &str = "swap with the ghost";
-const PASTE: &str = "paste a camera";
-
-/// Name of the undo step that reads the scene's file again.
-const RELOAD: &str = "reload the file";
 
 const OPEN: FileQuestion = FileQuestion {
     title: "Open a scene",
@@ -72,8 +65,17 @@ impl App {
             Action::Figure(action) => return self.figure(ctx, action),
             Action::Exchange(action) => return self.exchange(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
-            Action::Play(action) => self.play(ctx, action),
-            Action::Ghost(action) => self.ghost(ctx, action),
+            Action::Play(action) => {
+                let aspect = self.views.world_size().aspect();
+                let (scene, history) = (&mut self.scene, &mut self.history);
+                self.playback.apply(ctx, action, scene, history, &self.views.derived, aspect);
+            }
+            Action::Ghost(action) => {
+                if self.scene.change_ghost(action) {
+                    let document = &self.scene.open.document;
+                    self.history.settle_as(ctx, document, Some("swap with the ghost"));
+                }
+            }
             Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);
@@ -100,7 +102,35 @@ impl App {
     }
 
     pub(super) fn ask_about_changes(&self, then: Leave) -> Dialog {
-        Dialog::Unsaved { title: title_of(self.scene.open.origin()), then }
+        let title = format!("Save the changes to {}?", title_of(self.scene.open.origin()));
+        let answers = vec![
+            ("Save", "", Some(FileAction::SaveThen(then.clone()).into())),
+            ("Discard", "", Some(FileAction::Discard(then).into())),
+            ("Cancel", "", None),
+        ];
+        Dialog::Question(Question::new(title, "Unsaved changes will be lost.", answers))
+    }
+
+    /// Returns the dialog that asks which version to keep after another program has changed the scene's file.
+    /// `saves` is true if the user was about to save the scene to that file.
+    fn ask_which_version(title: &str, saves: bool, then: Option<Leave>) -> Dialog {
+        let text = "Your changes are not in the file, and the other program's changes are not on the screen.";
+        let mine =
+            if saves { "Saves your version over theirs" } else { "Continues with your version" };
+        let keep = FileAction::KeepMine { saves, then: then.clone() };
+        let take = FileAction::TakeTheirs { then: then.clone() };
+        let answers = vec![
+            ("Keep mine", mine, Some(keep.into())),
+            ("Take theirs", "Reads the file again. Undo restores your version", Some(take.into())),
+            (
+                "Save as…",
+                "Saves your version to another file",
+                Some(FileAction::AskSaveAs { then }.into()),
+            ),
+            ("Cancel", "", None),
+        ];
+        let title = format!("Another program has changed {title}");
+        Dialog::Question(Question::new(title, text, answers))
     }
 
     /// Opens the other scene or step, or closes the window, without asking the user.
@@ -120,16 +150,12 @@ impl App {
         };
         let problem = opened.map(|opened| self.show_opened(opened)).err();
         self.history.went_elsewhere(before, &self.scene);
-        problem.map(Dialog::Message)
+        problem.map(Dialog::Question)
     }
 
-    fn open(&mut self, source: SceneSource) -> Result<Opened, Message> {
-        let path = match &source {
-            SceneSource::File(path) => Some(path.clone()),
-            SceneSource::Builtin(_) => None,
-        };
-        let opened = self.scene.load(source)?;
-        if let Some(path) = path {
+    fn open(&mut self, source: SceneSource) -> Result<Opened, Question> {
+        let opened = self.scene.load(source.clone())?;
+        if let SceneSource::File(path) = source {
             self.window.remember(&path);
         }
         Ok(opened)
@@ -147,7 +173,8 @@ impl App {
     fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
         match action {
             FileAction::AskOpen => {
-                Some(Dialog::Open(PathField::new(OPEN, self.scene.open.file(), "")))
+                let field = PathField::new(OPEN, self.scene.open.file(), "");
+                Some(Dialog::file(field, |path| Leave::Open(SceneSource::File(path))))
             }
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
@@ -174,9 +201,9 @@ impl App {
     }
 
     /// Opens the recovered changes that were offered.
-    fn restore(&mut self, as_new: bool) -> Result<Opened, Message> {
+    fn restore(&mut self, as_new: bool) -> Result<Opened, Question> {
         let Some(found) = self.recovery.take() else { return Ok(Opened::default()) };
-        let problem = |reason| Message::new("The unsaved changes cannot be restored", reason);
+        let problem = |reason| Question::message("The unsaved changes cannot be restored", reason);
         let (open, slot) = found.restore(as_new).map_err(problem)?;
         self.recovery.go_on_in(slot);
         Ok(self.scene.replace(open, Selection::default()))
@@ -187,7 +214,7 @@ impl App {
     fn look(&mut self, ctx: &Context) -> Option<Dialog> {
         let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
-            return Some(Dialog::Theirs { title: file, saves: false, then: None });
+            return Some(App::ask_which_version(&file, false, None));
         }
         let dialog = self.take_theirs(ctx);
         if dialog.is_none() {
@@ -209,7 +236,7 @@ impl App {
         if let Err(error) = self.scene.reload() {
             return Some(Dialog::message("The changed scene cannot be read", error));
         }
-        self.history.settle_as(ctx, &self.scene.open.document, Some(RELOAD));
+        self.history.settle_as(ctx, &self.scene.open.document, Some("reload the file"));
         None
     }
 
@@ -224,7 +251,7 @@ impl App {
     fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
         if self.scene.open.is_own(path) && self.scene.open.was_changed_by_others() {
             let title = title_of(self.scene.open.origin());
-            return Some(Dialog::Theirs { title, saves: true, then });
+            return Some(App::ask_which_version(&title, true, then));
         }
         if let Err(reason) = self.scene.open.save_to(path) {
             return Some(Dialog::message("The scene was not saved", reason));
@@ -237,7 +264,7 @@ impl App {
     fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
         let open = &self.scene.open;
         let field = PathField::new(SAVE_AS, open.file(), &open.file_name());
-        Dialog::SaveAs { field, then }
+        Dialog::file(field, move |path| FileAction::SaveAs { path, then: then.clone() })
     }
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
@@ -251,16 +278,15 @@ impl App {
             LessonAction::Previous => open.previous(),
             LessonAction::ShowAll => {
                 self.scene.show_all();
-                return None;
+                None
             }
             LessonAction::Close => {
                 self.scene.close_lesson();
-                return None;
+                None
             }
-        };
-        let leave = Leave::GoTo(to?);
+        }?;
         self.playback.give_back(&mut self.scene);
-        let dialog = self.leave(ctx, leave);
+        let dialog = self.leave(ctx, Leave::GoTo(to));
         // Going back shows the answer and every line, since the class has already seen them.
         if action == LessonAction::Previous && dialog.is_none() {
             self.scene.show_all();
@@ -307,7 +333,7 @@ impl App {
                     self.playback.keep(ctx, &mut self.scene, &mut self.history);
                     self.history.settle(ctx, &self.scene.open.document);
                     self.scene.replace_camera(camera);
-                    self.history.settle_as(ctx, &self.scene.open.document, Some(PASTE));
+                    self.history.settle_as(ctx, &self.scene.open.document, Some("paste a camera"));
                 }
                 self.scene.session.translator.notice = Some(said);
             }
@@ -319,18 +345,6 @@ impl App {
             ExchangeAction::Save(path) => return files::save_translation(&self.scene, &path),
         }
         None
-    }
-
-    fn ghost(&mut self, ctx: &Context, action: GhostAction) {
-        if self.scene.change_ghost(action) {
-            self.history.settle_as(ctx, &self.scene.open.document, Some(SWAP));
-        }
-    }
-
-    fn play(&mut self, ctx: &Context, action: PlayAction) {
-        let aspect = self.views.world_size().aspect();
-        let (scene, history) = (&mut self.scene, &mut self.history);
-        self.playback.apply(ctx, action, scene, history, &self.views.derived, aspect);
     }
 }
 

@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
-use pinhole_exchange::format::ExportScene;
-use pinhole_exchange::format::Exported;
+use pinhole_exchange::format::{ExportScene, Exported};
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{answers, atomic, limits};
 
@@ -17,12 +16,12 @@ use crate::model::play::Kind;
 use crate::model::practice::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
 use crate::model::translator::with;
-use crate::ui::action::{Action, AnswersAction, Leave};
+use crate::ui::action::{Action, AnswersAction, ExchangeAction, Leave};
 use crate::ui::app::scene::OpenScene;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
-use crate::ui::dialogs::{Dialog, Message};
+use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::ray::lines;
 use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
@@ -34,12 +33,11 @@ pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
     if ctx.text_edit_focused() {
         return None;
     }
-    ctx.input(|input| {
-        input.events.iter().find_map(|event| match event {
-            Event::Paste(text) => Some(text.clone()),
-            _ => None,
-        })
-    })
+    let pasted = |event: &Event| match event {
+        Event::Paste(text) => Some(text.clone()),
+        _ => None,
+    };
+    ctx.input(|input| input.events.iter().find_map(pasted))
 }
 
 /// Shows the last notice. A notice about a camera disappears when the camera changes.
@@ -70,7 +68,8 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
         hint: "path of the file",
         writes: Some(format.ending()),
     };
-    Some(Dialog::Translate(PathField::new(question, scene.open.file(), format.file)))
+    let field = PathField::new(question, scene.open.file(), format.file);
+    Some(Dialog::file(field, ExchangeAction::Save))
 }
 
 /// Saves the translated camera; returns a message if that fails.
@@ -116,9 +115,10 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
         AnswersAction::Ask => {
             // Start in the folder of the last answers, or of the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            return Some(Dialog::Answers(PathField::new(ANSWERS, last.or(scene.open.file()), "")));
+            let field = PathField::new(ANSWERS, last.or(scene.open.file()), "");
+            return Some(Dialog::file(field, AnswersAction::Check));
         }
-        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),
+        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Question),
         AnswersAction::PutAway => {
             session.answers = None;
             if session.settings.layout == ViewLayout::Answers {
@@ -130,7 +130,7 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
 }
 
 /// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the file does.
-fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
+fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     let size = fs::metadata(path).map_or(0, |file| file.len());
     if size > MOST_BYTES {
         let problem = format!(
@@ -138,10 +138,10 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
             path.display(),
             size / 1_000_000
         );
-        return Err(Message::new("Too many answers", problem));
+        return Err(Question::message("Too many answers", problem));
     }
     let bytes = limits::read(path, limits::TABLE)
-        .map_err(|error| Message::new("These answers cannot be read", error))?;
+        .map_err(|error| Question::message("These answers cannot be read", error))?;
     let known = session.answers.as_ref().filter(|known| known.file.path == path);
     let count_from = known.map_or(0, |known| known.count_from);
     let kind = answers::kind_of(&bytes);
@@ -168,9 +168,20 @@ impl ScreenContents<'_> {
     /// Returns the export dialog with the layout's subject chosen.
     pub(super) fn ask_export(&self) -> Dialog {
         let first = self.layout_subject();
-        let mut subjects = FigureSubject::ALL.map(|subject| self.on_screen(subject)).to_vec();
-        subjects.sort_by_key(|shown| shown.subject != first);
-        Dialog::Export(ExportForm::new(self.scene.open.file(), subjects, self.style()))
+        let mut subjects = FigureSubject::ALL.to_vec();
+        subjects.sort_by_key(|subject| *subject != first);
+        Dialog::Export(self.form(&subjects))
+    }
+
+    /// Returns the export dialog for an animation, with the world view selected.
+    pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
+        let subjects = [FigureSubject::World, FigureSubject::Camera];
+        Dialog::Export(self.form(&subjects).animated(kind))
+    }
+
+    fn form(&self, subjects: &[FigureSubject]) -> ExportForm {
+        let subjects = subjects.iter().map(|subject| self.on_screen(*subject)).collect();
+        ExportForm::new(self.scene.open.file(), subjects, self.style())
     }
 
     /// Returns the subject of the open layout's figure.
@@ -179,7 +190,8 @@ impl ScreenContents<'_> {
     }
 
     fn style(&self) -> Style {
-        Style::new(self.scene.session.settings.scheme, self.is_dark())
+        let is_dark = self.ctx.theme() == egui::Theme::Dark;
+        Style::new(self.scene.session.settings.scheme, is_dark)
     }
 
     /// Copies the layout's figure to the clipboard at its size on the screen. Returns a message if that
@@ -206,18 +218,6 @@ impl ScreenContents<'_> {
         Session { hovered: None, ..self.scene.session.clone() }
     }
 
-    /// Returns the export dialog for an animation, with the world view selected.
-    pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
-        let subjects =
-            [FigureSubject::World, FigureSubject::Camera].map(|subject| self.on_screen(subject));
-        let form = ExportForm::new(self.scene.open.file(), subjects.to_vec(), self.style());
-        Dialog::Export(form.animated(kind))
-    }
-
-    fn is_dark(&self) -> bool {
-        self.ctx.theme() == egui::Theme::Dark
-    }
-
     fn on_screen(&self, subject: FigureSubject) -> OnScreen {
         let scale = self.ctx.pixels_per_point();
         let view = match subject {
@@ -232,8 +232,8 @@ impl ScreenContents<'_> {
                 seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)])
             }
             FigureSubject::Derivation => {
-                let page = |width| [width + 2.0 * MARGIN, DERIVATION[1]];
-                self.derivation.width().map_or(DERIVATION, page)
+                let width = self.derivation.width().map(|width| width + 2.0 * MARGIN);
+                [width.unwrap_or(DERIVATION[0]), DERIVATION[1]]
             }
             FigureSubject::Lines => lines::size(self.ctx).unwrap_or(LINES),
         };

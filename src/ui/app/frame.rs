@@ -16,7 +16,8 @@ use crate::model::fault::caught;
 use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, ViewLayout, Workspace};
 use crate::ui::action::{
-    Action, Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch,
+    Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
+    take_requested,
 };
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files};
@@ -27,6 +28,7 @@ use crate::ui::scene::dragging::Edited;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{readouts, views};
 use crate::ui::second_picture;
+use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
 
@@ -34,26 +36,28 @@ impl App {
     /// One frame.
     fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        let mut actions = std::mem::take(&mut self.waiting);
+        self.waiting.drain(..).for_each(|action| request(&ctx, action));
         let OpenScene { open, session, chosen_object, .. } = &mut self.scene;
         let mut edited = Edited { document: &mut open.document, session, chosen_object };
         self.dragging.take(&ctx, &mut edited, &self.views.derived, self.over.covers());
-        self.window_inputs(&ctx, &mut actions);
+        self.window_inputs(&ctx);
         let mut start = self.scene.pass_start();
-        self.panels(ui, &mut start, &mut actions);
+        self.panels(ui, &mut start);
         // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
         CentralPanel::default().show(ui, |ui| {
             let rects = self.rects(ui);
-            self.view_inputs(ui, &rects, &mut actions);
-            is_old |= actions.iter().any(Action::shows_above_views);
-            for action in actions {
+            self.view_inputs(ui, &rects);
+            for action in take_requested(&ctx) {
+                is_old |= action.shows_above_views();
                 self.apply(&ctx, action);
             }
-            self.derive(ui, &rects);
-            let waiting = self.waiting.len();
+            let mut sizes = views::sizes(ui, &rects);
+            let second = self.page().second.zip(rects.second);
+            sizes.second = second.map(|(second, rect)| (second, views::physical(ui, rect)));
+            self.views.derive(&ctx, &self.scene, sizes, self.playback.is_running());
             self.outputs(ui, &rects);
-            is_old |= self.waiting.len() > waiting;
+            is_old |= is_any_requested(&ctx);
             if let Some(pen) = &mut self.scene.session.pen {
                 views::pen(ui, ui.max_rect(), pen);
             }
@@ -79,18 +83,21 @@ impl App {
     }
 
     /// Handles keys, the clipboard, dropped files and the close button.
-    fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
-        if self.over.dialog.is_none() && actions.is_empty() {
+    fn window_inputs(&mut self, ctx: &Context) {
+        if self.over.dialog.is_none() && !is_any_requested(ctx) {
             self.over.dialog = self.recovery.offer();
         }
         // Keys, pasted text and dropped files are ignored under a dialog, whose answer would otherwise apply
         // to another scene.
         if !self.over.covers() {
-            self.keys(ctx, actions);
-            let pasted = files::pasted_text(ctx);
-            actions.extend(pasted.map(|text| ExchangeAction::Paste(text).into()));
+            self.keys(ctx);
+            if let Some(text) = files::pasted_text(ctx) {
+                request(ctx, ExchangeAction::Paste(text));
+            }
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
-            actions.extend(dropped.map(files::dropped));
+            if let Some(path) = dropped {
+                request(ctx, files::dropped(path));
+            }
         }
         if self.window.is_to_close(ctx) {
             self.playback.give_back(&mut self.scene);
@@ -103,8 +110,8 @@ impl App {
         self.window.geometry.update(ctx);
     }
 
-    /// Adds the actions of pressed keys, except the keys of the views, which [`views`] handles.
-    fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+    /// Requests the actions of pressed keys, except the keys of the views, which [`views`] handles.
+    fn keys(&mut self, ctx: &Context) {
         let is_typing = ctx.text_edit_focused();
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
@@ -124,10 +131,17 @@ impl App {
             When::View | When::CameraView | When::WorldView => false,
         });
         for (when, action) in pressed {
-            if matches!(when, When::Anywhere | When::Lesson) {
-                self.after_typing(ctx, action, actions);
-            } else {
-                actions.push(action);
+            let focused = ctx.memory(|memory| memory.focused());
+            let ends_typing = matches!(when, When::Anywhere | When::Lesson);
+            match focused.filter(|_| ends_typing) {
+                // The field must lose the focus first, to accept the typed number; the action follows in the
+                // next pass.
+                Some(focused) => {
+                    ctx.memory_mut(|memory| memory.surrender_focus(focused));
+                    self.waiting.push(action);
+                    ctx.request_repaint();
+                }
+                None => request(ctx, action),
             }
         }
         // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus or puts the
@@ -137,20 +151,7 @@ impl App {
         {
             let puts_away = self.scene.session.pen.is_some();
             let ends = LookAction::Toggle(Switch::Pen);
-            actions.push(if puts_away { ends } else { LookAction::Present }.into());
-        }
-    }
-
-    /// Applies the action now, or in the next pass if a field has the focus: the field must lose the focus
-    /// first to accept the typed number.
-    fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
-        match ctx.memory(|memory| memory.focused()) {
-            Some(focused) => {
-                ctx.memory_mut(|memory| memory.surrender_focus(focused));
-                self.waiting.push(action);
-                ctx.request_repaint();
-            }
-            None => actions.push(action),
+            request(ctx, if puts_away { ends } else { LookAction::Present });
         }
     }
 
@@ -167,24 +168,22 @@ impl App {
     }
 
     /// Draws everything around the views, from the top.
-    fn panels(&mut self, ui: &mut Ui, start: &mut PassStart, actions: &mut Vec<Action>) {
+    fn panels(&mut self, ui: &mut Ui, start: &mut PassStart) {
         let there = self.available();
         let scene = &mut self.scene;
-        self.over.ui(ui.ctx(), scene, &self.window.recent, there, actions);
+        self.over.ui(ui.ctx(), scene, &self.window.recent, there);
         apply::follow_look(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
         if !presenting {
             let steps = [self.history.steps.undo_name(), self.history.steps.redo_name()];
             let (open, recent) = (&scene.open, &self.window.recent);
             let settings = &mut scene.session.settings;
-            Panel::top("top bar").show(ui, |ui| {
-                top_bar::ui(ui, open, recent, steps, there, settings, actions);
-            });
+            let bar = Panel::top("top bar");
+            bar.show(ui, |ui| top_bar::ui(ui, open, recent, steps, there, settings));
         }
-        let differs_from_step = scene.differs_from_step();
-        scene.lesson_strip(ui, differs_from_step, actions);
+        scene.lesson_strip(ui);
         let inspection = self.views.derived.inspection.as_deref();
-        self.playback.go_on(ui, scene, &mut self.history, inspection, actions);
+        self.playback.go_on(ui, scene, &mut self.history, inspection);
         // Nothing above shows what an animation moves.
         start.session.ray_point_t = scene.session.ray_point_t;
         start.session.scanned_pixels = scene.session.scanned_pixels;
@@ -262,7 +261,7 @@ impl App {
     }
 
     /// Handles mouse and keys in the views, and determines what is under the pointer.
-    fn view_inputs(&mut self, ui: &mut Ui, rects: &ViewRects, actions: &mut Vec<Action>) {
+    fn view_inputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
         // If keys or a lesson's step change the selection while the pointer rests, the selected ray is shown
         // rather than the ray under the pointer.
@@ -281,7 +280,7 @@ impl App {
         let mut pointed_ray = None;
         if !self.over.covers() {
             let second = page.second.map_or("", second_picture::name);
-            views::inputs(ui, rects, second, &mut scene.session, shown, actions);
+            views::inputs(ui, rects, second, &mut scene.session, shown);
             let is_free = scene.session.handles.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
@@ -293,17 +292,9 @@ impl App {
         scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
     }
 
-    fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
-        let mut sizes = views::sizes(ui, rects);
-        let second = self.page().second.zip(rects.second);
-        sizes.second = second.map(|(second, rect)| (second, views::physical(ui, rect)));
-        self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
-    }
-
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
-        let actions = &mut self.waiting;
         self.views.show(ui, rects, &mut self.scene, &mut self.dragging);
         let style = NumberStyle::new(&self.scene.session.settings);
         let mut context = PageContext {
@@ -313,7 +304,6 @@ impl App {
             tools: &mut self.tools,
             style,
             has_lesson: self.scene.lessons.open.is_some(),
-            actions,
         };
         if let (Some(second), Some(area), Some(rect)) =
             (page.second, rects.second_area, rects.second)
@@ -323,13 +313,9 @@ impl App {
         // Answers stay hidden while the class thinks. A vote asks its own question, and reveals nothing about
         // the step's question.
         let shown = !context.session.is_asking || context.session.shows_vote();
-        ui.scope_builder(UiBuilder::new().max_rect(rects.rest), |ui| {
-            ui.set_clip_rect(rects.rest);
-            if shown {
-                (page.rest)(ui, &mut context);
-            } else {
-                (page.asked)(ui, &context);
-            }
+        clipped(ui, rects.rest, |ui| match shown {
+            true => (page.rest)(ui, &mut context),
+            false => (page.asked)(ui, &context),
         });
         files::notice(ui.ctx(), &mut self.scene);
     }
@@ -402,6 +388,7 @@ impl App {
             self.failure = Some(failure);
             // Discard whatever the failed pass left unfinished.
             self.waiting.clear();
+            take_requested(ui.ctx());
             self.over.dialog = None;
             self.views.deriver = Deriver::default();
             // The pass that failed did not get as far as saving the edit that caused the failure.

@@ -12,7 +12,6 @@ use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::observer::Observer;
 use crate::model::session::presenting::Pen;
 use crate::model::session::{Session, Settings, Workspace};
-use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;
 use crate::view::derivation::Derivation;
 
@@ -188,19 +187,19 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip; `differs` is true if anything has changed since the step was opened. While
-    /// presenting, a vote replaces the strip, because it asks another question.
-    pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
+    /// Shows the lesson's strip. While presenting, a vote replaces the strip, because it asks another question.
+    pub(super) fn lesson_strip(&self, ui: &mut Ui) {
         let Some(open) = &self.lessons.open else { return };
         if self.session.presenting.is_some() && self.session.shows_vote() {
             return;
         }
         Panel::top("lesson").show(ui, |ui| {
+            let is_asking = self.session.is_asking;
             if self.session.presenting.is_some() {
-                lesson_strip::slim(ui, open, self.session.is_asking);
+                lesson_strip::slim(ui, open, is_asking);
             } else {
-                let (file, is_asking) = (self.lessons.file.as_deref(), self.session.is_asking);
-                lesson_strip::ui(ui, open, file, is_asking, differs, actions);
+                let (file, differs) = (self.lessons.file.as_deref(), self.differs_from_step());
+                lesson_strip::ui(ui, open, file, is_asking, differs);
             }
         });
     }

@@ -1,16 +1,17 @@
 //! The window's overlays: dialogs, the command palette, the list of keys, the focus ring and the spotlight.
 
+use std::path::PathBuf;
+
 use egui::{Context, Ui};
 use pinhole_exchange::scenes::SceneSource;
 
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
-use crate::ui::action::{Action, Available, HelpAction, Leave, ObjectAction};
+use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
 use crate::ui::commands_table::{self, Group, UiCommand};
-use crate::ui::dialogs::help;
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::path_field::FileAnswer;
-use crate::ui::dialogs::{self, Dialog};
+use crate::ui::dialogs::{self, Dialog, help};
 use crate::view::typesetting::theme;
 
 /// Maximum number of objects that the palette lists.
@@ -58,16 +59,15 @@ impl Overlays {
         }
     }
 
-    /// Shows the open overlays, and adds the commands that the user chooses in them to `actions`.
+    /// Shows the open overlays, and requests the commands that the user chooses in them.
     pub(super) fn ui(
         &mut self,
         ctx: &Context,
         scene: &OpenScene,
-        recent: &[std::path::PathBuf],
+        recent: &[PathBuf],
         there: Available,
-        actions: &mut Vec<Action>,
     ) {
-        dialogs::ui(ctx, &mut self.dialog, actions);
+        dialogs::ui(ctx, &mut self.dialog);
         if self.shows_keys {
             self.shows_keys = help::ui(ctx);
         }
@@ -76,7 +76,7 @@ impl Overlays {
             let commands = commands_table::all().iter().chain(&extra);
             let commands: Vec<&UiCommand> =
                 commands.filter(|command| command.action.is_possible(there)).collect();
-            if !palette::ui(ctx, palette, &commands, &scene.session, actions) {
+            if !palette::ui(ctx, palette, &commands, &scene.session) {
                 self.palette = None;
             }
         }
@@ -99,7 +99,7 @@ impl Overlays {
 }
 
 /// Returns commands for the steps of a lesson from a file, for recent files and for the scene's objects.
-fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) -> Vec<UiCommand> {
+fn commands_of_what_is_open(scene: &OpenScene, recent: &[PathBuf]) -> Vec<UiCommand> {
     let open = scene.lessons.open.as_ref();
     let own = open.filter(|open| open.id().lesson == Which::File);
     let mut commands =

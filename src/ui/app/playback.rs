@@ -12,7 +12,7 @@ use crate::model::inspection::Inspection;
 use crate::model::observer::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
 use crate::model::session::Session;
-use crate::ui::action::{Action, PlayAction};
+use crate::ui::action::PlayAction;
 use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
 use crate::view::derive::Derived;
@@ -33,7 +33,6 @@ impl Playback {
         scene: &mut OpenScene,
         history: &mut SceneHistory,
         inspection: Option<&Inspection>,
-        actions: &mut Vec<Action>,
     ) {
         let ctx = ui.ctx().clone();
         let Some(player) = &mut self.player else { return };
@@ -50,7 +49,7 @@ impl Playback {
         player.start.end = ray_point_end(inspection);
         player.reduced = scene.session.settings.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
-        Panel::bottom("play").show(ui, |ui| play::ui(ui, player, actions));
+        Panel::bottom("play").show(ui, |ui| play::ui(ui, player));
         if player.running {
             ctx.request_repaint();
         }

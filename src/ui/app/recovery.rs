@@ -1,7 +1,6 @@
 //! Recovery files: writes unsaved changes while the user works, and offers the changes of a window that ended
 //! without asking.
 
-use std::path::Path;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -13,7 +12,8 @@ use super::window::complain;
 use crate::model::files::OpenDocument;
 use crate::model::recovery::{Found, Slot, Unsaved, in_words};
 use crate::model::store::Store;
-use crate::ui::dialogs::Dialog;
+use crate::ui::action::{FileAction, Leave};
+use crate::ui::dialogs::{Dialog, Question};
 
 /// Seconds until changes are written: after the last edit, and the maximum after the first one.
 const REST: f64 = 1.0;
@@ -54,8 +54,18 @@ impl Recovery {
     pub(super) fn offer(&mut self) -> Option<Dialog> {
         let found = self.found.get(self.next)?;
         self.next += 1;
-        let (title, file) = (found.title().to_owned(), found.file().map(Path::to_owned));
-        Some(Dialog::Found { title, file, age: in_words(found.age) })
+        let title = format!("Restore the unsaved changes to {}?", found.title());
+        let age = in_words(found.age);
+        let text = format!("Pinhole ended without saving them. The last one was made {age} ago.");
+        let restore = |as_new| Some(Leave::Restore { as_new }.into());
+        let answers = vec![
+            ("Restore", "Opens the scene with these changes", restore(false)),
+            ("Open beside", "Opens them as a new scene without a file", restore(true)),
+            ("Discard", "Deletes these changes", Some(FileAction::DiscardRecovered.into())),
+            ("Not now", "Asks again at the next start", None),
+        ];
+        let file = found.file().map(|file| file.display().to_string()).unwrap_or_default();
+        Some(Dialog::Question(Question::new(title, text, answers).about_file(file)))
     }
 
     /// Removes and returns the changes that were offered last.

@@ -16,11 +16,10 @@ use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
-use crate::model::session::Ghost;
 use crate::model::session::handles::HandleState;
-use crate::model::session::{Session, Settings, ViewLayout};
+use crate::model::session::{Ghost, Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
-use crate::ui::dialogs::{Dialog, Message};
+use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
 
 /// The state that undo restores when it returns to a scene.
@@ -61,16 +60,16 @@ impl OpenScene {
     }
 
     /// Opens a scene, or a lesson from a file.
-    pub(super) fn load(&mut self, source: SceneSource) -> Result<Opened, Message> {
+    pub(super) fn load(&mut self, source: SceneSource) -> Result<Opened, Question> {
         if let SceneSource::File(path) = &source
             && lessons::is_lesson(path)
         {
-            let problem = |error| Message::new("This lesson cannot be opened", error);
+            let problem = |error| Question::message("This lesson cannot be opened", error);
             let lesson = lessons::load(path).map_err(problem)?;
             let id = StepId { lesson: Which::File, step: 0 };
             return Ok(self.open_lesson(id, Some(Arc::new(lesson))).unwrap_or_default());
         }
-        let problem = |error| Message::new("This scene cannot be opened", error);
+        let problem = |error| Question::message("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
         Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
     }

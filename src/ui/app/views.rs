@@ -3,7 +3,7 @@
 use pinhole_core::Selection;
 use std::time::Duration;
 
-use egui::{Context, Event, Key, Pos2, Ui, Vec2};
+use egui::{Align2, Context, Event, Key, Pos2, Ui, Vec2};
 
 use super::scene::OpenScene;
 use crate::model::fault::Fault;
@@ -103,6 +103,7 @@ impl Views {
             views::strips(ui, rects, settings, image);
         }
         let (document, session) = (&scene.open.document, &scene.session);
+        let picture = rects.camera.or(rects.world);
         let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
         if let (Some(rect), Some(shown)) = (rects.world, &derived.world_view) {
             let stale = matches!(derived.fault, Some(Fault::Scene(_)));
@@ -120,10 +121,10 @@ impl Views {
             views::show_pointed(ui, session, derived, document, style);
         }
         let mark = accuracy::method_label(derived, session.settings.method);
-        if let (Some(rect), Some(text)) = (rects.camera.or(rects.world), mark) {
-            views::method_badge(ui, rect, &text);
+        if let (Some(rect), Some(text)) = (picture, mark) {
+            views::badge(ui, rect, Align2::LEFT_BOTTOM, &text);
         }
-        if let (Some(rect), Some(fault)) = (rects.camera.or(rects.world), derived.fault) {
+        if let (Some(rect), Some(fault)) = (picture, derived.fault) {
             views::reason(ui, rect, &typeset_message(fault));
         }
         for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
@@ -132,7 +133,7 @@ impl Views {
             let text = self.adaptive_resolution.message(subsampling);
             let text = text.filter(|_| derived.fault.is_none());
             if let (Some(rect), Some(text)) = (rect, text) {
-                views::coarse(ui, rect, &text);
+                views::badge(ui, rect, Align2::RIGHT_BOTTOM, &text);
             }
         }
         dragging.show_text(ui, rects, (document, session), derived);
@@ -146,10 +147,10 @@ fn is_hand_moving(ctx: &Context) -> bool {
         let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
         // The set of held keys is unreliable: if Shift is released before =, the key whose release is
         // reported is a different one.
-        let is_steered = i.events.iter().any(|event| match event {
-            Event::Key { key, pressed, .. } => *pressed && STEERING.contains(key),
-            _ => false,
-        });
+        let is_steering = |event: &Event| {
+            matches!(event, Event::Key { key, pressed: true, .. } if STEERING.contains(key))
+        };
+        let is_steered = i.events.iter().any(is_steering);
         drags || scrolls || is_steered
     })
 }

@@ -8,8 +8,7 @@ use egui::{Context, ViewportCommand};
 
 use crate::model::files::{Stamps, argument_of, is_text, remember, title_of};
 use crate::model::session::Settings;
-use crate::model::store::WindowGeometry;
-use crate::model::store::{Remembered, Store};
+use crate::model::store::{Remembered, Store, WindowGeometry};
 use crate::ui::app::scene::OpenScene;
 
 /// The window's own state.

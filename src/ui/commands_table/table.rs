@@ -15,8 +15,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::Scheme;
-use crate::model::session::{ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{Scheme, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
     HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, Steer,

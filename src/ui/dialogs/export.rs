@@ -9,7 +9,7 @@ use crate::model::play::Kind;
 use crate::model::session::Scheme;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::ResponseExt as _;
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
 
@@ -45,9 +45,8 @@ impl OnScreen {
 }
 
 /// The fields of the dialog.
-#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ExportForm {
-    field: PathField,
+    pub(crate) field: PathField,
     subjects: Vec<OnScreen>,
     chosen: usize,
     size: [u32; 2],
@@ -101,16 +100,10 @@ impl ExportForm {
         self
     }
 
-    /// Returns the field for the file's path.
-    pub(crate) fn field(&mut self) -> &mut PathField {
-        &mut self.field
-    }
-
     /// Shows the form. Returns the export once it is confirmed.
     pub(crate) fn ui(&mut self, ui: &mut Ui, close: &mut bool) -> Option<Action> {
         ui.heading(self.field.question.title);
         let shown = self.subject(ui)?;
-        let mut export = None;
         Grid::new("export").num_columns(2).show(ui, |ui| {
             self.looks(ui, shown);
             if let Some((_, frames)) = &mut self.animation {
@@ -122,26 +115,25 @@ impl ExportForm {
         if self.field.text != typed || self.field.request().is_some() {
             self.problem = None;
         }
-        if let Some(path) = path {
-            let content = match self.animation {
-                Some(_) => check_animation_path(&path),
-                None => Content::for_path(shown.subject, &path).map(drop),
+        let export = path.and_then(|path| {
+            let order = shown.order(self.size, self.style, self.transparent);
+            let (content, export) = match self.animation {
+                Some((_, frames)) => (
+                    check_animation_path(&path),
+                    FigureAction::ExportAnimation { order, frames, path },
+                ),
+                None => (
+                    Content::for_path(shown.subject, &path).map(drop),
+                    FigureAction::Export { order, path },
+                ),
             };
-            match content {
-                Ok(()) => {
-                    let order = shown.order(self.size, self.style, self.transparent);
-                    export = Some(match self.animation {
-                        Some((_, frames)) => FigureAction::ExportAnimation { order, frames, path },
-                        None => FigureAction::Export { order, path },
-                    });
-                }
-                Err(problem) => self.problem = Some(format!("Export {problem}")),
-            }
-        }
+            self.problem = content.err().map(|problem| format!("Export {problem}"));
+            self.problem.is_none().then_some(export.into())
+        });
         if let Some(problem) = &self.problem {
             ui.label(RichText::new(problem).color(error_color(ui)));
         }
-        export.map(Action::from)
+        export
     }
 
     /// Shows the choice of the figure's subject.
@@ -169,20 +161,17 @@ impl ExportForm {
             |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
         let [width, height] = &mut self.size;
         let is_wider = number(ui, "width", "figure width", dots(width));
-        match shown.subject {
-            FigureSubject::Derivation => {
-                ui.label("height");
-                ui.weak("fits its lines");
-                ui.end_row();
-            }
-            subject => {
-                let is_higher = number(ui, "height", "figure height", dots(height));
-                // The camera's figure keeps its aspect ratio, so that its pixels keep their shape.
-                if subject == FigureSubject::Camera && is_wider {
-                    *height = follow(*width, down / across);
-                } else if subject == FigureSubject::Camera && is_higher {
-                    *width = follow(*height, across / down);
-                }
+        if shown.subject == FigureSubject::Derivation {
+            ui.label("height");
+            ui.weak("fits its lines");
+            ui.end_row();
+        } else {
+            let is_higher = number(ui, "height", "figure height", dots(height));
+            // The camera's figure keeps its aspect ratio, so that its pixels keep their shape.
+            match (shown.subject, is_wider, is_higher) {
+                (FigureSubject::Camera, true, _) => *height = follow(*width, down / across),
+                (FigureSubject::Camera, _, true) => *width = follow(*height, across / down),
+                _ => {}
             }
         }
         ui.label("colours");

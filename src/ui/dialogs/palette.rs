@@ -6,9 +6,9 @@ use egui::{
 };
 
 use crate::model::session::Session;
-use crate::ui::action::{Action, LookAction};
+use crate::ui::action::{Action, LookAction, request};
 use crate::ui::commands_table::{UiCommand, found};
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::ResponseExt as _;
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;
@@ -16,20 +16,19 @@ const TEXT: f32 = 17.0;
 const ROWS: f32 = 10.0;
 
 /// The typed text, and the index of the selected command among those that match it.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub(crate) struct CommandPalette {
     typed: String,
     chosen: usize,
 }
 
-/// Shows the palette with these commands, and adds the chosen one to `actions`. Returns true if the palette
-/// stays open.
+/// Shows the palette with these commands, and requests the chosen one. Returns true if the palette stays
+/// open.
 pub(crate) fn ui(
     ctx: &Context,
     palette: &mut CommandPalette,
     commands: &[&UiCommand],
     session: &Session,
-    actions: &mut Vec<Action>,
 ) -> bool {
     let mut is_open = true;
     let steps = moves(ctx);
@@ -40,18 +39,15 @@ pub(crate) fn ui(
         field(ui, palette);
         let fitting = found(&palette.typed, commands.iter().copied());
         let last = fitting.len().saturating_sub(1);
-        let moved = steps != 0;
-        palette.chosen = if palette.typed == before {
-            palette.chosen.saturating_add_signed(steps).min(last)
-        } else {
-            0
-        };
-        let is_new = moved || palette.typed != before;
+        let is_same = palette.typed == before;
+        let next = palette.chosen.saturating_add_signed(steps).min(last);
+        palette.chosen = if is_same { next } else { 0 };
+        let is_new = steps != 0 || !is_same;
         let chosen = list(ui, &fitting, palette.chosen, is_new, session);
         let entered = ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
         let chosen = chosen.or(entered.then_some(palette.chosen));
         if let Some(command) = chosen.and_then(|chosen| fitting.get(chosen)) {
-            actions.push(command.action.clone());
+            request(ctx, command.action.clone());
             is_open = false;
         }
     });
@@ -101,11 +97,8 @@ fn list(
             let layout = Layout::top_down_justified(Align::Min);
             let entry = entry(command, k == chosen, session, row);
             let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
-            let response = response.named(command.title());
-            ui.ctx().accesskit_node_builder(response.id, |node| {
-                node.set_selected(k == chosen);
-                node.set_description(command.about.to_string());
-            });
+            let response = response.named(command.title()).described(command.about.clone());
+            let response = response.node(|node| node.set_selected(k == chosen));
             if follow && k == chosen {
                 response.scroll_to_me(Some(Align::Center));
             }

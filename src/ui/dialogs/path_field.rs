@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
 
 /// A question for a file to read or to write.
@@ -46,26 +46,17 @@ pub enum FileAnswer {
     Unavailable,
 }
 
-/// The way in which the file is chosen.
-#[derive(Clone, Debug, PartialEq)]
-enum Chooser {
-    /// The window's field and list.
-    Field,
-    /// The desktop's dialog, once the button is clicked.
-    Desktop,
-    /// The desktop's dialog, while it is open.
-    OpenDesktop(FileRequest),
-    /// The desktop's dialog, after it was answered.
-    Answered(PathBuf),
-}
-
-/// A field for a path, which the user types or chooses from a list.
-#[derive(Clone, Debug, PartialEq)]
+/// A field for a path, which the user types, chooses from a list, or chooses in the desktop's dialog.
 pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     pub(crate) question: FileQuestion,
-    chooser: Chooser,
+    /// True if the desktop's dialog asks for the file.
+    is_desktops: bool,
+    /// The question to the desktop's dialog while that is open.
+    request: Option<FileRequest>,
+    /// The path that was chosen in the desktop's dialog.
+    chosen: Option<PathBuf>,
     /// The listed folder and its entries.
     folder: PathBuf,
     entries: Vec<FolderEntry>,
@@ -73,11 +64,12 @@ pub(crate) struct PathField {
     overwrite: Option<PathBuf>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+/// A file or folder in the list. Folders are first, each kind by name.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct FolderEntry {
+    is_file: bool,
     name: String,
     path: PathBuf,
-    is_folder: bool,
 }
 
 impl PathField {
@@ -96,7 +88,9 @@ impl PathField {
         let mut field = PathField {
             text,
             question,
-            chooser: Chooser::Field,
+            is_desktops: false,
+            request: None,
+            chosen: None,
             folder: PathBuf::new(),
             entries: Vec::new(),
             overwrite: None,
@@ -107,70 +101,52 @@ impl PathField {
 
     /// Lets the desktop's dialog ask for the file, immediately or when the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
-        self.chooser = Chooser::Desktop;
+        (self.is_desktops, self.request) = (true, None);
         if at_once {
-            self.open_desktop();
+            let name = Path::new(&self.text).file_name().unwrap_or_default();
+            let name = name.to_string_lossy().into_owned();
+            let folder = std::path::absolute(&self.folder).unwrap_or_else(|_| self.folder.clone());
+            self.request = Some(FileRequest { question: self.question, folder, name });
         }
-    }
-
-    fn open_desktop(&mut self) {
-        let name = Path::new(&self.text).file_name().unwrap_or_default();
-        let name = name.to_string_lossy().into_owned();
-        let folder = std::path::absolute(&self.folder).unwrap_or_else(|_| self.folder.clone());
-        self.chooser = Chooser::OpenDesktop(FileRequest { question: self.question, folder, name });
     }
 
     /// Returns the question while the desktop's dialog is open.
     pub(crate) fn request(&self) -> Option<&FileRequest> {
-        match &self.chooser {
-            Chooser::OpenDesktop(request) => Some(request),
-            _ => None,
-        }
+        self.request.as_ref()
     }
 
     /// Takes the path that was chosen in the desktop's dialog.
     pub(crate) fn choose(&mut self, path: PathBuf) {
-        self.chooser = Chooser::Answered(path);
-    }
-
-    /// Marks the desktop's dialog as closed.
-    pub(crate) fn close_desktop(&mut self) {
-        self.chooser = Chooser::Desktop;
+        (self.chosen, self.request) = (Some(path), None);
     }
 
     /// Uses the window's list from now on.
     pub(crate) fn ask_by_list(&mut self) {
-        self.chooser = Chooser::Field;
+        (self.is_desktops, self.request) = (false, None);
     }
 
     fn list(&mut self, folder: PathBuf) {
-        let mut entries: Vec<FolderEntry> =
-            (std::fs::read_dir(&folder).into_iter().flatten().flatten())
-                .filter_map(|entry| {
-                    let path = entry.path();
-                    let name = entry.file_name().to_string_lossy().into_owned();
-                    let is_folder = path.is_dir();
-                    let ending = path.extension().and_then(|ending| ending.to_str());
-                    let is_one =
-                        ending.is_some_and(|ending| self.question.endings.contains(&ending));
-                    (!name.starts_with('.') && (is_folder || is_one)).then_some(FolderEntry {
-                        name,
-                        path,
-                        is_folder,
-                    })
-                })
-                .collect();
-        entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
-        self.entries = entries;
+        let files = std::fs::read_dir(&folder).into_iter().flatten().flatten();
+        let entries = files.map(|entry| {
+            let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
+            FolderEntry { is_file: !path.is_dir(), name, path }
+        });
+        let is_listed = |entry: &FolderEntry| {
+            let ending = entry.path.extension().and_then(|ending| ending.to_str());
+            let is_one = ending.is_some_and(|ending| self.question.endings.contains(&ending));
+            !entry.name.starts_with('.') && (!entry.is_file || is_one)
+        };
+        self.entries = entries.filter(is_listed).collect();
+        self.entries.sort();
         self.folder = folder;
     }
 
     /// Shows the field. Returns the path of a file once the user has chosen it. In the list, the user must
     /// confirm before an existing file is overwritten.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
-        let mut chosen = match self.chooser {
-            Chooser::Field => self.list_ui(ui, cancel),
-            _ => self.desktop_ui(ui, cancel),
+        let mut chosen = match self.is_desktops {
+            true => self.desktop_ui(ui, cancel),
+            false => self.list_ui(ui, cancel),
         };
         if let Some(folder) = chosen.take_if(|path| path.is_dir()) {
             self.list(folder);
@@ -206,11 +182,11 @@ impl PathField {
         let height = list_height(ui.ctx());
         list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for entry in &self.entries {
-                let name =
-                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let slash = if entry.is_file { "" } else { "/" };
+                let name = format!("{}{slash}", entry.name);
                 let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
                 // A double click is also reported as a click.
-                if row.clicked() && entry.is_folder {
+                if row.clicked() && !entry.is_file {
                     enter = Some(entry.path.clone());
                 } else if row.double_clicked() {
                     chosen = Some(entry.path.clone());
@@ -223,13 +199,12 @@ impl PathField {
             self.list(folder);
         }
         let typed = self.text.trim();
-        let buttons = ui.horizontal(|ui| {
-            let ready =
-                ui.add_enabled(!typed.is_empty(), Button::new(self.question.verb)).clicked();
+        let mut ready = entered;
+        ui.horizontal(|ui| {
+            let verb = Button::new(self.question.verb);
+            ready |= ui.add_enabled(!typed.is_empty(), verb).clicked();
             *cancel |= ui.button("Cancel").clicked();
-            ready
         });
-        let ready = buttons.inner || entered;
         if ready && !typed.is_empty() {
             chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
         }
@@ -237,34 +212,30 @@ impl PathField {
     }
 
     fn desktop_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
-        let chosen = match &self.chooser {
-            Chooser::Answered(path) => Some(path.clone()),
-            _ => None,
-        };
-        if let Some(path) = &chosen {
-            self.overwrite = Some(path.clone());
-            self.close_desktop();
+        let chosen = self.chosen.take();
+        if chosen.is_some() {
+            self.overwrite.clone_from(&chosen);
         }
-        let is_open = self.request().is_some();
+        let is_open = self.request.is_some();
         // The button stays in place, so that a second click hits it again.
         let waits = "Choose the file in the dialog of your desktop.";
         ui.label(if is_open { waits } else { self.question.hint });
         ui.add_space(8.0);
-        let buttons = ui.horizontal(|ui| {
+        let mut is_old = chosen.is_some();
+        ui.horizontal(|ui| {
             let verb = Button::new(format!("{}…", self.question.verb));
-            let clicked = ui.add_enabled(!is_open, verb).clicked();
+            if ui.add_enabled(!is_open, verb).clicked() {
+                is_old = true;
+                self.leave_to_desktop(true);
+            }
             *cancel |= ui.button("Cancel").clicked();
             // The desktop's dialog may open on another screen, or never.
-            (clicked, ui.button("List files here").clicked())
+            if ui.button("List files here").clicked() {
+                is_old = true;
+                self.ask_by_list();
+            }
         });
-        let (opens, lists) = buttons.inner;
-        if opens {
-            self.open_desktop();
-        }
-        if lists {
-            self.ask_by_list();
-        }
-        if opens || lists || chosen.is_some() {
+        if is_old {
             // The buttons drawn in this pass are out of date.
             ui.ctx().request_repaint();
         }

@@ -9,11 +9,9 @@ use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
 use crate::model::session::Settings;
-use crate::model::symbols::typeset_message;
-use crate::model::symbols::{Kind, meaning};
-use crate::ui::widgets::Spoken as _;
-use crate::ui::widgets::fault_text;
+use crate::model::symbols::{Kind, meaning, typeset_message};
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
+use crate::ui::widgets::{ResponseExt as _, fault_text};
 
 /// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, which is the ratio of width :
 /// height to W : H. The setting `keep_picture` locks distance : width : height.
@@ -255,18 +253,14 @@ pub(crate) fn selected_ray(
     };
     *selection = selection.inside(resolved.image());
     let uv = selection.uv(resolved);
-    let position = resolved.pixel_of_uv(uv);
     // A point on an edge or a corner does not belong to a single pixel.
-    let (inside, known) = match *selection {
-        Selection::Pixel(pixel) => (Some(pixel), true),
-        Selection::Uv(_) => (
-            position.map(|position| position.pixel),
-            position.is_some_and(|position| position.only_pixel().is_some()),
-        ),
+    let known = match *selection {
+        Selection::Pixel(_) => true,
+        Selection::Uv(uv) => resolved.pixel_of_uv(uv).is_some_and(|at| at.only_pixel().is_some()),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
-        let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
+        let mut pixel = selection.pixel(resolved).unwrap_or(Pixel { row: 0, column: 0 });
         let image = resolved.image();
         let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
         let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);

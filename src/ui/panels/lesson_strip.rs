@@ -3,14 +3,12 @@
 use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Align, Button, Color32, FontId, Label, Layout, RichText, ScrollArea, Ui, vec2};
+use egui::{Align, Button, FontId, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::Spoken as _;
-use crate::ui::widgets::marked_text;
+use crate::ui::widgets::{ResponseExt as _, marked_text, text_width};
 
 /// Size of the text, in points; it is legible from the back row.
 const TEXT: f32 = 18.0;
@@ -21,7 +19,7 @@ const SHOW_ANSWER: &str = "Show the answer";
 /// Number of lines that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
-/// Shows the strip, and adds the chosen actions to `actions`. `changed` is true if anything differs from the
+/// Shows the strip. `file` is the lesson that was opened from a file. `changed` is true if anything differs from the
 /// step.
 pub(crate) fn ui(
     ui: &mut Ui,
@@ -29,12 +27,11 @@ pub(crate) fn ui(
     file: Option<&Lesson>,
     is_asking: bool,
     changed: bool,
-    actions: &mut Vec<Action>,
 ) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            buttons(ui, open, file, is_asking, changed, actions);
+            buttons(ui, open, file, is_asking, changed);
             // The titles are the same before and after the answer.
             let [next, answer] = [NEXT, SHOW_ANSWER].map(|text| width(ui, text, BUTTON));
             let reserved = if is_asking { 0.0 } else { answer - next };
@@ -91,49 +88,33 @@ fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
 
 /// Returns the width of a text of this size.
 fn width(ui: &Ui, text: &str, size: f32) -> f32 {
-    let font = FontId::proportional(size);
-    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
+    text_width(ui, text, FontId::proportional(size))
 }
 
 /// Shows the buttons from right to left.
-fn buttons(
-    ui: &mut Ui,
-    open: &OpenLesson,
-    file: Option<&Lesson>,
-    is_asking: bool,
-    changed: bool,
-    actions: &mut Vec<Action>,
-) {
-    let mut button = |ui: &mut Ui, text: &str, name: &str, hint: &str, action: Option<Action>| {
+fn buttons(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, is_asking: bool, changed: bool) {
+    let button = |ui: &mut Ui, text: &str, name: &str, hint: &str, can: bool, action: Action| {
         let button = Button::new(RichText::new(text).size(BUTTON));
-        let response = ui.add_enabled(action.is_some(), button);
-        let response = response.on_hover_text(hint).on_disabled_hover_text(hint).named(name);
-        if let (true, Some(action)) = (response.clicked(), action) {
-            actions.push(action);
-        }
+        let response = ui.add_enabled(can, button).on_hover_text(hint).on_disabled_hover_text(hint);
+        response.named(name).asks(action);
     };
-    button(ui, "×", "Close the lesson", "Close the lesson", Some(LessonAction::Close.into()));
-    let back = changed.then_some(Leave::BackToStep.into());
-    button(
-        ui,
-        &format!("Back to the step ({})", shortcut(Leave::BackToStep)),
-        "Back to the step",
-        "Sets everything as the step has it",
-        back,
-    );
+    button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
+    let back = format!("Back to the step ({})", shortcut(Leave::BackToStep));
+    let hint = "Sets everything as the step has it";
+    button(ui, &back, "Back to the step", hint, changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
-    let next = (is_asking || open.next().is_some()).then_some(LessonAction::Next.into());
+    let can = is_asking || open.next().is_some();
     let (text, name, about) = match is_asking {
         true => (SHOW_ANSWER, SHOW_ANSWER, "The answer to the question"),
         false => (NEXT, "Next", "The next step"),
     };
-    button(ui, text, name, &hint(about, LessonAction::Next), next);
-    let previous = open.previous().map(|_| LessonAction::Previous.into());
-    let hint = hint("The step before", LessonAction::Previous);
-    button(ui, "← Previous", "Previous", &hint, previous);
+    button(ui, text, name, &hint(about, LessonAction::Next), can, LessonAction::Next.into());
+    let can = open.previous().is_some();
+    let hint = hint("The previous step", LessonAction::Previous);
+    button(ui, "← Previous", "Previous", &hint, can, LessonAction::Previous.into());
     // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
-    menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));
+    menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));
 }
 
 /// Number of columns of the table of contents; with it, all lessons fit into a window of 720 points.
@@ -142,14 +123,14 @@ const COLUMNS: usize = 3;
 const COLUMN: f32 = 330.0;
 
 /// Shows all lessons with their steps; a teacher's lesson is above the built-in ones.
-fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
+fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
     let width = COLUMNS as f32 * COLUMN;
     // The default limit of a menu is too small for all lessons.
     ui.set_max_size((ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0)));
     ScrollArea::both().show(ui, |ui| {
         ui.set_width(width);
         if let Some(lesson) = file {
-            entries(ui, Which::File, lesson, open, actions);
+            entries(ui, Which::File, lesson, open);
             ui.separator();
         }
         let rows = |lessons: &[Arc<Lesson>]| -> usize {
@@ -162,26 +143,20 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut
                 // part that contains its middle.
                 let middle = rows(&all[..index]) + lesson.steps.len() / 2;
                 let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
-                entries(&mut columns[column], Which::Builtin(index), lesson, open, actions);
+                entries(&mut columns[column], Which::Builtin(index), lesson, open);
             }
         });
     });
 }
 
 /// Shows a lesson and its steps.
-fn entries(
-    ui: &mut Ui,
-    which: Which,
-    lesson: &Lesson,
-    open: &OpenLesson,
-    actions: &mut Vec<Action>,
-) {
+fn entries(ui: &mut Ui, which: Which, lesson: &Lesson, open: &OpenLesson) {
     ui.spacing_mut().item_spacing.y = 1.0;
     ui.add_space(4.0);
     ui.label(RichText::new(title_of(which, lesson)).size(BUTTON).strong());
     for (index, step) in lesson.steps.iter().enumerate() {
         let id = StepId { lesson: which, step: index };
         let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
-        ui.selectable_label(id == open.id(), text).asks(Leave::GoTo(id), actions);
+        ui.selectable_label(id == open.id(), text).asks(Leave::GoTo(id));
     }
 }

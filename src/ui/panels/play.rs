@@ -1,11 +1,10 @@
 //! The strip of the open animation, and the menu that opens one.
 
-use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
+use egui::{Button, Checkbox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
-use crate::ui::action::{Action, FigureAction, PlayAction};
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::action::{FigureAction, PlayAction, request};
+use crate::ui::widgets::{ResponseExt as _, combo};
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -19,41 +18,33 @@ const PLACE: f32 = 64.0;
 const SCAN_PLACE: f32 = 196.0;
 
 /// Shows the menu of animations.
-pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+pub(crate) fn menu(ui: &mut Ui) {
     for kind in Kind::ALL {
-        ui.button(kind.label()).asks(PlayAction::Open(kind), actions);
+        ui.button(kind.label()).asks(PlayAction::Open(kind));
     }
 }
 
-/// Shows the strip. Changes that cannot be made in place are added to `actions`.
-pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
+/// Shows the strip. Changes that cannot be made in place are requested.
+pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
     let is_narrow = ui.available_width() < NARROW;
     let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
     ui.horizontal(|ui| {
-        let chosen = kinds(ui, player.kind);
+        kinds(ui, player.kind);
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
-        button(ui, [text, name, "Space"], PlayAction::Toggle, actions);
-        button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1), actions);
-        button(
-            ui,
-            ["Step →", "Step forward", "A step on: full stop"],
-            PlayAction::Step(1),
-            actions,
-        );
+        button(ui, [text, name, "Space"], PlayAction::Toggle);
+        button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1));
+        button(ui, ["Step →", "Step forward", "A step on: full stop"], PlayAction::Step(1));
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {
-            ui.with_layout(right_to_left, |ui| ends(ui, player, actions));
-        }
-        if let Some(kind) = chosen {
-            actions.push(PlayAction::Open(kind).into());
+            ui.with_layout(right_to_left, |ui| ends(ui, player));
         }
     });
     if is_narrow {
         let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
-        ui.allocate_ui_with_layout(row, right_to_left, |ui| ends(ui, player, actions));
+        ui.allocate_ui_with_layout(row, right_to_left, |ui| ends(ui, player));
     }
     if let Some(fault) = player.fault {
         ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
@@ -62,42 +53,38 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
 }
 
 /// Shows a button with its text, its accessible name, and its hint.
-fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction, actions: &mut Vec<Action>) {
-    ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play, actions);
+fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction) {
+    ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play);
 }
 
 /// Shows, from right to left, the buttons that end the animation, and its position.
-fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
+fn ends(ui: &mut Ui, player: &mut Player) {
     let hint = "Close, with everything as it was at the start";
-    button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close, actions);
+    button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close);
     let hint = "Close, with everything as it is now";
-    button(ui, ["Keep", "Keep this", hint], PlayAction::Keep, actions);
-    ui.button("Export…").asks(FigureAction::AskAnimation, actions);
+    button(ui, ["Keep", "Keep this", hint], PlayAction::Keep);
+    ui.button("Export…").asks(FigureAction::AskAnimation);
     position(ui, player);
 }
 
-/// Shows the choice of animation. Returns a newly chosen one.
-fn kinds(ui: &mut Ui, now: Kind) -> Option<Kind> {
-    let mut chosen = now;
-    let menu = ComboBox::from_id_salt("what moves").width(206.0).selected_text(now.label());
-    let response = menu.show_ui(ui, |ui| {
+/// Shows the choice of animation.
+fn kinds(ui: &mut Ui, now: Kind) {
+    combo(ui, "what moves", 206.0, now.label(), |ui| {
         for kind in Kind::ALL {
-            ui.selectable_value(&mut chosen, kind, kind.label());
+            if ui.selectable_label(kind == now, kind.label()).clicked() && kind != now {
+                request(ui.ctx(), PlayAction::Open(kind));
+            }
         }
     });
-    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("what moves"));
-    (chosen != now).then_some(chosen)
 }
 
 fn speed(ui: &mut Ui, speed: &mut f64) {
     let text = |speed: f64| format!("{speed}×");
-    let menu = ComboBox::from_id_salt("speed").width(64.0).selected_text(text(*speed));
-    let response = menu.show_ui(ui, |ui| {
+    combo(ui, "speed", 64.0, &text(*speed), |ui| {
         for choice in Player::SPEEDS {
             ui.selectable_value(speed, choice, text(choice));
         }
     });
-    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("speed"));
 }
 
 /// Shows, from right to left, the position as text and as a slider. Dragging the slider pauses the animation.

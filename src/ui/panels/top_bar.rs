@@ -1,7 +1,7 @@
 //! The bar at the top: the menus, the four workspaces, and the pages of the open workspace.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
+use egui::{MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
@@ -9,22 +9,20 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::overlay_items::Item;
-use crate::model::session::Scheme;
 use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{
-    DIGITS, Settings, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
+    DIGITS, Scheme, Settings, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LookAction, Observe,
+    HelpAction, HistoryAction, Leave, LookAction, Observe, request,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::{ResponseExt as _, text_width};
 use crate::view::derivation::Markup;
 
-/// Shows the bar, and writes the user's choices to `actions` and `settings`. `steps` are the names of the
+/// Shows the bar, and applies or requests what the user chooses. `steps` are the names of the
 /// steps that the user can undo and redo.
 pub(crate) fn ui(
     ui: &mut Ui,
@@ -33,21 +31,20 @@ pub(crate) fn ui(
     steps: [Option<&str>; 2],
     there: Available,
     settings: &mut Settings,
-    actions: &mut Vec<Action>,
 ) {
     MenuBar::new().ui(ui, |ui| {
         // This menu stays open for several clicks.
         let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        ui.menu_button("File", |ui| file_menu(ui, recent, actions));
-        ui.menu_button("Edit", |ui| edit_menu(ui, steps, there, actions));
-        MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings, actions));
-        ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
-        ui.menu_button("Play", |ui| play::menu(ui, actions));
+        ui.menu_button("File", |ui| file_menu(ui, recent));
+        ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
+        MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
+        ui.menu_button("Lessons", lessons_menu);
+        ui.menu_button("Play", play::menu);
         ui.menu_button("Tools", |ui| tools_menu(ui, settings));
-        ui.menu_button("Help", |ui| help_menu(ui, actions));
+        ui.menu_button("Help", help_menu);
         ui.separator();
         workspaces(ui, settings);
-        pages(ui, there, settings, actions);
+        pages(ui, there, settings);
         ui.separator();
         // The same text as in the window's title.
         let changed = if open.has_changes() { "*" } else { "" };
@@ -73,9 +70,9 @@ fn workspaces(ui: &mut Ui, settings: &mut Settings) {
 
 /// Shows the pages of the open workspace, or the tools while one of them is open. They are in a menu if they
 /// do not fit side by side.
-fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn pages(ui: &mut Ui, there: Available, settings: &mut Settings) {
     let pages: Vec<ViewLayout> = match settings.layout.workspace() {
-        Some(Workspace::Scene) => return ghost(ui, there, settings, actions),
+        Some(Workspace::Scene) => return ghost(ui, there, settings),
         Some(workspace) => workspace.pages().to_vec(),
         None => TOOLS.to_vec(),
     };
@@ -101,14 +98,14 @@ fn pages(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut V
 }
 
 /// Shows the switch that turns on the comparison with the ghost, a frozen camera.
-fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings) {
     let is_on = settings.layout == ViewLayout::Compare;
     ui.separator();
     let hint = "Compare the camera with a ghost of it: G freezes one";
     if ui.selectable_label(is_on, "Ghost").on_hover_text(hint).clicked() {
         settings.layout = if is_on { ViewLayout::Both } else { ViewLayout::Compare };
         if !is_on && !there.ghost {
-            actions.push(GhostAction::Freeze.into());
+            request(ui.ctx(), GhostAction::Freeze);
         }
     }
 }
@@ -116,40 +113,33 @@ fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut V
 /// Returns the width of a button with this text, including the space after the button.
 fn width_of(ui: &Ui, text: &str) -> f32 {
     let font = TextStyle::Button.resolve(ui.style());
-    let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
-    text.size().x + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
+    text_width(ui, text, font) + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
 }
 
-fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+fn lessons_menu(ui: &mut Ui) {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         let which = Which::Builtin(index);
         ui.button(lessons::title_of(which, lesson))
-            .asks(Leave::GoTo(StepId { lesson: which, step: 0 }), actions);
+            .asks(Leave::GoTo(StepId { lesson: which, step: 0 }));
     }
 }
 
-fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
-    entry(ui, "Open…", FileAction::AskOpen, actions);
-    entry(ui, "Save", FileAction::Save, actions);
-    entry(ui, "Save as…", FileAction::AskSaveAs { then: None }, actions);
+fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf]) {
+    entry(ui, "Open…", FileAction::AskOpen);
+    entry(ui, "Save", FileAction::Save);
+    entry(ui, "Save as…", FileAction::AskSaveAs { then: None });
     ui.separator();
-    entry(ui, "Check answers…", AnswersAction::Ask, actions);
+    entry(ui, "Check answers…", AnswersAction::Ask);
     ui.separator();
-    entry(ui, "Export a figure…", FigureAction::Ask, actions);
-    entry(ui, "Copy the figure", FigureAction::Copy, actions);
-    entry(ui, "Copy the derivation as LaTeX", FigureAction::CopyDerivation(Markup::Latex), actions);
-    entry(
-        ui,
-        "Copy the derivation as Markdown",
-        FigureAction::CopyDerivation(Markup::Markdown),
-        actions,
-    );
+    entry(ui, "Export a figure…", FigureAction::Ask);
+    entry(ui, "Copy the figure", FigureAction::Copy);
+    entry(ui, "Copy the derivation as LaTeX", FigureAction::CopyDerivation(Markup::Latex));
+    entry(ui, "Copy the derivation as Markdown", FigureAction::CopyDerivation(Markup::Markdown));
     ui.separator();
     ui.menu_button("Scenes", |ui| {
         for scene in BuiltinScene::all() {
-            ui.button(scene.name)
-                .on_hover_text(scene.summary())
-                .asks(Leave::Open(SceneSource::Builtin(scene)), actions);
+            let button = ui.button(scene.name).on_hover_text(scene.summary());
+            button.asks(Leave::Open(SceneSource::Builtin(scene)));
         }
     });
     ui.menu_button("Recent", |ui| {
@@ -158,49 +148,43 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
         }
         for path in recent {
             ui.button(path.display().to_string())
-                .asks(Leave::Open(SceneSource::File(path.clone())), actions);
+                .asks(Leave::Open(SceneSource::File(path.clone())));
         }
     });
     ui.separator();
-    entry(ui, "Quit", Leave::Quit, actions);
+    entry(ui, "Quit", Leave::Quit);
 }
 
 /// Shows a menu entry with its key.
-fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>, actions: &mut Vec<Action>) {
+fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>) {
     let action = action.into();
-    ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action, actions);
+    ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action);
 }
 
 /// Shows a menu entry that is disabled while its action is not possible.
-fn possible_entry(
-    ui: &mut Ui,
-    text: &str,
-    action: impl Into<Action>,
-    there: Available,
-    actions: &mut Vec<Action>,
-) {
+fn possible_entry(ui: &mut Ui, text: &str, action: impl Into<Action>, there: Available) {
     let action = action.into();
-    ui.add_enabled_ui(action.is_possible(there), |ui| entry(ui, text, action, actions));
+    ui.add_enabled_ui(action.is_possible(there), |ui| entry(ui, text, action));
 }
 
-fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &mut Vec<Action>) {
+fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available) {
     let verbs = [("Undo", HistoryAction::Undo), ("Redo", HistoryAction::Redo)];
     for ((verb, action), step) in verbs.into_iter().zip(steps) {
         let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
-        possible_entry(ui, &text, action, there, actions);
+        possible_entry(ui, &text, action, there);
     }
-    entry(ui, "Paste a camera", ExchangeAction::AskPaste, actions);
+    entry(ui, "Paste a camera", ExchangeAction::AskPaste);
 }
 
-fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &mut Vec<Action>) {
-    entry(ui, "Present", LookAction::Present, actions);
-    entry(ui, "Vote: guess which mistake", LookAction::Vote, actions);
-    entry(ui, "Frame all", Observe::FrameAll, actions);
-    entry(ui, "Frame the camera", Observe::FrameCamera, actions);
+fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
+    entry(ui, "Present", LookAction::Present);
+    entry(ui, "Vote: guess which mistake", LookAction::Vote);
+    entry(ui, "Frame all", Observe::FrameAll);
+    entry(ui, "Frame the camera", Observe::FrameCamera);
     ui.separator();
-    possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there, actions);
-    possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there, actions);
-    possible_entry(ui, "Remove the ghost", GhostAction::Drop, there, actions);
+    possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);
+    possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there);
+    possible_entry(ui, "Remove the ghost", GhostAction::Drop, there);
     ui.separator();
     ui.menu_button("Drawn over the views", |ui| {
         for item in Item::ALL {
@@ -237,9 +221,9 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings, actions: &m
         let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(hint);
         response.named("smallest text while presenting");
     });
-    entry(ui, "Larger", LookAction::ZoomBy(1), actions);
-    entry(ui, "Smaller", LookAction::ZoomBy(-1), actions);
-    entry(ui, "Reset zoom", LookAction::ZoomBy(0), actions);
+    entry(ui, "Larger", LookAction::ZoomBy(1));
+    entry(ui, "Smaller", LookAction::ZoomBy(-1));
+    entry(ui, "Reset zoom", LookAction::ZoomBy(0));
 }
 
 fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
@@ -257,12 +241,12 @@ fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
     });
 }
 
-fn help_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
-    entry(ui, "Keys", HelpAction::Keys, actions);
-    entry(ui, "Command palette", HelpAction::Palette, actions);
+fn help_menu(ui: &mut Ui) {
+    entry(ui, "Keys", HelpAction::Keys);
+    entry(ui, "Command palette", HelpAction::Palette);
     ui.separator();
-    entry(ui, "The lecture's conventions", HelpAction::Conventions, actions);
-    entry(ui, "About Pinhole", HelpAction::About, actions);
+    entry(ui, "The lecture's conventions", HelpAction::Conventions);
+    entry(ui, "About Pinhole", HelpAction::About);
 }
 
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {

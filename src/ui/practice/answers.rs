@@ -11,11 +11,10 @@ use pinhole_lecture::numbers::ungrouped;
 use crate::model::practice::StudentAnswers;
 use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
-use crate::ui::action::{Action, AnswersAction, LookAction};
+use crate::ui::action::{AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::sign;
+use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 
@@ -31,15 +30,13 @@ const NARROWEST: f32 = 330.0;
 const NONE: &str = "Drop a student's answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
-/// The text if the scene is invalid.
-const FAULT: &str = "The scene is invalid, so the answers cannot be checked.";
-
-/// The text while the user drags and grading takes long.
-const WAITS: &str = "The answers are checked when you release the mouse button.";
-
-/// Returns the reason why the answers are not graded.
+/// Returns the reason why the answers are not graded: the scene is invalid, or the user drags and grading
+/// takes long.
 fn not_graded(derived: &Derived) -> &'static str {
-    if derived.fault.is_some() { FAULT } else { WAITS }
+    match derived.fault {
+        Some(_) => "The scene is invalid, so the answers cannot be checked.",
+        None => "The answers are checked when you release the mouse button.",
+    }
 }
 
 /// Shows the title above the map, which is the name of the answers.
@@ -96,35 +93,32 @@ pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
     }
 }
 
-/// Shows the result of grading, and the actions on the answers.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
+/// Shows the result of grading, and the buttons for the answers.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    buttons(ui, session, actions);
+    buttons(ui, session);
     ui.add_space(4.0);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         if session.answers.is_none() {
             return;
         }
         match derived.grading.as_ref() {
-            None => {
-                ui.label(RichText::new(not_graded(derived)).strong());
-            }
+            None => drop(ui.strong(not_graded(derived))),
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));
             }
-            Some(Ok(graded)) => found(ui, graded, &mut session.selection, actions),
+            Some(Ok(graded)) => found(ui, graded, &mut session.selection),
         }
     });
 }
 
-fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
+fn buttons(ui: &mut Ui, session: &mut Session) {
     ui.horizontal(|ui| {
-        ui.button("Check answers…").asks(AnswersAction::Ask, actions);
+        ui.button("Check answers…").asks(AnswersAction::Ask);
         let Some(answers) = &mut session.answers else { return };
-        ui.button("Read again")
-            .on_hover_text("Reads the file as it is now")
-            .asks(AnswersAction::Check(answers.file.path.clone()), actions);
-        ui.button("Close the answers").asks(AnswersAction::PutAway, actions);
+        let again = ui.button("Read again").on_hover_text("Reads the file as it is now");
+        again.asks(AnswersAction::Check(answers.file.path.clone()));
+        ui.button("Close the answers").asks(AnswersAction::PutAway);
         if !answers.are_numbered() {
             return;
         }
@@ -136,7 +130,7 @@ fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     });
 }
 
-fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut Vec<Action>) {
+fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection) {
     let grade = &graded.grade;
     ui.horizontal_top(|ui| {
         sign(ui, grade.all_agree());
@@ -166,7 +160,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
         ui.label(typeset_message(graded.advice_on(*mistake)));
         if mistake.is_in_gallery() {
             let see = ui.button(format!("See it: {}", mistake.name()));
-            see.asks(LookAction::Mistake(*mistake), actions);
+            see.asks(LookAction::Mistake(*mistake));
         }
     }
     for remark in graded.remarks() {

@@ -1,10 +1,7 @@
 //! The exercises page: the list, and the question with its answer fields and verdicts. On the right are the
 //! question's scene with the typed and the correct answers, and the derivation as the solution.
 
-use egui::{
-    Align, Color32, ComboBox, Key, Layout, Rect, RichText, ScrollArea, Stroke, TextEdit, Ui,
-    UiBuilder, pos2,
-};
+use egui::{Align, Color32, Key, Layout, Rect, RichText, ScrollArea, Stroke, TextEdit, Ui, pos2};
 use pinhole_core::Selection;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given, QuestionPart};
@@ -18,16 +15,15 @@ use crate::model::overlay_items::OverlayItems;
 use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
 use crate::model::practice::{LARGEST_SEED, answer_marks, next_seed};
 use crate::model::session::{Session, Settings, ViewLayout};
-use crate::ui::action::{Action, Leave, MadeUp};
+use crate::ui::action::{Leave, MadeUp, request};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::Spoken as _;
-use crate::ui::widgets::ViewTexture;
-use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::sign;
+use crate::ui::widgets::{
+    ResponseExt as _, ViewTexture, clipped, combo, inside, marked_text, sign,
+};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme::{self, error_color};
@@ -87,13 +83,8 @@ const MARGIN: f32 = 4.0;
 /// The names of a vector's coordinates: for screen readers, and as symbols.
 const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
 
-/// Shows the current exercise; opening its camera adds to `actions`.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    session: &mut Session,
-    scene: &mut QuestionScene,
-    actions: &mut Vec<Action>,
-) {
+/// Shows the current exercise.
+pub(crate) fn ui(ui: &mut Ui, session: &mut Session, scene: &mut QuestionScene) {
     let whole = ui.available_rect_before_wrap().shrink(8.0);
     let is_narrow = whole.width() < NARROW;
     let list = if is_narrow { 0.0 } else { LIST + GAP };
@@ -104,12 +95,10 @@ pub(crate) fn ui(
         Rect::from_min_max(pos2(left, whole.top()), pos2(right, whole.bottom()))
     };
     let exercises = &mut session.exercises;
-    let question = UiBuilder::new().max_rect(column(from, middle - GAP));
-    let size = ui.scope_builder(question, |ui| size_with_room(ui, exercises)).inner;
+    let size = inside(ui, column(from, middle - GAP), |ui| size_with_room(ui, exercises));
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));
     if !is_narrow {
-        let left = column(whole.left(), whole.left() + LIST);
-        ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+        inside(ui, column(whole.left(), whole.left() + LIST), |ui| {
             ui.heading("Exercises");
             ui.add_space(4.0);
             ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
@@ -119,21 +108,19 @@ pub(crate) fn ui(
     let (above, bar) =
         column(from, middle - GAP).split_top_bottom_at_y(whole.bottom() - BAR * text_size(ui));
     let mut wants_check = false;
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+    inside(ui, above, |ui| {
         let presenting = theme::installed(ui.ctx()).presenting;
         if is_narrow && !presenting {
-            let menu = ComboBox::from_id_salt("exercise menu")
-                .selected_text(exercises.question().exercise.title())
-                .width(ui.available_width().min(320.0))
-                .show_ui(ui, |ui| choose(ui, exercises));
-            menu.response.named("exercise");
+            let title = exercises.question().exercise.title();
+            let width = ui.available_width().min(320.0);
+            combo(ui, "exercise", width, title, |ui| choose(ui, exercises));
             ui.add_space(4.0);
         }
         ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {
             wants_check = exercise(ui, exercises, !is_narrow, !presenting);
         });
     });
-    ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
+    inside(ui, bar, |ui| {
         ui.separator();
         wants_check |= buttons(ui, exercises);
     });
@@ -141,7 +128,7 @@ pub(crate) fn ui(
         exercises.check();
         ui.ctx().request_discard("answers were checked after they were drawn");
     }
-    scene.ui(ui, column(middle, whole.right()), session, actions);
+    scene.ui(ui, column(middle, whole.right()), session);
 }
 
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
@@ -252,24 +239,21 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
         let between = ui.spacing().item_spacing.x + 2.0 * MARGIN + 1.0;
         let width = ui.available_width() / part.count() as f32 - between;
         let width = width.clamp(44.0, FIELD);
-        let (mut changed, mut left) = (false, false);
+        let mut left = false;
         for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
-            let label = if part.count() == 1 {
-                format!("answer {name}")
-            } else {
-                format!("answer {name} {axis}")
+            let (label, hint) = match part.count() {
+                1 => (format!("answer {name}"), ""),
+                _ => (format!("answer {name} {axis}"), hint),
             };
-            let hint = if part.count() == 1 { "" } else { hint };
             let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
             let field = field.margin(egui::Margin::symmetric(MARGIN as i8, 2));
             let response =
                 ui.add(field.font(egui::FontId::proportional(text_size(ui)))).named(label);
-            changed |= response.changed();
+            if response.changed() {
+                typed.feedback = None;
+            }
             left |= response.lost_focus();
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
-        }
-        if changed {
-            typed.feedback = None;
         }
         // This happens only when the field loses focus, because a vector may also be typed with its brackets.
         if left {
@@ -324,13 +308,7 @@ struct QuestionObserver {
 
 impl QuestionScene {
     /// Shows the scene. Below it, shows the solution if the user has asked for it.
-    pub(crate) fn ui(
-        &mut self,
-        ui: &mut Ui,
-        area: Rect,
-        session: &Session,
-        actions: &mut Vec<Action>,
-    ) {
+    pub(crate) fn ui(&mut self, ui: &mut Ui, area: Rect, session: &Session) {
         let exercises = &session.exercises;
         let height = if exercises.is_solved { SHARE * area.height() } else { area.height() };
         let (above, below) = area.split_top_bottom_at_y(area.top() + height);
@@ -347,21 +325,15 @@ impl QuestionScene {
         let own = self.world(ui, picture, session, &document);
         solution(ui, exercises, below, |ui| {
             if let Some(derivation) = &self.derived.derivation {
-                self.solution.lines(ui, derivation, &document, &own, None);
+                self.solution.lines(ui, derivation, &document, &own, false);
             }
         });
         let has_yours = self.derived.answer_marks.iter().any(|mark| mark.is_dashed);
-        world_title(ui, picture, has_yours, exercises, document, actions);
+        world_title(ui, picture, has_yours, exercises, document);
     }
 
     /// Shows the world view. Returns the session with which the view was derived.
-    fn world(
-        &mut self,
-        ui: &mut Ui,
-        rect: Rect,
-        session: &Session,
-        document: &Document,
-    ) -> Session {
+    fn world(&mut self, ui: &Ui, rect: Rect, session: &Session, document: &Document) -> Session {
         let response = views::view(ui, rect, views::WORLD);
         let observer = self.observer(&session.exercises, document, views::size_of(rect));
         views::observe(ui, &response, observer);
@@ -407,14 +379,7 @@ impl QuestionScene {
 
 /// Shows the title above the world view, the key to the typed answers if there are any, and the button that
 /// opens the question's scene.
-fn world_title(
-    ui: &mut Ui,
-    rect: Rect,
-    has_yours: bool,
-    open: &Exercises,
-    document: Document,
-    actions: &mut Vec<Action>,
-) {
+fn world_title(ui: &mut Ui, rect: Rect, has_yours: bool, open: &Exercises, document: Document) {
     strip_above(ui, rect, |ui| {
         ui.strong(views::WORLD);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -423,7 +388,7 @@ fn world_title(
                 let question = open.question();
                 let title = question.exercise.title().to_owned();
                 let made_up = MadeUp { document, title, uv: question.uv() };
-                actions.push(Leave::Show(Box::new(made_up)).into());
+                request(ui.ctx(), Leave::Show(Box::new(made_up)));
                 ui.ctx().request_repaint();
             }
             if has_yours {
@@ -436,8 +401,7 @@ fn world_title(
 /// Shows the solution, if it is asked for.
 fn solution(ui: &mut Ui, open: &Exercises, area: Rect, content: impl FnOnce(&mut Ui)) {
     if open.is_solved {
-        ui.scope_builder(UiBuilder::new().max_rect(area), |ui| {
-            ui.set_clip_rect(area.intersect(ui.clip_rect()));
+        clipped(ui, area, |ui| {
             ui.add_space(8.0);
             ui.heading("Solution");
             content(ui);

@@ -14,9 +14,8 @@ use crate::model::readings::NumberStyle;
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::Spoken as _;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::sign;
+use crate::ui::widgets::{self, ResponseExt as _, sign};
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 
@@ -69,8 +68,7 @@ fn title(mistakes_view: &MistakesView) -> String {
 
 /// Returns the width of a text in a label.
 fn text_width(ui: &Ui, text: &str) -> f32 {
-    let font = FontSelection::Default.resolve(ui.style());
-    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
+    widgets::text_width(ui, text, FontSelection::Default.resolve(ui.style()))
 }
 
 /// Returns the description of the wrong picture for screen readers.
@@ -175,19 +173,12 @@ fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     ui.label(mistake.shows());
     if let Some(seen) = seen(wrong) {
         ui.add_space(4.0);
-        ui.label(sentence(&seen));
+        ui.label(format!("{seen}."));
     }
     if let Ok(camera) = &wrong.camera {
         ui.add_space(6.0);
         basis(ui, camera, style);
     }
-}
-
-fn sentence(text: &str) -> String {
-    let mut chars = text.chars();
-    chars
-        .next()
-        .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
 /// Shows u, v, w of both cameras: side by side if they fit, otherwise one above the other.
@@ -301,8 +292,10 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
 fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     let said = if here.passes { "passes" } else { "catches it" };
     let verdict = RichText::new(said).size(TEXT);
-    let verdict =
-        if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
+    let verdict = match here.passes {
+        true => verdict.weak(),
+        false => verdict.strong().color(error_color(ui)),
+    };
     sign(ui, here.passes);
     let spoken = format!("{}: {value} {said}", here.check.formula());
     cell(ui, VERDICT, |ui| ui.label(verdict)).spoken(spoken);
@@ -324,10 +317,9 @@ fn both(ui: &mut Ui, value: &str, right: &str) {
 fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {
     let value = text_of(right.value, style);
     match here.wanted {
-        Wanted::Equal(_) => value,
         Wanted::Negative => format!("{value} < 0"),
         Wanted::Positive => format!("{value} > 0"),
-        Wanted::LeftAndUp => value,
+        Wanted::Equal(_) | Wanted::LeftAndUp => value,
     }
 }
 

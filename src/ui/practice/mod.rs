@@ -8,7 +8,7 @@ pub mod vote;
 use egui::{DragValue, Ui};
 
 use crate::model::practice::LARGEST_SEED;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::ResponseExt as _;
 
 /// Shows the field for a seed. The seed takes effect once it is typed in full.
 fn seed_field(ui: &mut Ui, seed: &mut u64, name: &str, hint: &str) {

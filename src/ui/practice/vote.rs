@@ -3,18 +3,16 @@
 
 use egui::{
     Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
-    Sense, Stroke, StrokeKind, Ui, UiBuilder, pos2, vec2,
+    Sense, Stroke, StrokeKind, Ui, pos2, vec2,
 };
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::mistakes::failing;
-use crate::model::practice::next_seed;
-use crate::model::practice::{MistakesView, OpenVote};
+use crate::model::practice::{MistakesView, OpenVote, next_seed};
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::practice::seed_field;
-use crate::ui::widgets::Spoken as _;
-use crate::ui::widgets::{cross, tick};
+use crate::ui::widgets::{ResponseExt as _, clipped, cross, inside, text_width, tick};
 use crate::view::typesetting::theme::error_color;
 
 /// The letters of the options.
@@ -99,21 +97,16 @@ pub(super) fn ui(
     // In a low window the reason scrolls, so that the options stay legible.
     let why = why.min(above.height() - 2.0 * (LEAST_OPTION + GAP)).max(LEAST_REASON);
     let (tiles, why) = above.split_top_bottom_at_y(above.bottom() - why);
-    ui.scope_builder(UiBuilder::new().max_rect(head), |ui| {
-        let text = "Which mistake made the wrong picture?";
-        let text = RichText::new(text).size(QUESTION).strong();
-        ui.add(egui::Label::new(text).truncate());
+    inside(ui, head, |ui| {
+        let text = RichText::new("Which mistake made the wrong picture?").size(QUESTION);
+        ui.add(egui::Label::new(text.strong()).truncate());
     });
     options(ui, tiles.with_max_y(tiles.bottom() - GAP), open);
-    ui.scope_builder(UiBuilder::new().max_rect(why), |ui| {
-        ui.set_clip_rect(why.intersect(ui.clip_rect()));
-        ScrollArea::vertical().id_salt("why").auto_shrink(false).show(ui, |ui| {
-            reason(ui, open, wrong);
-        });
+    clipped(ui, why, |ui| {
+        let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
+        area.show(ui, |ui| reason(ui, open, wrong));
     });
-    ui.scope_builder(UiBuilder::new().max_rect(bar), |ui| {
-        ui.horizontal_centered(|ui| buttons(ui, view, seen));
-    });
+    inside(ui, bar, |ui| ui.horizontal_centered(|ui| buttons(ui, view, seen)));
 }
 
 /// Minimum height of an option, in points.
@@ -167,10 +160,8 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
     names(ui, text, mistake, ink);
     if open.is_revealed && (is_right || is_chosen) {
-        let sign = Rect::from_center_size(
-            rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0),
-            vec2(26.0, 26.0),
-        );
+        let center = rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0);
+        let sign = Rect::from_center_size(center, vec2(26.0, 26.0));
         if is_right { tick(&painter, sign, strong) } else { cross(&painter, sign, error_color(ui)) }
     }
     response.clicked()
@@ -179,9 +170,8 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
 /// Writes the mistake's name, and the wrong formula below it if it fits.
 fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     let line = |text: &str, size: f32| {
-        let font = FontId::proportional(size);
-        let galley = ui.painter().layout(text.to_owned(), font, ink, f32::INFINITY);
-        let scale = (rect.width() / galley.size().x.max(1.0)).min(1.0);
+        let width = text_width(ui, text, FontId::proportional(size));
+        let scale = (rect.width() / width.max(1.0)).min(1.0);
         let font = FontId::proportional(size * scale.max(0.6));
         ui.painter().layout_no_wrap(text.to_owned(), font, ink)
     };
@@ -210,9 +200,8 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     let verdict = format!("{}: {}. {}", LETTERS[open.vote.right], mistake.name(), mistake.shows());
     ui.label(text(verdict).strong());
     ui.label(text(mistake.formula().to_owned()));
-    let catching: Vec<&str> = wrong.map_or(Vec::new(), |wrong| {
-        failing(wrong).map(|checked| checked.check.formula()).collect()
-    });
+    let failing = wrong.into_iter().flat_map(failing);
+    let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
     match &catching[..] {
         [] => (),
         [one] => drop(ui.label(text(format!("The check that catches it: {one}.")))),

@@ -12,7 +12,7 @@ use pinhole_lecture::numbers::written as number;
 use crate::model::interaction::WHEEL_ZOOM;
 use crate::model::lines::{Handle, LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::{Spoken as _, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, keep_arrows};
 use crate::view::lines::{GRASP, PlaneView, TEXT, draw_question, parts, substitution, text};
 
 /// Range of the slider of t.

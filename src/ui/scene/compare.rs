@@ -2,7 +2,7 @@
 //! them, the numbers of both cameras.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
+use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
 
@@ -11,9 +11,8 @@ use super::views;
 use crate::model::inspection::Inspection;
 use crate::model::readings::NumberStyle;
 use crate::model::session::Ghost;
-use crate::ui::action::{Action, GhostAction};
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::action::GhostAction;
+use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::number::vector_color;
 use crate::view::derive::{AgainstGhost, Derived};
 
@@ -66,14 +65,13 @@ pub(crate) fn ui(
     document: &Document,
     ghost: Option<&Ghost>,
     style: NumberStyle,
-    actions: &mut Vec<Action>,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let against = derived.against_ghost.as_deref();
     // More digits do not fit side by side.
     let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ui.horizontal(|ui| {
-        buttons(ui, ghost.is_some(), actions);
+        buttons(ui, ghost.is_some());
         if let Some(against) = against {
             ui.add_space(8.0);
             ui.strong(seen(against));
@@ -89,7 +87,7 @@ pub(crate) fn ui(
             ui.spacing_mut().item_spacing.x = 4.0;
             vectors(ui, "turned", &turned(now, against, style), style);
             ui.separator();
-            vectors(ui, "moved", &moved(document, ghost, against, style), style);
+            vectors(ui, "moved", &moved(&document.camera, ghost, against, style), style);
             ui.separator();
             let here = derived.inspection.as_deref();
             let mut lines = numbers(document, ghost, against, style);
@@ -100,67 +98,54 @@ pub(crate) fn ui(
 }
 
 /// Shows the menu's commands as a row of buttons.
-fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
+fn buttons(ui: &mut Ui, has_ghost: bool) {
     for (text, name, ghost, needs_one) in [
         ("Freeze (G)", "Freeze the camera as a ghost", GhostAction::Freeze, false),
         ("Swap", "Swap with the ghost", GhostAction::Swap, true),
         ("Remove", "Remove the ghost", GhostAction::Drop, true),
     ] {
         let button = egui::Button::new(text);
-        ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost, actions);
+        ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost);
     }
 }
 
-/// A quantity of the ghost and of the current camera, with their difference.
-#[derive(Clone)]
-struct ComparedLine {
-    name: &'static str,
-    ghost: String,
-    now: String,
-    between: String,
+/// A quantity's name, its values for the ghost and for the current camera, and their difference.
+type ComparedLine = (&'static str, String, String, String);
+
+/// Shows the name in the vector's colour; screen readers read the whole line.
+fn name_of(ui: &mut Ui, (name, ghost, now, between): &ComparedLine) {
+    let color = vector_color(ui, name).unwrap_or(ui.visuals().strong_text_color());
+    let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
+    ui.label(RichText::new(*name).strong().color(color)).spoken(spoken);
 }
 
-impl ComparedLine {
-    fn new(name: &'static str, ghost: String, now: String, between: String) -> ComparedLine {
-        ComparedLine { name, ghost, now, between }
-    }
-
-    /// Shows the name in the vector's colour; screen readers read the whole line.
-    fn name(&self, ui: &mut Ui) {
-        let ComparedLine { name, ghost, now, between } = self;
-        let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
-        let text = RichText::new(*name).strong();
-        let text = match vector_color(ui, name) {
-            Some(color) => text.color(color),
-            None => text,
-        };
-        ui.label(text).spoken(spoken);
-    }
+fn heads<const N: usize>(ui: &mut Ui, heads: [&str; N]) {
+    heads.into_iter().for_each(|head| drop(ui.weak(head)));
+    ui.end_row();
 }
 
 /// Shows text in a field that is this number of characters wide, so that nothing moves sideways while the
 /// numbers change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
-    let response = ui.label(text);
-    let width = 8.2 * characters;
-    ui.add_space((width - response.rect.width()).max(0.0));
+    ui.horizontal(|ui| {
+        let response = ui.label(text);
+        ui.add_space((8.2 * characters - response.rect.width()).max(0.0));
+    });
 }
 
 /// Shows vectors of both cameras, one above the other, and their difference.
 fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
-        for head in ["", "now", "apart"] {
-            ui.weak(head);
-        }
-        ui.end_row();
+        heads(ui, ["", "now", "apart"]);
         for line in lines {
-            line.name(ui);
-            ui.horizontal(|ui| wide(ui, characters, RichText::new(&line.now)));
-            ui.horizontal(|ui| wide(ui, 7.5, RichText::new(&line.between).strong()));
+            let (name, ghost, now, between) = line;
+            name_of(ui, line);
+            wide(ui, characters, RichText::new(now));
+            wide(ui, 7.5, RichText::new(between).strong());
             ui.end_row();
-            ui.weak(format!("{}′", line.name));
-            ui.weak(&line.ghost);
+            ui.weak(format!("{name}′"));
+            ui.weak(ghost);
             ui.end_row();
         }
     });
@@ -170,16 +155,13 @@ fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) 
 fn scalars(ui: &mut Ui, lines: &[ComparedLine], style: NumberStyle) {
     let characters = style.digits as f32 + 2.6;
     Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
-        for head in ["", "ghost", "now", "difference"] {
-            ui.weak(head);
-        }
-        ui.end_row();
+        heads(ui, ["", "ghost", "now", "difference"]);
         for line in lines {
-            line.name(ui);
-            for text in [&line.ghost, &line.now] {
-                ui.horizontal(|ui| wide(ui, characters, RichText::new(text)));
-            }
-            ui.label(RichText::new(&line.between).strong());
+            let (_, ghost, now, between) = line;
+            name_of(ui, line);
+            wide(ui, characters, RichText::new(ghost));
+            wide(ui, characters, RichText::new(now));
+            ui.strong(between);
             ui.end_row();
         }
     });
@@ -197,45 +179,44 @@ fn signed(x: f64, style: NumberStyle) -> String {
 }
 
 /// Returns the lines of u, v, w.
-fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<ComparedLine> {
-    let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
-    let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
-    let line = |((name, here, there), angle)| {
-        ComparedLine::new(name, style.vector(there), style.vector(here), degrees(angle, style))
+fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> [ComparedLine; 3] {
+    let (here, there, by) = (now.basis(), against.ghost.basis(), against.difference.basis);
+    let line = |name, there, here, angle| {
+        (name, style.vector(there), style.vector(here), degrees(angle, style))
     };
-    vectors.into_iter().zip(by.basis).map(line).collect()
+    [
+        line("u", there.u, here.u, by[0]),
+        line("v", there.v, here.v, by[1]),
+        line("w", there.w, here.w, by[2]),
+    ]
 }
 
 /// Returns the lines of eye, at, up.
 fn moved(
-    document: &Document,
+    now: &Camera,
     ghost: &Ghost,
     against: &AgainstGhost,
     style: NumberStyle,
-) -> Vec<ComparedLine> {
-    let (now, then, by) = (&document.camera, &ghost.camera, &against.difference);
+) -> [ComparedLine; 3] {
+    let (then, by) = (&ghost.camera, &against.difference);
     let vector = |v: DVec3| style.vector(v);
     let way = |v: DVec3| style.number(v.length());
-    let at = |orientation: &Orientation| match orientation {
-        Orientation::At { at, .. } => vector(*at),
+    let at = |camera: &Camera| match camera.orientation {
+        Orientation::At { at, .. } => vector(at),
         _ => "none".to_owned(),
     };
-    let between = by.at.map(way).unwrap_or_default();
-    vec![
-        ComparedLine::new("eye", vector(then.eye), vector(now.eye), way(by.eye)),
-        ComparedLine::new("at", at(&then.orientation), at(&now.orientation), between),
-        ComparedLine::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
+    [
+        ("eye", vector(then.eye), vector(now.eye), way(by.eye)),
+        ("at", at(then), at(now), by.at.map(way).unwrap_or_default()),
+        ("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
     ]
 }
 
 /// Shows the angles by which the camera is turned and rolled.
 fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
     let by = &against.difference;
-    let mut said = format!("turned by {}", degrees(by.turn, style));
-    if let Some(roll) = by.roll {
-        said += &format!(", rolled by {}", degrees(roll, style));
-    }
-    ui.strong(said);
+    let roll = by.roll.map(|roll| format!(", rolled by {}", degrees(roll, style)));
+    ui.strong(format!("turned by {}{}", degrees(by.turn, style), roll.unwrap_or_default()));
 }
 
 /// Returns the lines of the viewport.
@@ -247,16 +228,12 @@ fn numbers(
 ) -> Vec<ComparedLine> {
     let by = &against.difference;
     let (old, new) = (ghost.camera.viewport, document.camera.viewport);
-    let [width, height] = by.extent;
-    let lines = [
-        ("distance", old.distance, new.distance, by.distance),
-        ("width", old.width, new.width, width),
-        ("height", old.height, new.height, height),
-    ];
-    let line = |(name, old, new, by)| {
-        ComparedLine::new(name, style.number(old), style.number(new), signed(by, style))
-    };
-    lines.map(line).to_vec()
+    let line = |name, old, new, by| (name, style.number(old), style.number(new), signed(by, style));
+    vec![
+        line("distance", old.distance, new.distance, by.distance),
+        line("width", old.width, new.width, by.extent[0]),
+        line("height", old.height, new.height, by.extent[1]),
+    ]
 }
 
 /// Returns the lines about the first hit of the selected ray, for both cameras.
@@ -275,14 +252,11 @@ fn hits(
     };
     let named = |hit: Option<&Root>| hit.map_or("nothing".to_owned(), kind);
     let t = |hit: Option<&Root>| hit.map_or("none".to_owned(), |hit| style.number(hit.t));
-    let same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
-    let between = match (here, there) {
-        (Some(here), Some(there)) => signed(here.t - there.t, style),
-        _ => String::new(),
-    };
-    let hit = if same { "the same" } else { "another" };
+    let is_same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
+    let hit = if is_same { "the same" } else { "another" };
+    let between = here.zip(there).map(|(here, there)| signed(here.t - there.t, style));
     [
-        ComparedLine::new("hit", named(there), named(here), hit.to_owned()),
-        ComparedLine::new("t", t(there), t(here), between),
+        ("hit", named(there), named(here), hit.to_owned()),
+        ("t", t(there), t(here), between.unwrap_or_default()),
     ]
 }

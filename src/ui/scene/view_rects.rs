@@ -5,7 +5,7 @@ use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
-use crate::ui::widgets::{Spoken as _, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, keep_arrows};
 use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.

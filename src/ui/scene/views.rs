@@ -7,11 +7,11 @@ use egui::accesskit::Role;
 use egui::epaint::PathStroke;
 use egui::text::LayoutJob;
 use egui::{
-    Area, Color32, CursorIcon, FontId, Galley, Order, Pos2, Rect, Response, RichText, Sense, Ui,
-    UiBuilder, Vec2, pos2, vec2,
+    Align2, Area, Color32, CursorIcon, FontId, Galley, Order, Pos2, Rect, Response, RichText,
+    Sense, Ui, Vec2, pos2, vec2,
 };
 use pinhole_core::steering::Keep;
-use pinhole_core::{ImageSize, Selection};
+use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written_whole;
 
@@ -22,13 +22,12 @@ use crate::model::readings::NumberStyle;
 use crate::model::session::presenting::Pen;
 use crate::model::session::{Session, Settings, ViewLayout};
 use crate::model::symbols::typeset_message;
-use crate::ui::action::Action;
+use crate::ui::action::request;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::{ViewRects, strip_above};
-use crate::ui::widgets::ViewTexture;
-use crate::ui::widgets::{Spoken as _, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::notation::unbroken;
@@ -80,41 +79,31 @@ pub(crate) fn inputs(
     second: &str,
     session: &mut Session,
     shown: &Derived,
-    actions: &mut Vec<Action>,
 ) {
     let mut views = Vec::new();
-    if let Some(rect) = rects.world {
-        let response = view(ui, rect, WORLD);
-        world_input(ui, &response, session, shown);
-        views.push(response);
-    }
-    if let Some(rect) = rects.camera {
-        let response = view(ui, rect, CAMERA);
-        camera_input(ui, &response, session, shown);
-        views.push(response);
-    }
-    if let Some(rect) = rects.second {
-        let response = view(ui, rect, second);
-        camera_input(ui, &response, session, shown);
-        views.push(response);
+    for (rect, name) in [(rects.world, WORLD), (rects.camera, CAMERA), (rects.second, second)] {
+        let Some(rect) = rect else { continue };
+        let response = view(ui, rect, name);
+        match name {
+            _ if session.handles.is_busy => {}
+            WORLD => world_input(ui, &response, session, shown),
+            _ => camera_input(ui, &response, session, shown),
+        }
+        views.push(response.id);
     }
     let focused = ui.memory(|memory| memory.focused());
-    let is_here = focused.is_none_or(|id| views.iter().any(|view| view.id == id));
-    if is_here && !views.is_empty() {
-        let alone = focused.is_none() && views.len() == 1;
-        let is_meant = |name: &str| {
-            let id = ui.scope_id().with(name);
-            focused == Some(id) || (alone && views[0].id == id)
-        };
-        let (world, camera) = (is_meant(WORLD), is_meant(CAMERA));
-        let pressed = commands_table::pressed(ui.ctx(), |when| match when {
-            When::View => true,
-            When::WorldView => world,
-            When::CameraView => camera,
-            _ => false,
-        });
-        actions.extend(pressed.into_iter().map(|(_, action)| action));
+    let meant = focused.or(if views.len() == 1 { Some(views[0]) } else { None });
+    if views.is_empty() || focused.is_some_and(|id| !views.contains(&id)) {
+        return;
     }
+    let is_meant = |name: &str| meant == Some(ui.scope_id().with(name));
+    let pressed = commands_table::pressed(ui.ctx(), |when| match when {
+        When::View => true,
+        When::WorldView => is_meant(WORLD),
+        When::CameraView => is_meant(CAMERA),
+        _ => false,
+    });
+    pressed.into_iter().for_each(|(_, action)| request(ui.ctx(), action));
 }
 
 /// Creates a view's area, which accepts clicks, drags and the focus.
@@ -164,42 +153,37 @@ fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
     (at + ROUNDING).floor() + Vec2::splat(0.5)
 }
 
+/// Returns where a position of the camera's picture in `rect`, in physical pixels, lies in the viewport.
+fn uv_at(ui: &Ui, rect: Rect, resolved: &ResolvedCamera, at: Vec2) -> DVec2 {
+    let size = (rect.size() * ui.ctx().pixels_per_point()).round();
+    overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], at.into())
+}
+
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    if session.handles.is_busy {
-        return;
-    }
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
-    let (Some(pointer), Some(resolved), true) =
+    if let (Some(pointer), Some(resolved), true) =
         (response.interact_pointer_pos(), &shown.resolved, pressed)
-    else {
-        return;
-    };
-    let size = (response.rect.size() * ui.ctx().pixels_per_point()).round();
-    let at = dot_under(ui, response.rect, pointer);
-    let uv = overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], [at.x, at.y]);
-    if let Some(position) = resolved.pixel_of_uv(uv) {
-        session.selection = Selection::Pixel(position.pixel);
+    {
+        let at = dot_under(ui, response.rect, pointer);
+        if let Some(position) = resolved.pixel_of_uv(uv_at(ui, response.rect, resolved, at)) {
+            session.selection = Selection::Pixel(position.pixel);
+        }
     }
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    if session.handles.is_busy {
-        return;
-    }
     if let (true, Some(pointer), Some(frame), Some(resolved)) =
         (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.resolved)
     {
         let at = dot_under(ui, response.rect, pointer);
-        let uv = overlay::pick(resolved, frame, [at.x, at.y]);
+        let uv = overlay::pick(resolved, frame, at.into());
         if let Some(position) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
             session.selection = Selection::Pixel(position.pixel);
         }
     }
     if let Some(t) = dragged_ray_point(ui, response, session.ray_point_t, shown) {
         session.ray_point_t = Some(t);
-        return;
-    }
-    if let Some(observer) = &mut session.observer {
+    } else if let Some(observer) = &mut session.observer {
         observe(ui, response, observer);
     }
 }
@@ -229,6 +213,12 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
 /// Maximum number of objects for which the camera view determines the hovered object.
 const ASKED_OBJECTS: usize = 4096;
 
+/// Returns the pointer's position if it hovers the view of this name.
+fn pointer_in(ui: &Ui, name: &str) -> Option<Pos2> {
+    let response = ui.ctx().read_response(ui.scope_id().with(name))?;
+    response.hover_pos().filter(|_| response.hovered())
+}
+
 /// Returns the hovered concept in a view: the concept of the nearest mark, or else the object under the
 /// mouse. A ray that follows the pointer is always under it, and so is ignored.
 pub(crate) fn hovered(
@@ -237,60 +227,42 @@ pub(crate) fn hovered(
     shown: &Derived,
     ray_follows: bool,
 ) -> Option<Hovered> {
-    // While presenting, the pointer often rests on a floor or a wall; highlighting it would dim everything
-    // else.
-    let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
-    let presenting = theme::installed(ui.ctx()).presenting;
-    let is_ground = |concept: &Concept| {
-        presenting && matches!(concept, Concept::Object(index) if *index as usize >= planes_from)
+    if ui.input(|i| i.pointer.any_down()) {
+        return None;
+    }
+    let per_point = ui.ctx().pixels_per_point();
+    let position = |rect: Rect, name| Some((pointer_in(ui, name)? - rect.min) * per_point);
+    let mark = |view: &Option<Shown>, at: Vec2| {
+        let follows =
+            |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
+        let targets = view.iter().flat_map(|shown| shown.targets.iter());
+        let asked = targets.filter(|target| !(ray_follows && follows(target.concept)));
+        overlay::concept_at(asked, at.into(), MARK_REACH * per_point)
     };
-    let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
-        let sphere = |at| sphere_at(shown, at).map(Concept::Object);
-        let mark = |view: &Option<Shown>, at, within| {
-            let follows =
-                |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
-            let targets = view.iter().flat_map(|shown| shown.targets.iter());
-            let asked = targets.filter(|target| !(ray_follows && follows(target.concept)));
-            overlay::concept_at(asked, at, within)
-        };
-        in_view(ui, rects.world, WORLD, |at, within| {
-            mark(&shown.world_view, at.into(), within).or_else(|| sphere(at))
-        })
-        .or_else(|| {
-            let rect = rects.camera?;
-            let size = rect.size() * ui.ctx().pixels_per_point();
-            let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
-            in_view(ui, Some(rect), CAMERA, |at, within| {
-                mark(&shown.camera_view, at.into(), within).or_else(|| seen(at))
-            })
-        })
-    })??;
+    let in_world = |rect| {
+        let at = position(rect, WORLD)?;
+        mark(&shown.world_view, at).or_else(|| sphere_at(shown, at).map(Concept::Object))
+    };
+    let in_camera = |rect| {
+        let at = position(rect, CAMERA)?;
+        mark(&shown.camera_view, at).or_else(|| object_in_picture(ui, shown, rect, at))
+    };
+    let concept = rects.world.and_then(in_world).or_else(|| rects.camera.and_then(in_camera))?;
     Some(Hovered { concept, by: HoverSource::View })
 }
 
-fn in_view(
-    ui: &Ui,
-    rect: Option<Rect>,
-    name: &str,
-    concept_at: impl Fn(Vec2, f32) -> Option<Concept>,
-) -> Option<Concept> {
-    let response = ui.ctx().read_response(ui.scope_id().with(name))?;
-    let pointer = response.hover_pos().filter(|_| response.hovered())?;
-    let per_point = ui.ctx().pixels_per_point();
-    let at = (pointer - rect?.min) * per_point;
-    concept_at(at, MARK_REACH * per_point)
-}
-
-/// Returns the object at a position of the camera view.
-fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
+/// Returns the object at a position of the camera view. While presenting, ignores planes: the pointer often
+/// rests on a floor or a wall, and highlighting it would dim everything else.
+fn object_in_picture(ui: &Ui, shown: &Derived, rect: Rect, at: Vec2) -> Option<Concept> {
     let (resolved, scene) = (shown.resolved.as_ref()?, shown.scene.as_ref()?);
     if scene.len() > ASKED_OBJECTS {
         return None;
     }
-    let size = [size.x.round() as usize, size.y.round() as usize];
-    let uv = overlay::camera_uv_at(resolved, size, [at.x, at.y]);
-    let ray = resolved.exact_ray_at(uv).ok()?;
-    Some(Concept::Object(scene.first_hit_of(&ray)?.object))
+    let ray = resolved.exact_ray_at(uv_at(ui, rect, resolved, at)).ok()?;
+    let object = scene.first_hit_of(&ray)?.object;
+    let is_ground = object as usize >= scene.spheres().len();
+    let is_ignored = is_ground && theme::installed(ui.ctx()).presenting;
+    (!is_ignored).then_some(Concept::Object(object))
 }
 
 /// Returns the pixel under the mouse, either in the camera view or on the viewport in the world view.
@@ -299,20 +271,12 @@ pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option
     if ui.input(|i| i.pointer.any_down()) {
         return None;
     }
-    let per_point = ui.ctx().pixels_per_point();
-    let at = |rect: Option<Rect>, name: &str| {
-        let response = ui.ctx().read_response(ui.scope_id().with(name))?;
-        let pointer = response.hover_pos().filter(|_| response.hovered())?;
-        Some((dot_under(ui, rect?, pointer), rect?.size() * per_point))
-    };
+    let at = |rect: Option<Rect>, name| Some((rect?, dot_under(ui, rect?, pointer_in(ui, name)?)));
     let uv = match at(rects.camera, CAMERA) {
-        Some((at, size)) => {
-            let size = [size.x.round() as usize, size.y.round() as usize];
-            overlay::camera_uv_at(resolved, size, [at.x, at.y])
-        }
+        Some((rect, at)) => uv_at(ui, rect, resolved, at),
         None => {
-            let (at, _) = at(rects.world, WORLD)?;
-            overlay::pick(resolved, shown.world_frame.as_ref()?, [at.x, at.y])?
+            let (_, at) = at(rects.world, WORLD)?;
+            overlay::pick(resolved, shown.world_frame.as_ref()?, at.into())?
         }
     };
     Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
@@ -419,27 +383,14 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
 /// Size of the text of a badge on a picture, in points.
 const MARK: f32 = 15.0;
 
-/// Writes on a picture which method drew it, if it was not the ladder. The text is at the bottom, where the
-/// picture has no other marks.
-pub(crate) fn method_badge(ui: &mut Ui, rect: Rect, text: &str) {
-    mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
-}
-
-/// Writes in the lower right corner of a picture that the picture is coarser than it could be.
-pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
-    mark(ui, rect, text, |size| rect.max - size);
-}
-
-/// Writes black text on amber on a picture; `corner` maps the size of its box to its top left corner.
-fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) {
-    let font = egui::FontId::proportional(MARK);
+/// Writes black text on amber in a corner of a picture.
+pub(crate) fn badge(ui: &mut Ui, rect: Rect, corner: Align2, text: &str) {
+    let font = FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
     let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
-    let size = galley.size() + vec2(16.0, 8.0);
-    let band = Rect::from_min_size(corner(size), size);
+    let band = corner.align_size_within_rect(galley.size() + vec2(16.0, 8.0), rect);
     ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
-    let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
-    ui.scope_builder(inside, |ui| {
+    inside(ui, band.shrink2(vec2(8.0, 4.0)), |ui| {
         ui.label(RichText::new(text).size(MARK).color(Color32::BLACK));
     });
 }

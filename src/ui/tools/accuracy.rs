@@ -2,19 +2,19 @@
 //! method against its run time, as a plot and a table. `Measuring` measures them for the current scene, a
 //! small part in each frame, so that the window never stalls.
 
-use std::sync::{Arc, Weak};
+#[cfg(feature = "report")]
+use std::sync::Arc;
+use std::sync::Weak;
 
 use egui::accesskit::Role;
 use egui::epaint::shape_transform::adjust_colors;
 use egui::layers::ShapeIdx;
 use egui::{
-    Color32, ComboBox, Context, Grid, Painter, PopupAnchor, Pos2, ProgressBar, Rect, RichText,
-    ScrollArea, Sense, Tooltip, Ui, UiBuilder, pos2, vec2,
+    Color32, Context, Grid, Painter, PopupAnchor, Pos2, ProgressBar, Rect, RichText, ScrollArea,
+    Sense, Tooltip, Ui, pos2, vec2,
 };
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{
-    Camera, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, Selection, trace,
-};
+use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::{short, written_whole};
 
@@ -26,7 +26,7 @@ use crate::report::summary::Summary;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views::MAP;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::widgets::{ResponseExt as _, clipped, combo, inside};
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived};
 use crate::view::typesetting::theme::{self, error_color};
@@ -43,18 +43,18 @@ pub(crate) const LEGEND: f32 = 44.0;
 const TABLE: f32 = 560.0;
 
 /// Shows the choice of a method; `name` is for screen readers.
-pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
-    let combo = ComboBox::from_id_salt(name).selected_text(chosen.name()).width(150.0);
-    let response = combo
-        .height(520.0)
-        .show_ui(ui, |ui| {
-            for method in Method::of_frames() {
-                let hint = format!("{}\n{}", method.about(), method.source());
-                ui.selectable_value(chosen, method, method.name()).on_hover_text(hint);
-            }
-        })
-        .response;
-    response.named(name);
+fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
+    combo(ui, name, 150.0, chosen.name(), |ui| {
+        for method in Method::of_frames() {
+            let choice = ui.selectable_value(chosen, method, method.name());
+            choice.on_hover_text(hint(method));
+        }
+    });
+}
+
+/// Returns the description of a method.
+fn hint(method: Method) -> String {
+    format!("{}\n{}", method.about(), method.source())
 }
 
 /// Shows, above the map, its name and the choice of its method.
@@ -67,12 +67,9 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
 
 /// Shows, below the map, the legend of its colours and the number of wrong pixels.
 pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
-    let below = Rect::from_min_size(
-        pos2(area.left(), area.bottom() + 2.0),
-        vec2(area.width(), LEGEND - 2.0),
-    );
-    ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
-        ui.set_clip_rect(below);
+    let size = vec2(area.width(), LEGEND - 2.0);
+    let below = Rect::from_min_size(area.left_bottom() + vec2(0.0, 2.0), size);
+    clipped(ui, below, |ui| {
         ui.horizontal(|ui| {
             let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
             let wrong = theme::finished(ui, accuracy::WRONG);
@@ -82,15 +79,15 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
         });
         ui.horizontal(|ui| {
             ui.label("t off by 1 ulp of f64");
-            let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
-            color_bar(ui, width);
+            color_bar(ui);
             ui.label("10¹⁶");
         });
     });
 }
 
 /// Shows the map's colours, from 1 ulp to the most.
-fn color_bar(ui: &mut Ui, width: f32) {
+fn color_bar(ui: &mut Ui) {
+    let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
     let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
     let slices = width as usize;
     for slice in 0..slices {
@@ -149,14 +146,14 @@ pub(crate) fn ui(
         // The user could mistake another scene's numbers for this one's.
         return;
     }
-    let Some(report) = measuring.report().cloned() else { return };
-    let Some(case) = report.cases.first() else { return };
+    let report = measuring.report.as_ref();
+    let Some(case) = report.and_then(|report| report.cases.first()) else { return };
     let area = ui.available_rect_before_wrap();
     let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
     let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
     let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
-    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot(ui, case));
-    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+    inside(ui, left, |ui| plot(ui, case));
+    inside(ui, right, |ui| {
         ScrollArea::both().auto_shrink(false).show(ui, |ui| {
             table(ui, case, &mut session.settings.compared);
         });
@@ -171,14 +168,14 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
         ui.weak("Nothing is measured while the scene has an error: these are the last valid scene's numbers");
     } else if let Some(why) = derived.too_many {
         ui.label(format!("Nothing is measured: {why}"));
-    } else if let Some(share) = measuring.share() {
+    } else if let Some(share) = measuring.share {
         ui.label("Measuring: so far");
         let bar = ProgressBar::new(share).desired_width(180.0).show_percentage();
         ui.add(bar).named(format!("measured {:.0} %", 100.0 * share));
-        if measuring.report().is_some() && !measuring.is_current() {
+        if measuring.report.is_some() && !measuring.is_current {
             ui.weak("until then, the last scene's numbers are shown");
         }
-    } else if let Some(report) = measuring.report() {
+    } else if let Some(report) = &measuring.report {
         let text = format!("Measured on {}, against {}", report.cpu, report.reference);
         ui.add(egui::Label::new(text).truncate());
     }
@@ -191,7 +188,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
         return None;
     }
     let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
-    let pixel = pixel_of(session.selection, resolved)?;
+    let pixel = session.selection.pixel(resolved)?;
     let from = u32::from(session.settings.count_from_one);
     let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
     let method = session.settings.compared;
@@ -214,13 +211,6 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
     let text = format!("{position}: ladder {ladder}; {method} {other}: {verdict}");
     Some(RichText::new(text).strong())
-}
-
-fn pixel_of(selection: Selection, resolved: &ResolvedCamera) -> Option<Pixel> {
-    match selection.inside(resolved.image()) {
-        Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(uv) => resolved.pixel_of_uv(uv).map(|position| position.pixel),
-    }
 }
 
 /// The columns' names and their explanations.
@@ -306,9 +296,7 @@ fn description(row: &MethodRow) -> String {
         format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
         format!("{} of {} decisions wrong", row.wrong, row.decisions),
     ];
-    if let Some(method) = Method::from_name(&row.name) {
-        lines.extend([method.about(), method.source()].map(str::to_owned));
-    }
+    lines.extend(Method::from_name(&row.name).map(hint));
     lines.join("\n")
 }
 
@@ -318,20 +306,18 @@ fn table(ui: &mut Ui, case: &Case, compared: &mut Method) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
     ui.spacing_mut().interact_size.y = 17.0;
     ui.spacing_mut().button_padding = vec2(4.0, 0.0);
-    Grid::new("methods").striped(true).num_columns(COLUMNS.len() + 1).spacing([10.0, 1.0]).show(
-        ui,
-        |ui| {
-            ui.strong("method");
-            for (name, hint) in COLUMNS {
-                ui.strong(name).on_hover_text(hint);
-            }
+    let grid = Grid::new("methods").striped(true).num_columns(COLUMNS.len() + 1);
+    grid.spacing([10.0, 1.0]).show(ui, |ui| {
+        ui.strong("method");
+        for (name, hint) in COLUMNS {
+            ui.strong(name).on_hover_text(hint);
+        }
+        ui.end_row();
+        for row in &case.methods {
+            line(ui, row, compared);
             ui.end_row();
-            for row in &case.methods {
-                line(ui, row, compared);
-                ui.end_row();
-            }
-        },
-    );
+        }
+    });
     for row in &case.methods {
         if let Some(text) = row.decided() {
             ui.label(text);
@@ -347,13 +333,10 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
         });
         match Method::from_name(&row.name) {
             Some(method) => {
-                let hint = format!("{}\n{}", method.about(), method.source());
                 let name = ui.selectable_value(compared, method, &row.name);
-                name.named(format!("error map of {}", row.name)).on_hover_text(hint);
+                name.named(format!("error map of {}", row.name)).on_hover_text(hint(method));
             }
-            None => {
-                ui.label(&row.name);
-            }
+            None => drop(ui.label(&row.name)),
         }
     });
     let wrong = RichText::new(row.wrong.to_string());
@@ -389,7 +372,8 @@ pub(crate) struct Measuring {
     run: Option<Measurement>,
     /// Progress of the run, 0 to 1; `None` if nothing is left to measure.
     share: Option<f32>,
-    report: Option<Arc<Report>>,
+    /// The last report, which may be about a previous scene.
+    report: Option<Report>,
     /// Time when the report was made, in the context's seconds.
     made_at: f64,
     /// True if the report is about the subject.
@@ -432,26 +416,11 @@ impl Measuring {
         let share = run.done() as f32 / run.total().max(1) as f32;
         self.share = (!run.is_done()).then_some(share);
         if run.is_done() || now - self.made_at >= BETWEEN {
-            self.report = Some(Arc::new(run.report()));
+            self.report = Some(run.report());
             (self.made_at, self.is_current) = (now, true);
         }
         if self.share.is_some() {
             ctx.request_repaint();
         }
-    }
-
-    /// Returns the last report, even if it is about a previous scene.
-    pub(crate) fn report(&self) -> Option<&Arc<Report>> {
-        self.report.as_ref()
-    }
-
-    /// Returns true if the report is about the shown scene.
-    pub(crate) fn is_current(&self) -> bool {
-        self.is_current
-    }
-
-    /// Returns the progress, 0 to 1; `None` if nothing is left to measure.
-    pub(crate) fn share(&self) -> Option<f32> {
-        self.share
     }
 }

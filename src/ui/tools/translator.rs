@@ -16,9 +16,8 @@ use pinhole_exchange::programs::FORMATS;
 
 use crate::model::symbols::typeset_message;
 use crate::model::translator::{MOST_OBJECTS, Notice, Row, Translation, Translator, shortened};
-use crate::ui::action::{Action, ExchangeAction};
-use crate::ui::widgets::Asking as _;
-use crate::ui::widgets::Spoken as _;
+use crate::ui::action::ExchangeAction;
+use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
@@ -59,10 +58,11 @@ impl TranslatorPanel {
         choice: &mut Translator,
         selection: Selection,
         digits: usize,
-        actions: &mut Vec<Action>,
     ) {
         ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
-        let pixel = pixel_of(document, selection);
+        let resolved = document.camera.resolve().ok();
+        let pixel = resolved.and_then(|resolved| selection.pixel(&resolved));
+        let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
         targets(ui, choice);
         let translation = self.translation(document, choice, pixel, digits);
         ui.horizontal_wrapped(|ui| {
@@ -72,9 +72,9 @@ impl TranslatorPanel {
             {
                 ui.ctx().copy_text(written.text.text.clone());
             }
-            ui.add_enabled(can, egui::Button::new("Save as a file…"))
-                .asks(ExchangeAction::AskSave, actions);
-            ui.button("Paste a camera").asks(ExchangeAction::AskPaste, actions);
+            let save = ui.add_enabled(can, egui::Button::new("Save as a file…"));
+            save.asks(ExchangeAction::AskSave);
+            ui.button("Paste a camera").asks(ExchangeAction::AskPaste);
             let few = document.object_count() <= MOST_OBJECTS;
             let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
             let many = "There are too many to show: pinhole export writes them";
@@ -112,16 +112,6 @@ impl TranslatorPanel {
             (key, made)
         });
         &self.known.insert(known).1
-    }
-}
-
-fn pixel_of(document: &Document, selection: Selection) -> Pixel {
-    let position = |uv| document.camera.resolve().ok()?.pixel_of_uv(uv);
-    match selection.inside(document.camera.image) {
-        Selection::Pixel(pixel) => pixel,
-        Selection::Uv(uv) => {
-            position(uv).map_or(Pixel { row: 0, column: 0 }, |position| position.pixel)
-        }
     }
 }
 

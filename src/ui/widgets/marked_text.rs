@@ -4,7 +4,7 @@
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
-use super::Spoken as _;
+use super::ResponseExt as _;
 use super::number::vector_color;
 use crate::model::symbols;
 use crate::view::typesetting::notation::unbroken;

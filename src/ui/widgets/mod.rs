@@ -4,54 +4,60 @@
 use std::fmt::Display;
 use std::sync::Arc;
 
-use egui::accesskit::Role;
+use egui::accesskit::{Node, Role};
 use egui::{
-    Align, Color32, ColorImage, Context, EventFilter, Layout, Painter, Rect, Response, RichText,
-    Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, vec2,
+    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, Layout, Painter, Rect,
+    Response, RichText, Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder,
+    vec2,
 };
 
 use crate::model::symbols::typeset_message;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, request};
 use crate::view::typesetting::theme::error_color;
 
 pub mod marked_text;
 pub mod number;
 
-/// Accessible name, value, description and role of a widget.
-pub(crate) trait Spoken: Sized {
-    /// Sets the name.
-    fn named(self, name: impl Into<String>) -> Self;
+/// The accessible properties of a widget, and the action that a click on it requests.
+pub(crate) trait ResponseExt: Sized {
+    /// Changes the widget's node in the accessibility tree.
+    fn node(self, change: impl FnOnce(&mut Node)) -> Self;
 
-    /// Sets the value, which is read instead of a text.
-    fn spoken(self, value: impl Into<String>) -> Self;
+    /// Requests the action if the widget was clicked.
+    fn asks(self, action: impl Into<Action>);
 
-    /// Sets the description, such as what a picture shows or where a handle is. For such widgets, AT-SPI
-    /// passes on only numeric values.
-    fn described(self, text: impl Into<String>) -> Self;
+    /// Sets the accessible name.
+    fn named(self, name: impl Into<String>) -> Self {
+        self.node(|node| node.set_label(name.into()))
+    }
+
+    /// Sets the accessible value, which is read instead of a text.
+    fn spoken(self, value: impl Into<String>) -> Self {
+        self.node(|node| node.set_value(value.into()))
+    }
+
+    /// Sets the accessible description, such as what a picture shows or where a handle is. For such widgets,
+    /// AT-SPI passes on only numeric values.
+    fn described(self, text: impl Into<String>) -> Self {
+        self.node(|node| node.set_description(text.into()))
+    }
 
     /// Sets the kind of widget.
-    fn with_role(self, role: Role) -> Self;
+    fn with_role(self, role: Role) -> Self {
+        self.node(|node| node.set_role(role))
+    }
 }
 
-impl Spoken for Response {
-    fn named(self, name: impl Into<String>) -> Self {
-        self.ctx.accesskit_node_builder(self.id, |node| node.set_label(name.into()));
+impl ResponseExt for Response {
+    fn node(self, change: impl FnOnce(&mut Node)) -> Self {
+        self.ctx.accesskit_node_builder(self.id, change);
         self
     }
 
-    fn spoken(self, value: impl Into<String>) -> Self {
-        self.ctx.accesskit_node_builder(self.id, |node| node.set_value(value.into()));
-        self
-    }
-
-    fn described(self, text: impl Into<String>) -> Self {
-        self.ctx.accesskit_node_builder(self.id, |node| node.set_description(text.into()));
-        self
-    }
-
-    fn with_role(self, role: Role) -> Self {
-        self.ctx.accesskit_node_builder(self.id, |node| node.set_role(role));
-        self
+    fn asks(self, action: impl Into<Action>) {
+        if self.clicked() {
+            request(&self.ctx, action);
+        }
     }
 }
 
@@ -65,16 +71,28 @@ pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool)
     response.ctx.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
 }
 
-/// A widget that asks for an action.
-pub(crate) trait Asking {
-    /// Adds the action if the widget was clicked.
-    fn asks(self, action: impl Into<Action>, actions: &mut Vec<Action>);
+/// Shows content in a rectangle of the window.
+pub(crate) fn inside<R>(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.scope_builder(UiBuilder::new().max_rect(rect), content).inner
 }
 
-impl Asking for Response {
-    fn asks(self, action: impl Into<Action>, actions: &mut Vec<Action>) {
-        actions.extend(self.clicked().then(|| action.into()));
-    }
+/// Shows content in a rectangle of the window, and cuts off what exceeds it.
+pub(crate) fn clipped(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
+    inside(ui, rect, |ui| {
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        content(ui);
+    });
+}
+
+/// Shows a menu of choices with this accessible name.
+pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl FnOnce(&mut Ui)) {
+    let combo = ComboBox::from_id_salt(name).width(width).height(520.0).selected_text(shown);
+    combo.show_ui(ui, list).response.named(name);
+}
+
+/// Returns the width of a line of text in this font, in points.
+pub(crate) fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// Returns a message in the colour of errors.

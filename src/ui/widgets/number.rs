@@ -12,7 +12,7 @@ use egui::{
 use pinhole_core::{DVec3, shortest};
 use pinhole_lecture::numbers::{written, written_whole};
 
-use super::Spoken as _;
+use super::ResponseExt as _;
 use crate::model::expression::evaluate;
 use crate::view::typesetting::theme::{self, error_color};
 
