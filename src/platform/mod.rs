@@ -98,7 +98,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         app.open_lesson(id, file);
     }
     if let Some(trouble) = trouble {
-        app.tell("The last scene cannot be opened again", trouble);
+        app.show_message("The last scene cannot be opened again", trouble);
     }
     let log = FrameLog::from_environment();
     if log.is_some() {

@@ -288,10 +288,33 @@ pub enum HelpAction {
     About,
 }
 
-/// A command from the user. It is applied once per pass, after the panels are drawn and before anything is
-/// derived.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Action {
+/// Defines the enum of all actions, and makes each action of a part into one of them.
+macro_rules! actions {
+    ($($(#[$doc:meta])* $part:ident($action:ty),)*) => {
+        /// A command from the user. It is applied once per pass, after the panels are drawn and before
+        /// anything is derived.
+        #[derive(Clone, Debug, PartialEq)]
+        pub enum Action {
+            $($(#[$doc])* $part($action),)*
+            /// Set a given number to a value in displayed units.
+            Give(Given, f64),
+            /// Move the selected pixel.
+            Select {
+                /// Rows down.
+                rows: i64,
+                /// Columns right.
+                columns: i64,
+            },
+        }
+        $(impl From<$action> for Action {
+            fn from(action: $action) -> Action {
+                Action::$part(action)
+            }
+        })*
+    };
+}
+
+actions! {
     /// Leave the open scene.
     Leave(Leave),
     /// Open or save a scene.
@@ -310,51 +333,15 @@ pub enum Action {
     Play(PlayAction),
     /// Freeze, drop or swap the ghost.
     Ghost(GhostAction),
-    /// Set a given number to a value in displayed units.
-    Give(Given, f64),
     /// Move the camera.
     Steer(Steer),
     /// Move the observer of the world view.
     Observe(Observe),
     /// Add, choose or remove an object.
     Object(ObjectAction),
-    /// Move the selected pixel.
-    Select {
-        /// Rows down.
-        rows: i64,
-        /// Columns right.
-        columns: i64,
-    },
     /// Change how the scene is shown.
     Look(LookAction),
     /// Open an entry of the Help menu.
-    Help(HelpAction),
-}
-
-macro_rules! action_of {
-    ($($part:ident($action:ty)),* $(,)?) => {
-        $(impl From<$action> for Action {
-            fn from(action: $action) -> Action {
-                Action::$part(action)
-            }
-        })*
-    };
-}
-
-action_of! {
-    Leave(Leave),
-    File(FileAction),
-    Lesson(LessonAction),
-    History(HistoryAction),
-    Figure(FigureAction),
-    Exchange(ExchangeAction),
-    Answers(AnswersAction),
-    Play(PlayAction),
-    Ghost(GhostAction),
-    Steer(Steer),
-    Observe(Observe),
-    Object(ObjectAction),
-    Look(LookAction),
     Help(HelpAction),
 }
 
@@ -379,15 +366,6 @@ pub(crate) fn take_requested(ctx: &Context) -> Vec<Action> {
     ctx.data_mut(|data| data.remove_temp(queue())).unwrap_or_default()
 }
 
-/// The effect of an action on the open animation before the action is applied.
-pub(crate) enum PlayEnd {
-    GoesOn,
-    /// The animation closes, and the current state stays.
-    Keeps,
-    /// The animation closes, and the state from before it is restored.
-    GivesBack,
-}
-
 /// What exists at the moment for actions to work on.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
@@ -402,24 +380,6 @@ pub(crate) struct Available {
 }
 
 impl Action {
-    /// Returns the action's effect on the open animation before the action is applied. Saving keeps the
-    /// camera as it is shown; opening something else restores the camera from before the animation.
-    pub(crate) fn play_end(&self) -> PlayEnd {
-        match self {
-            Action::Leave(_)
-            | Action::History(_)
-            | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
-            // The other lesson actions go through [`Leave::GoTo`], if the step that they open exists.
-            | Action::Lesson(LessonAction::Close)
-            | Action::Ghost(GhostAction::Swap) => PlayEnd::GivesBack,
-            Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {
-                PlayEnd::GoesOn
-            }
-            Action::File(_) => PlayEnd::Keeps,
-            _ => PlayEnd::GoesOn,
-        }
-    }
-
     /// Returns true if the action's effect may show in bars or dialogs, which are drawn before actions are
     /// applied. Moving the camera or the observer changes only the views.
     pub(crate) fn shows_above_views(&self) -> bool {

@@ -96,23 +96,9 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the derivation. Edits of the given numbers are requested as actions.
+    /// Shows the derivation without the title and the options above it. If `is_editable` is true, the given
+    /// numbers can be changed, which requests an action.
     pub(crate) fn ui(
-        &mut self,
-        ui: &mut Ui,
-        derivation: &Arc<Derivation>,
-        document: &Document,
-        session: &mut Session,
-    ) {
-        if !theme::installed(ui.ctx()).presenting {
-            self.head(ui, derivation, session);
-        }
-        self.lines(ui, derivation, document, session, true);
-    }
-
-    /// Shows the derivation without the title and the options above it. The given numbers can be changed only
-    /// if `is_editable` is true.
-    pub(crate) fn lines(
         &mut self,
         ui: &mut Ui,
         derivation: &Arc<Derivation>,
@@ -155,43 +141,6 @@ impl DerivationPanel {
             }
             ui.add_space(12.0);
         });
-    }
-
-    /// Shows the title, the choice of how numbers are written, a checkbox for each section, and buttons that
-    /// copy the derivation.
-    fn head(&self, ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
-        let Session { sections, settings, .. } = session;
-        ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new("Derivation").strong().size(SIZE));
-            for (exact, label, hint) in [
-                (true, "Exact", "Roots and fractions where they are short, such as 1/√2"),
-                (false, "Decimals", "Only decimals; ≈ where they are rounded"),
-            ] {
-                ui.selectable_value(&mut settings.exact_forms, exact, label).on_hover_text(hint);
-            }
-            ui.separator();
-            if ui.button("Copy").named("Copy the derivation").clicked() {
-                ui.ctx().copy_text(derivation.to_string());
-            }
-            let menu = ui.menu_button("Copy as", |ui| {
-                for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
-                    if ui.button(name).clicked() {
-                        ui.ctx().copy_text(derivation.written_in(markup));
-                    }
-                }
-            });
-            menu.response.named("Copy the derivation as");
-        });
-        ui.horizontal_wrapped(|ui| {
-            for section in DerivationSection::ALL {
-                let mut shown = sections.shows(section);
-                let name = format!("Derivation: {}", section.label());
-                if ui.checkbox(&mut shown, section.label()).named(name).changed() {
-                    sections.set(section, shown);
-                }
-            }
-        });
-        ui.separator();
     }
 
     fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>) {
@@ -288,6 +237,46 @@ impl DerivationPanel {
     }
 }
 
+/// Shows the title, the choice of how numbers are written, a checkbox for each section, and buttons that
+/// copy the derivation. Shows nothing while presenting.
+pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
+    if theme::installed(ui.ctx()).presenting {
+        return;
+    }
+    let Session { sections, settings, .. } = session;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new("Derivation").strong().size(SIZE));
+        for (exact, label, hint) in [
+            (true, "Exact", "Roots and fractions where they are short, such as 1/√2"),
+            (false, "Decimals", "Only decimals; ≈ where they are rounded"),
+        ] {
+            ui.selectable_value(&mut settings.exact_forms, exact, label).on_hover_text(hint);
+        }
+        ui.separator();
+        if ui.button("Copy").named("Copy the derivation").clicked() {
+            ui.ctx().copy_text(derivation.to_string());
+        }
+        let menu = ui.menu_button("Copy as", |ui| {
+            for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
+                if ui.button(name).clicked() {
+                    ui.ctx().copy_text(derivation.written_in(markup));
+                }
+            }
+        });
+        menu.response.named("Copy the derivation as");
+    });
+    ui.horizontal_wrapped(|ui| {
+        for section in DerivationSection::ALL {
+            let mut shown = sections.shows(section);
+            let name = format!("Derivation: {}", section.label());
+            if ui.checkbox(&mut shown, section.label()).named(name).changed() {
+                sections.set(section, shown);
+            }
+        }
+    });
+    ui.separator();
+}
+
 /// Draws a triangle that points down if the section is unfolded, and right if it is folded.
 fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
     let corners = [vec2(-5.0, -3.0), vec2(5.0, -3.0), vec2(0.0, 4.5)];
@@ -356,9 +345,9 @@ fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -
     underline(ui, rect);
     let name = givens.name(given);
     let spoken = format!("derivation {name}");
-    let mut field = NumberField::new(&spoken, &mut value).hint(&name);
+    let mut field = NumberField { hint: &name, ..NumberField::new(&spoken, &mut value) };
     if let Some(range) = givens.whole_range(given) {
-        field = field.whole().within(range);
+        field = NumberField { is_whole: true, range, ..field };
     }
     // A single digit is too narrow to grab.
     let rect = rect.expand2(vec2((0.5 * (SIZE - rect.width())).max(0.0), 1.0));

@@ -25,7 +25,7 @@ impl Stopwatch {
     }
 
     /// Adds the time since the last call to the total of this kind of work.
-    pub(crate) fn tell(&self, work: WorkKind) {
+    pub(crate) fn record(&self, work: WorkKind) {
         let now = Instant::now();
         let (since, times) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let time = match work {
@@ -40,7 +40,7 @@ impl Stopwatch {
 
     /// Adds the remaining time to the total of all other work, and returns all times.
     pub(crate) fn stop(self) -> WorkTimes {
-        self.tell(WorkKind::Rest);
+        self.record(WorkKind::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
     }
 }
@@ -102,9 +102,9 @@ mod tests {
     }
 
     #[test]
-    fn time_is_counted_for_the_work_that_was_told() {
+    fn time_is_counted_for_the_work_that_was_recorded() {
         let stopwatch = Stopwatch::start();
-        stopwatch.tell(WorkKind::Overlay);
+        stopwatch.record(WorkKind::Overlay);
         let times = stopwatch.stop();
         assert!(times.is_new && times.traced().is_none() && !times.overlay.is_zero());
         assert!(!Stopwatch::start().stop().is_new);

@@ -12,14 +12,14 @@ use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, Split, ViewLayout};
 use crate::ui::action::{Leave, LessonAction, LookAction};
 use crate::ui::commands_table::shortcut;
-use crate::ui::derivation::DerivationPanel;
+use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::exercises::QuestionScene;
 use crate::ui::practice::{answers, exercises, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
 use crate::ui::tools::accuracy::{self, Measuring};
-use crate::ui::tools::translator::TranslatorPanel;
+use crate::ui::tools::translator;
 use crate::ui::widgets::{ResponseExt as _, ViewTexture};
 use crate::view::derive::{Derived, SecondPicture};
 
@@ -66,7 +66,6 @@ pub(crate) struct Page {
 #[derive(Default)]
 pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
-    pub(crate) translator: TranslatorPanel,
     pub(crate) measuring: Measuring,
     /// The scene of the open exercise.
     pub(crate) question: QuestionScene,
@@ -184,7 +183,7 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
 const DERIVATION: Page = Page {
     follows_pointer: true,
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
-    rest: derivation,
+    rest: derived_lines,
     hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
     figure: FigureSubject::Derivation,
     ..Page::VIEWS
@@ -192,9 +191,11 @@ const DERIVATION: Page = Page {
 
 const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
 
-fn derivation(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let Some(derivation) = &context.derived.derivation else { return };
-    context.tools.derivation.ui(ui, derivation, &context.open.document, context.session);
+fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let Some(derived) = &context.derived.derivation else { return };
+    derivation::head(ui, derived, context.session);
+    let document = &context.open.document;
+    context.tools.derivation.ui(ui, derived, document, context.session, true);
 }
 
 const PLOT: Page = Page {
@@ -223,8 +224,7 @@ const TRANSLATOR: Page = Page {
     rest: |ui, context| {
         let document = &context.open.document;
         let Session { translator, selection, settings, .. } = &mut *context.session;
-        let panel = &mut context.tools.translator;
-        panel.ui(ui, document, translator, *selection, settings.digits);
+        translator::ui(ui, document, translator, *selection, settings.digits);
     },
     ..Page::VIEWS
 };

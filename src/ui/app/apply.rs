@@ -14,8 +14,8 @@ use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
-    Action, ExchangeAction, FigureAction, FileAction, HistoryAction, Leave, LessonAction,
-    LookAction, PlayAction, PlayEnd,
+    Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
+    LessonAction, LookAction, PlayAction,
 };
 use crate::ui::app::files::ScreenContents;
 use crate::ui::app::scene::Opened;
@@ -40,10 +40,18 @@ impl App {
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // During an animation that moves the camera, undo only ends the animation.
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
-        match action.play_end() {
-            PlayEnd::GoesOn => {}
-            PlayEnd::Keeps => self.playback.keep(ctx, &mut self.scene, &mut self.history),
-            PlayEnd::GivesBack => self.playback.give_back(&mut self.scene),
+        // Opening something else restores the camera from before the animation; saving keeps the camera as it
+        // is shown.
+        match &action {
+            Action::Leave(_)
+            | Action::History(_)
+            | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
+            // The other lesson actions stop the animation once they know that there is a step to open.
+            | Action::Lesson(LessonAction::Close)
+            | Action::Ghost(GhostAction::Swap) => self.stop_animation(),
+            Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {}
+            Action::File(_) => self.keep_animation(ctx),
+            _ => {}
         }
         let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
         if let Some(dialog) = dialog {
@@ -58,22 +66,14 @@ impl App {
             Action::Leave(leave) => return self.leave(ctx, leave),
             Action::File(action) => return self.file(ctx, action),
             Action::Lesson(action) => return self.lesson_action(ctx, action),
-            Action::History(action) => {
-                let opened = self.history.apply(ctx, action, &mut self.scene);
-                self.show_opened(opened);
-            }
+            Action::History(action) => self.undo_or_redo(ctx, action),
             Action::Figure(action) => return self.figure(ctx, action),
             Action::Exchange(action) => return self.exchange(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
-            Action::Play(action) => {
-                let aspect = self.views.world_size().aspect();
-                let (scene, history) = (&mut self.scene, &mut self.history);
-                self.playback.apply(ctx, action, scene, history, &self.views.derived, aspect);
-            }
+            Action::Play(action) => self.play(ctx, action),
             Action::Ghost(action) => {
                 if self.scene.change_ghost(action) {
-                    let document = &self.scene.open.document;
-                    self.history.settle_as(ctx, document, Some("swap with the ghost"));
+                    self.settle(ctx, Some("swap with the ghost"));
                 }
             }
             Action::Give(given, value) => self.scene.give(ctx, given, value),
@@ -135,7 +135,7 @@ impl App {
 
     /// Opens the other scene or step, or closes the window, without asking the user.
     fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
-        self.history.settle(ctx, &self.scene.open.document);
+        self.settle(ctx, None);
         let before = self.scene.clone();
         let opened = match leave {
             Leave::Open(source) => self.open(source),
@@ -232,11 +232,11 @@ impl App {
 
     /// Reads the scene's file again as a step that the user can undo.
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
-        self.history.settle(ctx, &self.scene.open.document);
+        self.settle(ctx, None);
         if let Err(error) = self.scene.reload() {
             return Some(Dialog::message("The changed scene cannot be read", error));
         }
-        self.history.settle_as(ctx, &self.scene.open.document, Some("reload the file"));
+        self.settle(ctx, Some("reload the file"));
         None
     }
 
@@ -285,7 +285,7 @@ impl App {
                 None
             }
         }?;
-        self.playback.give_back(&mut self.scene);
+        self.stop_animation();
         let dialog = self.leave(ctx, Leave::GoTo(to));
         // Going back shows the answer and every line, since the class has already seen them.
         if action == LessonAction::Previous && dialog.is_none() {
@@ -306,7 +306,7 @@ impl App {
                 Some(screen.ask_export_animation(player.kind))
             }
             FigureAction::ExportAnimation { order, frames, path } => {
-                self.playback.export(order, frames, path, scene)
+                self.export_animation(order, frames, path)
             }
             FigureAction::Copy => {
                 let problem = screen.copy();
@@ -330,10 +330,10 @@ impl App {
             ExchangeAction::Paste(text) => {
                 let (camera, said) = pasted(&text, &self.scene.open.document.camera);
                 if let Some(camera) = camera {
-                    self.playback.keep(ctx, &mut self.scene, &mut self.history);
-                    self.history.settle(ctx, &self.scene.open.document);
+                    self.keep_animation(ctx);
+                    self.settle(ctx, None);
                     self.scene.replace_camera(camera);
-                    self.history.settle_as(ctx, &self.scene.open.document, Some("paste a camera"));
+                    self.settle(ctx, Some("paste a camera"));
                 }
                 self.scene.session.translator.notice = Some(said);
             }

@@ -24,7 +24,7 @@ use crate::ui::app::{App, apply, files};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, top_bar};
 use crate::ui::practice::vote;
-use crate::ui::scene::dragging::Edited;
+use crate::ui::scene::dragging::ViewInput;
 use crate::ui::scene::view_rects::{Divider, Numbers, ViewRects};
 use crate::ui::scene::{readouts, views};
 use crate::ui::second_picture;
@@ -38,8 +38,9 @@ impl App {
         let ctx = ui.ctx().clone();
         self.waiting.drain(..).for_each(|action| request(&ctx, action));
         let OpenScene { open, session, chosen_object, .. } = &mut self.scene;
-        let mut edited = Edited { document: &mut open.document, session, chosen_object };
-        self.dragging.take(&ctx, &mut edited, &self.views.derived, self.over.covers());
+        let (document, shown) = (&mut open.document, &self.views.derived);
+        let mut input = ViewInput { ctx: &ctx, shown, document, session, chosen_object };
+        self.dragging.take(&mut input, self.over.covers());
         self.window_inputs(&ctx);
         let mut start = self.scene.pass_start();
         self.panels(ui, &mut start);
@@ -52,10 +53,7 @@ impl App {
                 is_old |= action.shows_above_views();
                 self.apply(&ctx, action);
             }
-            let mut sizes = views::sizes(ui, &rects);
-            let second = self.page().second.zip(rects.second);
-            sizes.second = second.map(|(second, rect)| (second, views::physical(ui, rect)));
-            self.views.derive(&ctx, &self.scene, sizes, self.playback.is_running());
+            self.derive(ui, &rects);
             self.outputs(ui, &rects);
             is_old |= is_any_requested(&ctx);
             if let Some(pen) = &mut self.scene.session.pen {
@@ -63,16 +61,19 @@ impl App {
             }
         });
         self.over.marks(ui, self.scene.session.spotlight);
-        self.keep_history(&ctx);
+        // A drag is a single undo step, and the frames of an animation are none.
+        if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
+            self.settle(&ctx, None);
+        }
         self.recovery.follow(&ctx, &self.scene.open);
-        self.playback.record(&ctx, &mut self.over.dialog);
+        self.record_animation(&ctx);
         self.window.follow(&ctx, &self.scene);
         if is_old || self.scene.has_changed_since(start) {
             ctx.request_discard("an edit changed what was drawn before it");
         }
     }
 
-    fn page(&self) -> &'static Page {
+    pub(super) fn page(&self) -> &'static Page {
         let session = &self.scene.session;
         let layout = session.settings.layout;
         // While a question waits for the class's answer, the views take the space of the derivation or the
@@ -100,7 +101,7 @@ impl App {
             }
         }
         if self.window.is_to_close(ctx) {
-            self.playback.give_back(&mut self.scene);
+            self.stop_animation();
             let has_changes = self.scene.open.has_changes();
             self.window.let_close(ctx, !has_changes);
             if has_changes {
@@ -170,8 +171,8 @@ impl App {
     /// Draws everything around the views, from the top.
     fn panels(&mut self, ui: &mut Ui, start: &mut PassStart) {
         let there = self.available();
+        self.overlays(ui.ctx(), there);
         let scene = &mut self.scene;
-        self.over.ui(ui.ctx(), scene, &self.window.recent, there);
         apply::follow_look(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
         if !presenting {
@@ -182,12 +183,12 @@ impl App {
             bar.show(ui, |ui| top_bar::ui(ui, open, recent, steps, there, settings));
         }
         scene.lesson_strip(ui);
-        let inspection = self.views.derived.inspection.as_deref();
-        self.playback.go_on(ui, scene, &mut self.history, inspection);
+        self.advance_animation(ui);
+        let session = &self.scene.session;
         // Nothing above shows what an animation moves.
-        start.session.ray_point_t = scene.session.ray_point_t;
-        start.session.scanned_pixels = scene.session.scanned_pixels;
-        let hidden = presenting || scene.session.settings.hides_panel;
+        start.session.ray_point_t = session.ray_point_t;
+        start.session.scanned_pixels = session.scanned_pixels;
+        let hidden = presenting || session.settings.hides_panel;
         if !hidden && self.page().has_panel {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
@@ -295,7 +296,7 @@ impl App {
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
         let page = self.page();
-        self.views.show(ui, rects, &mut self.scene, &mut self.dragging);
+        self.show_views(ui, rects);
         let style = NumberStyle::new(&self.scene.session.settings);
         let mut context = PageContext {
             open: &self.scene.open,
@@ -318,14 +319,6 @@ impl App {
             false => (page.asked)(ui, &context),
         });
         files::notice(ui.ctx(), &mut self.scene);
-    }
-
-    /// Records a change of the document as an undo step once no button is held and no animation plays, so
-    /// that a drag is a single step.
-    fn keep_history(&mut self, ctx: &Context) {
-        if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
-            self.history.settle(ctx, &self.scene.open.document);
-        }
     }
 }
 
@@ -404,7 +397,7 @@ impl App {
             self.window.let_close(&ctx, true);
         }
         // The last change may not be an undo step yet.
-        self.history.settle(&ctx, &self.scene.open.document);
+        self.settle(&ctx, None);
         let mut stays = true;
         CentralPanel::default().show(ui, |ui| {
             ui.heading("Pinhole ran into an internal error");
@@ -417,7 +410,7 @@ impl App {
                 let can_undo = self.history.steps.undo_name().is_some();
                 let undo = ui.add_enabled(can_undo, egui::Button::new("Undo and go on"));
                 if undo.on_hover_text("Goes on without the last change").clicked() {
-                    self.history.apply(&ctx, HistoryAction::Undo, &mut self.scene);
+                    self.undo_or_redo(&ctx, HistoryAction::Undo);
                     stays = false;
                 }
                 if ui.button("Copy a report").clicked() {

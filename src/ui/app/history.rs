@@ -3,6 +3,7 @@
 use egui::{Context, Id};
 use pinhole_exchange::document::Document;
 
+use super::App;
 use super::scene::{OpenScene, Opened};
 use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
@@ -16,7 +17,7 @@ const PAUSE: f64 = 1.0;
 pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
     /// The document after the last step.
-    settled: Document,
+    pub(super) settled: Document,
     /// The last step, which the next change may extend.
     last: Option<Last>,
 }
@@ -42,18 +43,9 @@ impl SceneHistory {
         SceneHistory { steps: History::default(), settled: document.clone(), last: None }
     }
 
-    /// The document after the last step.
-    pub(super) fn settled(&self) -> &Document {
-        &self.settled
-    }
-
-    /// Records the changes since the last step as a new step, with a name that describes the change.
-    pub(super) fn settle(&mut self, ctx: &Context, document: &Document) {
-        self.settle_as(ctx, document, None);
-    }
-
-    /// Records the changes since the last step, if there are any, as a step with this name.
-    pub(super) fn settle_as(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
+    /// Records the changes since the last step, if there are any, as a step with this name, or with a name
+    /// that describes the changes.
+    fn settle(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
         if *document == self.settled {
             return;
         }
@@ -95,28 +87,32 @@ impl SceneHistory {
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }
+}
+
+impl App {
+    /// Records the changes since the last step, if there are any, as a step with this name, or with a name
+    /// that describes the changes.
+    pub(super) fn settle(&mut self, ctx: &Context, name: Option<&str>) {
+        self.history.settle(ctx, &self.scene.open.document, name);
+    }
 
     /// Undoes or redoes a step.
-    pub(super) fn apply(
-        &mut self,
-        ctx: &Context,
-        action: HistoryAction,
-        scene: &mut OpenScene,
-    ) -> Opened {
-        self.settle(ctx, &scene.open.document);
+    pub(super) fn undo_or_redo(&mut self, ctx: &Context, action: HistoryAction) {
+        self.settle(ctx, None);
+        let scene = &mut self.scene;
         let here = |moment: &Moment| match moment {
             Moment::Edited(_) => Moment::Edited(Box::new(scene.open.document.clone())),
             Moment::Elsewhere(_) => Moment::Elsewhere(Box::new(scene.clone())),
         };
-        let moment = self.steps.step(action == HistoryAction::Redo, here);
-        let Some(moment) = moment else { return Opened::default() };
-        let is_another = matches!(moment, Moment::Elsewhere(_));
+        let moment = self.history.steps.step(action == HistoryAction::Redo, here);
+        let is_another = matches!(moment, Some(Moment::Elsewhere(_)));
         match moment {
-            Moment::Edited(document) => scene.edit_back(*document),
-            Moment::Elsewhere(before) => scene.go_back(*before),
+            None => return,
+            Some(Moment::Edited(document)) => scene.edit_back(*document),
+            Some(Moment::Elsewhere(before)) => scene.go_back(*before),
         }
-        self.take_as_settled(&scene.open.document);
-        self.last = None;
-        Opened { is_another, play: None }
+        self.history.take_as_settled(&scene.open.document);
+        self.history.last = None;
+        self.show_opened(Opened { is_another, play: None });
     }
 }

@@ -119,7 +119,7 @@ impl App {
     }
 
     /// Shows a message about an error that occurred before the window opened.
-    pub fn tell(&mut self, title: &str, text: String) {
+    pub fn show_message(&mut self, title: &str, text: String) {
         self.over.dialog = Some(Dialog::message(title, text));
     }
 

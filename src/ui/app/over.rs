@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use egui::{Context, Ui};
 use pinhole_exchange::scenes::SceneSource;
 
+use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
 use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
@@ -59,29 +60,6 @@ impl Overlays {
         }
     }
 
-    /// Shows the open overlays, and requests the commands that the user chooses in them.
-    pub(super) fn ui(
-        &mut self,
-        ctx: &Context,
-        scene: &OpenScene,
-        recent: &[PathBuf],
-        there: Available,
-    ) {
-        dialogs::ui(ctx, &mut self.dialog);
-        if self.shows_keys {
-            self.shows_keys = help::ui(ctx);
-        }
-        if let Some(palette) = &mut self.palette {
-            let extra = commands_of_what_is_open(scene, recent);
-            let commands = commands_table::all().iter().chain(&extra);
-            let commands: Vec<&UiCommand> =
-                commands.filter(|command| command.action.is_possible(there)).collect();
-            if !palette::ui(ctx, palette, &commands, &scene.session) {
-                self.palette = None;
-            }
-        }
-    }
-
     /// Draws the focus ring and the spotlight.
     pub(super) fn marks(&mut self, ui: &Ui, spotlight: bool) {
         let (pressed, moved) = ui.input(|i| {
@@ -94,6 +72,24 @@ impl Overlays {
         }
         if spotlight {
             theme::spotlight(ui.ctx());
+        }
+    }
+}
+
+impl App {
+    /// Shows the open overlays, and requests the commands that the user chooses in them.
+    pub(super) fn overlays(&mut self, ctx: &Context, there: Available) {
+        let over = &mut self.over;
+        dialogs::ui(ctx, &mut over.dialog);
+        over.shows_keys = over.shows_keys && help::ui(ctx);
+        if let Some(palette) = &mut over.palette {
+            let extra = commands_of_what_is_open(&self.scene, &self.window.recent);
+            let commands = commands_table::all().iter().chain(&extra);
+            let commands: Vec<&UiCommand> =
+                commands.filter(|command| command.action.is_possible(there)).collect();
+            if !palette::ui(ctx, palette, &commands, &self.scene.session) {
+                over.palette = None;
+            }
         }
     }
 }

@@ -60,7 +60,7 @@ impl Recovery {
         let restore = |as_new| Some(Leave::Restore { as_new }.into());
         let answers = vec![
             ("Restore", "Opens the scene with these changes", restore(false)),
-            ("Open beside", "Opens them as a new scene without a file", restore(true)),
+            ("Open as a new scene", "Keeps the scene's file as it is", restore(true)),
             ("Discard", "Deletes these changes", Some(FileAction::DiscardRecovered.into())),
             ("Not now", "Asks again at the next start", None),
         ];
@@ -106,8 +106,7 @@ impl Recovery {
             ctx.request_repaint_after(BUSY);
             return;
         }
-        self.first_edit = None;
-        self.write(Unsaved::of(open));
+        self.write_changes(open);
     }
 
     /// Writes pending changes at once, because it may be a long time until the next frame.
@@ -120,13 +119,8 @@ impl Recovery {
     /// Writes all unsaved changes at once.
     pub(super) fn write_changes(&mut self, open: &OpenDocument) {
         self.first_edit = None;
-        if open.has_changes() {
-            self.write(Unsaved::of(open));
-        }
-    }
-
-    fn write(&mut self, unsaved: Unsaved) {
-        let Some(slot) = self.slot.clone() else { return };
+        let Some(slot) = self.slot.clone().filter(|_| open.has_changes()) else { return };
+        let unsaved = Unsaved::of(open);
         self.is_written = true;
         self.finish_writing();
         self.writing = Some(std::thread::spawn(move || {

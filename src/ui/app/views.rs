@@ -1,17 +1,16 @@
 //! Derives the views, adapts their resolution during drags, and shows their pictures.
 
-use pinhole_core::Selection;
 use std::time::Duration;
 
 use egui::{Align2, Context, Event, Key, Pos2, Ui, Vec2};
+use pinhole_core::Selection;
 
-use super::scene::OpenScene;
+use super::App;
 use crate::model::fault::Fault;
 use crate::model::observer::ViewSize;
 use crate::model::readings::NumberStyle;
 use crate::model::symbols::typeset_message;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
-use crate::ui::scene::dragging::Dragging;
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;
 use crate::ui::tools::accuracy;
@@ -51,52 +50,46 @@ impl Views {
     pub(super) fn world_size(&self) -> ViewSize {
         self.world_size.unwrap_or(ViewSize::of_aspect(1.25))
     }
+}
 
-    /// Derives everything that is shown. `plays` is true if an animation moves the camera.
-    pub(super) fn derive(
-        &mut self,
-        ctx: &Context,
-        scene: &OpenScene,
-        sizes: ViewSizes,
-        plays: bool,
-    ) {
+impl App {
+    /// Derives everything that is shown.
+    pub(super) fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
+        let (ctx, second) = (ui.ctx(), self.page().second.zip(rects.second));
+        let (scene, views) = (&self.scene, &mut self.views);
         let time = ctx.input(|i| i.time);
         let objects = scene.open.document.object_count();
-        let moves = plays || is_hand_moving(ctx);
-        let subsampling = self.adaptive_resolution.now(moves, time, objects);
-        let under_hand = self.adaptive_resolution.is_followed(time);
-        let sizes = ViewSizes { subsampling, under_hand, ..sizes };
+        let moves = self.playback.is_running() || is_hand_moving(ctx);
+        let subsampling = views.adaptive_resolution.now(moves, time, objects);
+        let under_hand = views.adaptive_resolution.is_followed(time);
+        let second = second.map(|(second, rect)| (second, views::physical(ui, rect)));
+        let sizes = ViewSizes { subsampling, under_hand, second, ..views::sizes(ui, rects) };
         // Dropping this reference lets spheres be updated in place rather than copied.
-        self.derived.scene = None;
+        views.derived.scene = None;
         let stopwatch = Stopwatch::start();
-        let tell = |work| stopwatch.tell(work);
+        let watch = |work| stopwatch.record(work);
         let (document, session) = (&scene.open.document, &scene.session);
-        self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
+        views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);
         let times = stopwatch.stop();
         if let Some(traced) = times.traced() {
-            self.adaptive_resolution.took(subsampling, traced);
+            views.adaptive_resolution.took(subsampling, traced);
         }
-        if let Some(frame_work) = &mut self.frame_work {
+        if let Some(frame_work) = &mut views.frame_work {
             frame_work.add(ctx.cumulative_frame_nr(), times);
         }
         // Coarse pictures are refined once the drag rests. Grading may be postponed until then, too.
-        let waits = self.adaptive_resolution.is_followed(time) && session.answers.is_some();
-        let is_coarse = |shown: &Subsampling| self.adaptive_resolution.is_made_finer(*shown);
-        if waits || self.derived.subsampling.iter().any(is_coarse) {
+        let waits = views.adaptive_resolution.is_followed(time) && session.answers.is_some();
+        let is_coarse = |shown: &Subsampling| views.adaptive_resolution.is_made_finer(*shown);
+        if waits || views.derived.subsampling.iter().any(is_coarse) {
             ctx.request_repaint_after(Duration::from_secs_f64(REST));
         }
     }
 
     /// Shows the pictures with their labels.
-    pub(super) fn show(
-        &mut self,
-        ui: &mut Ui,
-        rects: &ViewRects,
-        scene: &mut OpenScene,
-        dragging: &mut Dragging,
-    ) {
-        self.world_size = rects.world.map(views::size_of).or(self.world_size);
-        let derived = &self.derived;
+    pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects) {
+        let App { scene, dragging, views: shown, .. } = self;
+        shown.world_size = rects.world.map(views::size_of).or(shown.world_size);
+        let derived = &shown.derived;
         if scene.session.presenting.is_none() {
             let image = scene.open.document.camera.image;
             let settings = &mut scene.session.settings;
@@ -105,13 +98,13 @@ impl Views {
         let (document, session) = (&scene.open.document, &scene.session);
         let picture = rects.camera.or(rects.world);
         let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
-        if let (Some(rect), Some(shown)) = (rects.world, &derived.world_view) {
+        if let (Some(rect), Some(view)) = (rects.world, &derived.world_view) {
             let stale = matches!(derived.fault, Some(Fault::Scene(_)));
-            views::show(ui, rect, shown, &mut self.world, stale);
+            views::show(ui, rect, view, &mut shown.world, stale);
             views::speak(ui, views::WORLD, &spoken);
         }
-        if let (Some(rect), Some(shown)) = (rects.camera, &derived.camera_view) {
-            views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
+        if let (Some(rect), Some(view)) = (rects.camera, &derived.camera_view) {
+            views::show(ui, rect, view, &mut shown.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &spoken);
         }
         // Only one of the two labels is shown at a time.
@@ -130,7 +123,7 @@ impl Views {
         for (rect, subsampling) in [rects.camera, rects.world].into_iter().zip(derived.subsampling)
         {
             // A picture from before an error is marked as such and is not refined.
-            let text = self.adaptive_resolution.message(subsampling);
+            let text = shown.adaptive_resolution.message(subsampling);
             let text = text.filter(|_| derived.fault.is_none());
             if let (Some(rect), Some(text)) = (rect, text) {
                 views::badge(ui, rect, Align2::RIGHT_BOTTOM, &text);

@@ -12,6 +12,7 @@ use crate::model::store::{Remembered, Store, WindowGeometry};
 use crate::ui::app::scene::OpenScene;
 
 /// The window's own state.
+#[derive(Default)]
 pub(super) struct AppWindow {
     store: Option<Store>,
     pub(super) geometry: WindowGeometry,
@@ -33,16 +34,7 @@ impl AppWindow {
         geometry: WindowGeometry,
         recent: Vec<PathBuf>,
     ) -> AppWindow {
-        AppWindow {
-            store,
-            geometry,
-            recent,
-            title: String::new(),
-            renderer: String::new(),
-            filled_before: None,
-            may_close: false,
-            discarded: false,
-        }
+        AppWindow { store, geometry, recent, ..AppWindow::default() }
     }
 
     /// Puts a file first in the list of recent files.
@@ -82,19 +74,12 @@ impl AppWindow {
 
     /// Makes the window fill its screen when presenting begins, and restores it when presenting ends.
     fn fill_screen(&mut self, ctx: &Context, presenting: bool) {
-        let to = match (presenting, self.filled_before) {
-            (true, None) => {
-                let fills = ctx.input(|i| i.viewport().fullscreen) == Some(true);
-                self.filled_before = Some(fills);
-                true
-            }
-            (false, Some(before)) => {
-                self.filled_before = None;
-                before
-            }
-            (true, Some(_)) | (false, None) => return,
-        };
-        ctx.send_viewport_cmd(ViewportCommand::Fullscreen(to));
+        if presenting != self.filled_before.is_some() {
+            let fills = ctx.input(|i| i.viewport().fullscreen) == Some(true);
+            let before = self.filled_before.take();
+            self.filled_before = presenting.then_some(fills);
+            ctx.send_viewport_cmd(ViewportCommand::Fullscreen(before.unwrap_or(true)));
+        }
     }
 
     /// Saves the settings, window, recent files and open scene for the next run.
@@ -134,21 +119,21 @@ pub(crate) fn complain(text: &str) {
 #[derive(Default)]
 pub(super) struct FileWatch {
     /// The files' stamps at the last check, if a file had changed.
-    seen: Option<Stamps>,
+    last: Option<Stamps>,
     /// The stamps of the last reported change.
-    told: Option<Stamps>,
+    reported: Option<Stamps>,
 }
 
 impl FileWatch {
     /// Takes the files' stamps if one of them has changed. Returns true if the change must be reported. That
     /// happens once, and only when two checks see the same stamps, because another program may still be
     /// writing the file.
-    pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_tell: bool) -> bool {
-        let rests = touched.is_some() && touched == self.seen;
-        self.seen = touched;
-        let is_news = rests && may_tell && touched != self.told;
+    pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_report: bool) -> bool {
+        let rests = touched.is_some() && touched == self.last;
+        self.last = touched;
+        let is_news = rests && may_report && touched != self.reported;
         if is_news {
-            self.told = touched;
+            self.reported = touched;
         }
         is_news
     }

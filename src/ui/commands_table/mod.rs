@@ -1,7 +1,7 @@
 //! The table of commands: each command's name, description, keys and [`Action`].
 //!
 //! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a new
-//! command is a row in `table.rs`. A [`Gesture`] depends on what is under the pointer; it is listed there,
+//! command is a row in `table.rs`. A [gesture](GESTURES) depends on what is under the pointer; it is listed there,
 //! but the views handle it.
 
 use std::borrow::Cow;
@@ -12,7 +12,7 @@ use egui::{Context, Event, Key, Modifiers};
 use crate::ui::action::{Action, ObjectAction, Observe, Steer};
 
 pub use search::found;
-pub use table::{GESTURES, Gesture};
+pub use table::GESTURES;
 pub(crate) use table::{command, of_lesson};
 
 mod search;
@@ -95,7 +95,7 @@ pub struct UiCommand {
     /// A sentence that describes the command.
     pub about: Cow<'static, str>,
     /// The keys that trigger it; menus show the first one.
-    pub keys: &'static [Keys],
+    pub keys: Vec<Keys>,
     /// The action.
     pub action: Action,
 }
@@ -141,7 +141,7 @@ fn with_action(action: &Action) -> Option<&'static UiCommand> {
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
-        Action::Select { .. } => Some("Ten pixels on"),
+        Action::Select { .. } => Some("Ten pixels"),
         Action::Steer(Steer::Look(..)) => Some("Look around (camera view)"),
         Action::Steer(Steer::Orbit(..)) => Some("Orbit around at (camera view)"),
         Action::Steer(Steer::Zoom(_)) => Some("Field of view (camera view)"),
@@ -157,7 +157,7 @@ fn family(action: &Action) -> Option<&'static str> {
 /// Returns the keys of a family of commands: a short form such as `Alt+arrows`, or a list of all keys.
 fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
-    let keys: Vec<&Keys> = family.iter().flat_map(|command| command.keys).collect();
+    let keys: Vec<&Keys> = family.iter().flat_map(|command| &command.keys).collect();
     let are_arrows = keys.len() == 4 && arrows.iter().all(|a| keys.iter().any(|k| k.key == *a));
     if let (true, Some(first)) = (are_arrows, keys.first())
         && keys.iter().all(|key| key.modifiers == first.modifiers)
@@ -182,7 +182,7 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
         let name = family(&commands[0].action).map_or(commands[0].name.to_string(), str::to_owned);
         (commands[0].group, keys_of(commands), name)
     });
-    let gestures = GESTURES.iter().map(|g| (g.group, g.how.to_owned(), g.does.to_owned()));
+    let gestures = GESTURES.map(|(group, how, does)| (group, how.to_owned(), does.to_owned()));
     for (group, keys, name) in commands.chain(gestures) {
         match groups.iter_mut().find(|(known, _)| *known == group) {
             Some((_, rows)) => rows.push((keys, name)),
@@ -244,23 +244,22 @@ impl Keys {
 
     /// Consumes the presses of the key and returns their number.
     fn take(self, ctx: &Context) -> usize {
-        let mut count = 0;
+        let is_other = |event: &Event| {
+            !matches!(event, Event::Key { key, pressed: true, modifiers, .. }
+                if *key == self.key && self.is_held(*modifiers))
+        };
         ctx.input_mut(|input| {
-            input.events.retain(|event| {
-                let is_it = matches!(event, Event::Key { key, pressed: true, modifiers, .. }
-                    if *key == self.key && self.is_held(*modifiers));
-                count += usize::from(is_it);
-                !is_it
-            });
-        });
-        count
+            let before = input.events.len();
+            input.events.retain(is_other);
+            before - input.events.len()
+        })
     }
 
     fn is_held(self, now: Modifiers) -> bool {
         // Signs may need Shift or AltGr, depending on the keyboard.
         let mut letters = name(self.key).chars();
-        let is_sign =
-            letters.next().is_some_and(|c| !c.is_alphabetic()) && letters.next().is_none();
+        let begins_with_sign = letters.next().is_some_and(|c| !c.is_alphabetic());
+        let is_sign = begins_with_sign && letters.next().is_none();
         let same = |now: bool, wanted: bool| now == wanted || (is_sign && !wanted);
         now.command == self.modifiers.command
             && same(now.shift, self.modifiers.shift)

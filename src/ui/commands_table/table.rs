@@ -29,73 +29,51 @@ macro_rules! commands {
     ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
         vec![$(UiCommand {
             group: Group::$group,
-            name: std::borrow::Cow::Borrowed($name),
-            about: std::borrow::Cow::Borrowed($about),
-            keys: const { &[$($keys),*] },
+            name: Cow::Borrowed($name),
+            about: Cow::Borrowed($about),
+            keys: vec![$($keys),*],
             action: $action.into(),
         }),*]
     };
 }
 
-/// A gesture with the mouse or with held keys. It appears in the list of keys, but the keyboard does not look
-/// it up.
-#[derive(Clone, Copy, Debug)]
-pub struct Gesture {
-    /// The group that it is listed in.
-    pub group: Group,
-    /// The gesture.
-    pub how: &'static str,
-    /// The effect of the gesture.
-    pub does: &'static str,
-}
-
-/// All gestures.
-pub const GESTURES: &[Gesture] = &[
-    Gesture { group: Group::Views, how: "Drag in the world view", does: "Orbit the observer" },
-    Gesture { group: Group::Views, how: "Shift+drag in the world view", does: "Pan the observer" },
-    Gesture { group: Group::Views, how: "Wheel in the world view", does: "Zoom" },
-    Gesture { group: Group::Views, how: "Click", does: "Select the pixel there" },
-    Gesture { group: Group::Hand, how: "Drag a handle", does: "Move it parallel to the screen" },
-    Gesture { group: Group::Hand, how: "Click a handle", does: "Reach the next handle there" },
-    Gesture { group: Group::Hand, how: "Ctrl", does: "In fixed steps" },
-    Gesture { group: Group::Hand, how: "Alt", does: "Eye orbits at, or travels" },
-    Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move it by one step" },
-    Gesture { group: Group::Hand, how: "Escape", does: "Cancel the drag" },
-    Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look around" },
-    Gesture { group: Group::Hand, how: "Middle drag in the camera view", does: "Orbit around at" },
-    Gesture { group: Group::Hand, how: "Wheel in the camera view", does: "Enlarge pixels" },
-    Gesture { group: Group::Hand, how: "Ctrl+wheel in the camera view", does: "Field of view" },
-    Gesture { group: Group::Program, how: "Tab, Shift+Tab", does: "Next and previous control" },
-    Gesture { group: Group::Program, how: "Enter, Space", does: "Press the control in focus" },
+/// The gestures with the mouse or with held keys: group, gesture, effect. They appear in the list of keys, but
+/// the keyboard does not look them up.
+pub const GESTURES: [(Group, &str, &str); 16] = [
+    (Group::Views, "Drag in the world view", "Orbit the observer"),
+    (Group::Views, "Shift+drag in the world view", "Pan the observer"),
+    (Group::Views, "Wheel in the world view", "Zoom"),
+    (Group::Views, "Click", "Select the pixel there"),
+    (Group::Hand, "Drag a handle", "Move it parallel to the screen"),
+    (Group::Hand, "Click a handle", "Reach the next handle there"),
+    (Group::Hand, "Ctrl", "In fixed steps"),
+    (Group::Hand, "Alt", "Eye orbits at, or travels"),
+    (Group::Hand, "Arrows on a handle", "Move it by one step"),
+    (Group::Hand, "Escape", "Cancel the drag"),
+    (Group::Hand, "Right drag in the camera view", "Look around"),
+    (Group::Hand, "Middle drag in the camera view", "Orbit around at"),
+    (Group::Hand, "Wheel in the camera view", "Enlarge pixels"),
+    (Group::Hand, "Ctrl+wheel in the camera view", "Field of view"),
+    (Group::Program, "Tab, Shift+Tab", "Next and previous control"),
+    (Group::Program, "Enter, Space", "Press the control in focus"),
 ];
 
 const ALT: Modifiers = Modifiers::ALT;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 
-const fn key(when: When, modifiers: Modifiers, key: Key) -> Keys {
+fn key(when: When, modifiers: Modifiers, key: Key) -> Keys {
     Keys { modifiers, key, when }
 }
 
-const fn plain(when: When, k: Key) -> Keys {
+fn plain(when: When, k: Key) -> Keys {
     key(when, Modifiers::NONE, k)
 }
 
 /// Every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
-    let mut commands = program();
-    commands.extend(presenting());
-    commands.extend(playing());
-    commands.extend(pixel_steps());
-    commands.extend(steering());
-    commands.extend(observing());
-    commands.extend(objects_and_drags());
-    commands.extend(layouts());
-    commands.extend(translations());
-    commands.extend(switches());
-    commands.extend(looks());
-    commands.extend(destinations());
-    commands
+    let parts = [program, presenting, playing, steps, zooms, objects_and_drags, switches, choices];
+    parts.into_iter().flat_map(|part| part()).collect()
 }
 
 #[rustfmt::skip]
@@ -221,27 +199,38 @@ fn playing() -> Vec<UiCommand> {
     ]
 }
 
+/// The arrow keys: their direction in words, and their steps to the right and up.
+const ARROWS: [(Key, &str, i32, i32); 4] = [
+    (Key::ArrowUp, "up", 0, 1),
+    (Key::ArrowDown, "down", 0, -1),
+    (Key::ArrowLeft, "to the left", -1, 0),
+    (Key::ArrowRight, "to the right", 1, 0),
+];
+
+/// Returns the commands of the arrow keys in the views.
 #[rustfmt::skip]
-fn pixel_steps() -> Vec<UiCommand> {
-    use When::View;
-    let go = |rows, columns| Action::Select { rows, columns };
-    const FAR: Modifiers = Modifiers::SHIFT;
-    commands![
-        Views, "Pixel above", "Selects the pixel above.", [plain(View, Key::ArrowUp)], go(-1, 0);
-        Views, "Pixel below", "Selects the pixel below.", [plain(View, Key::ArrowDown)], go(1, 0);
-        Views, "Pixel to the left", "Selects the pixel to the left.",
-            [plain(View, Key::ArrowLeft)], go(0, -1);
-        Views, "Pixel to the right", "Selects the pixel to the right.",
-            [plain(View, Key::ArrowRight)], go(0, 1);
-        Views, "Ten pixels up", "Selects the tenth pixel above.",
-            [key(View, FAR, Key::ArrowUp)], go(-10, 0);
-        Views, "Ten pixels down", "Selects the tenth pixel below.",
-            [key(View, FAR, Key::ArrowDown)], go(10, 0);
-        Views, "Ten pixels to the left", "Selects the tenth pixel to the left.",
-            [key(View, FAR, Key::ArrowLeft)], go(0, -10);
-        Views, "Ten pixels to the right", "Selects the tenth pixel to the right.",
-            [key(View, FAR, Key::ArrowRight)], go(0, 10);
-    ]
+fn steps() -> Vec<UiCommand> {
+    use When::{CameraView, View, WorldView};
+    let mut commands = Vec::new();
+    // `{}` stands for the direction.
+    let mut add = |group, when, modifiers, name: &str, about: &str, action: fn(i32, i32) -> Action| {
+        for (arrow, way, right, up) in ARROWS {
+            let [name, about] = [name, about].map(|text| text.replace("{}", way));
+            let keys = vec![key(when, modifiers, arrow)];
+            commands.push(UiCommand { keys, ..command(group, name, about, action(right, up)) });
+        }
+    };
+    add(Group::Views, View, Modifiers::NONE, "One pixel {}", "Moves the selection {} by one pixel.",
+        |x, y| Action::Select { rows: -i64::from(y), columns: x.into() });
+    add(Group::Views, View, Modifiers::SHIFT, "Ten pixels {}", "Moves the selection {} by ten pixels.",
+        |x, y| Action::Select { rows: -10 * i64::from(y), columns: 10 * i64::from(x) });
+    add(Group::Hand, CameraView, ALT, "Look {}", "Turns the camera {}.", |x, y| Steer::Look(x, y).into());
+    add(Group::Hand, CameraView, CTRL, "Orbit {}", "Moves the eye {} around what it looks at.",
+        |x, y| Steer::Orbit(x, y).into());
+    add(Group::Views, WorldView, CTRL, "Observer {}", "Moves the observer {} around what it looks at.",
+        |x, y| Observe::Orbit(x, y).into());
+    add(Group::Views, WorldView, ALT, "Pan {}", "Moves the world view {}.", |x, y| Observe::Pan(x, y).into());
+    commands
 }
 
 /// Returns a command without keys.
@@ -253,21 +242,7 @@ pub(crate) fn command(
 ) -> UiCommand {
     let about: Cow<'static, str> = about.into();
     let about = if about.ends_with('.') { about } else { Cow::Owned(format!("{about}.")) };
-    UiCommand { group, name: name.into(), about, keys: &[], action: action.into() }
-}
-
-fn layouts() -> impl Iterator<Item = UiCommand> {
-    ViewLayout::LISTED.into_iter().map(|layout| {
-        command(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
-    })
-}
-
-fn translations() -> impl Iterator<Item = UiCommand> {
-    Format::all().map(|format| {
-        let name = format!("translate into {}", format.label);
-        let about = "Shows the camera in these terms.";
-        command(Group::Layout, name, about, ExchangeAction::TranslateInto(format.name))
-    })
+    UiCommand { group, name: name.into(), about, keys: Vec::new(), action: action.into() }
 }
 
 #[rustfmt::skip]
@@ -296,54 +271,49 @@ fn switches() -> Vec<UiCommand> {
     commands
 }
 
-fn looks() -> Vec<UiCommand> {
+/// Returns the commands that show one of several layouts, colours, methods, scenes, lessons and exercises.
+fn choices() -> Vec<UiCommand> {
     let mut commands = Vec::new();
+    let mut add = |group, name: &str, about: &str, action: Action| {
+        commands.push(command(group, name.to_owned(), about.to_owned(), action));
+    };
+    for layout in ViewLayout::LISTED {
+        add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
+    }
+    for format in Format::all() {
+        let (name, action) = (format.label, ExchangeAction::TranslateInto(format.name));
+        let about = "Shows the camera in these terms.";
+        add(Group::Layout, &format!("translate into {name}"), about, action.into());
+    }
     for shade in Shade::ALL {
         let name = format!("shading {}", shade_label(shade));
-        commands.push(command(Group::Colours, name, shade_about(shade), LookAction::Shade(shade)));
+        add(Group::Colours, &name, shade_about(shade), LookAction::Shade(shade).into());
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";
-        commands.push(command(Group::Colours, theme.label(), about, LookAction::Theme(theme)));
+        add(Group::Colours, theme.label(), about, LookAction::Theme(theme).into());
     }
     for scheme in Scheme::ALL {
-        commands.push(command(
-            Group::Colours,
-            scheme.label(),
-            scheme.about(),
-            LookAction::Scheme(scheme),
-        ));
+        add(Group::Colours, scheme.label(), scheme.about(), LookAction::Scheme(scheme).into());
     }
     for method in Method::all() {
-        let action = LookAction::Method(method);
-        commands.push(command(Group::Method, method.name(), method.about(), action));
+        add(Group::Method, method.name(), method.about(), LookAction::Method(method).into());
     }
-    commands
-}
-
-fn destinations() -> Vec<UiCommand> {
-    let mut commands = Vec::new();
     for scene in BuiltinScene::all() {
         let action = Leave::Open(SceneSource::Builtin(scene));
-        commands.push(command(Group::Scene, scene.name, scene.summary(), action));
+        add(Group::Scene, scene.name, &scene.summary(), action.into());
+    }
+    let about = "Vote: a wrong picture, and four mistakes, one of which caused it.";
+    add(Group::Mistake, "Guess which", about, LookAction::Vote.into());
+    for &mistake in Mistake::GALLERY {
+        add(Group::Mistake, mistake.name(), mistake.shows(), LookAction::Mistake(mistake).into());
+    }
+    for &exercise in Exercise::ALL {
+        let action = LookAction::Exercise(exercise);
+        add(Group::Exercise, exercise.title(), "Asks this question.", action.into());
     }
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         commands.extend(of_lesson(Which::Builtin(index), lesson));
-    }
-    for &exercise in Exercise::ALL {
-        let name = exercise.title();
-        commands.push(command(
-            Group::Exercise,
-            name,
-            "Asks this question.",
-            LookAction::Exercise(exercise),
-        ));
-    }
-    let about = "Vote: a wrong picture, and four mistakes, one of which caused it.";
-    commands.push(command(Group::Mistake, "Guess which", about, LookAction::Vote));
-    for &mistake in Mistake::GALLERY {
-        let action = LookAction::Mistake(mistake);
-        commands.push(command(Group::Mistake, mistake.name(), mistake.shows(), action));
     }
     commands
 }
@@ -360,61 +330,22 @@ pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
 }
 
 #[rustfmt::skip]
-fn steering() -> Vec<UiCommand> {
-    use When::CameraView;
+fn zooms() -> Vec<UiCommand> {
+    use When::{CameraView, View, WorldView};
     commands![
-        Hand, "Look up", "Turns the camera upwards.",
-            [key(CameraView, ALT, Key::ArrowUp)], Steer::Look(0, 1);
-        Hand, "Look down", "Turns the camera downwards.",
-            [key(CameraView, ALT, Key::ArrowDown)], Steer::Look(0, -1);
-        Hand, "Look left", "Turns the camera to its left.",
-            [key(CameraView, ALT, Key::ArrowLeft)], Steer::Look(-1, 0);
-        Hand, "Look right", "Turns the camera to its right.",
-            [key(CameraView, ALT, Key::ArrowRight)], Steer::Look(1, 0);
-        Hand, "Orbit upwards", "Takes the eye up around what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowUp)], Steer::Orbit(0, 1);
-        Hand, "Orbit downwards", "Takes the eye down around what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowDown)], Steer::Orbit(0, -1);
-        Hand, "Orbit to the left", "Takes the eye to its left around what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowLeft)], Steer::Orbit(-1, 0);
-        Hand, "Orbit to the right", "Takes the eye to its right around what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowRight)], Steer::Orbit(1, 0);
         Hand, "Narrow the field of view", "Makes the viewport smaller and the picture's contents larger.",
             [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
         Hand, "Widen the field of view", "Makes the viewport larger and the picture's contents smaller.",
             [plain(CameraView, Key::Minus)], Steer::Zoom(-1);
-        Hand, "Dolly forwards", "Takes the eye along w, towards what it looks at.",
+        Hand, "Dolly forwards", "Moves the eye along w, towards what it looks at.",
             [key(CameraView, CTRL_SHIFT, Key::ArrowUp)], Steer::Dolly(1);
-        Hand, "Dolly backwards", "Takes the eye along w, away from what it looks at.",
+        Hand, "Dolly backwards", "Moves the eye along w, away from what it looks at.",
             [key(CameraView, CTRL_SHIFT, Key::ArrowDown)], Steer::Dolly(-1);
-    ]
-}
-
-#[rustfmt::skip]
-fn observing() -> Vec<UiCommand> {
-    use When::{View, WorldView};
-    commands![
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
-        Views, "Observer upwards", "Takes the observer up around what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowUp)], Observe::Orbit(0, 1);
-        Views, "Observer downwards", "Takes the observer down around what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowDown)], Observe::Orbit(0, -1);
-        Views, "Observer to the left", "Takes the observer to the left around what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowLeft)], Observe::Orbit(-1, 0);
-        Views, "Observer to the right", "Takes the observer to the right around what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowRight)], Observe::Orbit(1, 0);
-        Views, "Pan upwards", "Moves the world view upwards.",
-            [key(WorldView, ALT, Key::ArrowUp)], Observe::Pan(0, 1);
-        Views, "Pan downwards", "Moves the world view downwards.",
-            [key(WorldView, ALT, Key::ArrowDown)], Observe::Pan(0, -1);
-        Views, "Pan to the left", "Moves the world view to the left.",
-            [key(WorldView, ALT, Key::ArrowLeft)], Observe::Pan(-1, 0);
-        Views, "Pan to the right", "Moves the world view to the right.",
-            [key(WorldView, ALT, Key::ArrowRight)], Observe::Pan(1, 0);
-        Views, "Observer nearer", "Takes the observer nearer to what it looks at.",
+        Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
-        Views, "Observer farther", "Takes the observer away from what it looks at.",
+        Views, "Observer farther", "Moves the observer away from what it looks at.",
             [plain(WorldView, Key::Minus)], Observe::Zoom(-1);
     ]
 }

@@ -153,8 +153,9 @@ pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings
 fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     ui.label(name);
     let mut count = f64::from(*value);
-    let field = NumberField::new(name, &mut count).suffix(" px").whole();
-    if field.within(1.0..=f64::from(ImageSize::MAX)).show(ui).changed() {
+    let range = 1.0..=f64::from(ImageSize::MAX);
+    let field = NumberField::new(name, &mut count);
+    if (NumberField { suffix: " px", range, is_whole: true, ..field }).show(ui).changed() {
         *value = count as u32;
     }
     ui.end_row();
@@ -169,7 +170,8 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     let viewport = camera.viewport;
     let edited = |ui: &mut Ui, name: &str, radians: f64| {
         let mut degrees = radians.to_degrees();
-        let field = NumberField::new(name, &mut degrees).suffix("°").within(FOV_DEGREES);
+        let field = NumberField::new(name, &mut degrees);
+        let field = NumberField { suffix: "°", range: FOV_DEGREES, ..field };
         let response = ui.add_enabled_ui(enabled, |ui| field.show(ui)).inner;
         response.changed().then(|| degrees.to_radians())
     };

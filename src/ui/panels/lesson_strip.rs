@@ -100,7 +100,7 @@ fn buttons(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, is_asking: boo
     };
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
     let back = format!("Back to the step ({})", shortcut(Leave::BackToStep));
-    let hint = "Sets everything as the step has it";
+    let hint = "Resets everything to the step";
     button(ui, &back, "Back to the step", hint, changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     let can = is_asking || open.next().is_some();

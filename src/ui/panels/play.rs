@@ -34,8 +34,8 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
         kinds(ui, player.kind);
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
         button(ui, [text, name, "Space"], PlayAction::Toggle);
-        button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1));
-        button(ui, ["Step →", "Step forward", "A step on: full stop"], PlayAction::Step(1));
+        button(ui, ["← Step", "Step back", "One step back: comma"], PlayAction::Step(-1));
+        button(ui, ["Step →", "Step forward", "One step forward: full stop"], PlayAction::Step(1));
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {
@@ -59,9 +59,9 @@ fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction) {
 
 /// Shows, from right to left, the buttons that end the animation, and its position.
 fn ends(ui: &mut Ui, player: &mut Player) {
-    let hint = "Close, with everything as it was at the start";
+    let hint = "Closes the animation and restores the state from before it";
     button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close);
-    let hint = "Close, with everything as it is now";
+    let hint = "Closes the animation and keeps the current state";
     button(ui, ["Keep", "Keep this", hint], PlayAction::Keep);
     ui.button("Export…").asks(FigureAction::AskAnimation);
     position(ui, player);

@@ -96,7 +96,8 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
         let slider = ui
             .add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false))
             .named("roll slider");
-        let field = NumberField::new("roll", &mut degrees).suffix("°").width(FIELD).show(ui);
+        let field = NumberField::new("roll", &mut degrees);
+        let field = NumberField { suffix: "°", width: FIELD, ..field }.show(ui);
         if !(slider.changed() || field.changed()) {
             return;
         }
@@ -123,8 +124,9 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
         if slider.changed() {
             degrees = (2.0 * 10f64.powf(exponent).atan()).to_degrees();
         }
-        let field = NumberField::new("up from view", &mut degrees).suffix("°").width(FIELD);
-        let field = field.within(SMALLEST..=180.0 - SMALLEST).show(ui);
+        let field = NumberField::new("up from view", &mut degrees);
+        let range = SMALLEST..=180.0 - SMALLEST;
+        let field = NumberField { suffix: "°", width: FIELD, range, ..field }.show(ui);
         if !(slider.changed() || field.changed()) {
             return;
         }

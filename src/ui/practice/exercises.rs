@@ -325,7 +325,7 @@ impl QuestionScene {
         let own = self.world(ui, picture, session, &document);
         solution(ui, exercises, below, |ui| {
             if let Some(derivation) = &self.derived.derivation {
-                self.solution.lines(ui, derivation, &document, &own, false);
+                self.solution.ui(ui, derivation, &document, &own, false);
             }
         });
         let has_yours = self.derived.answer_marks.iter().any(|mark| mark.is_dashed);

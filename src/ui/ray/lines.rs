@@ -2,17 +2,14 @@
 //! the substitution.
 
 use egui::accesskit::Role;
-use egui::{
-    Context, CursorIcon, Grid, Id, Key, Rect, Response, ScrollArea, Sense, Slider, Ui, UiBuilder,
-    Vec2,
-};
+use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Slider, Ui, Vec2};
 use pinhole_core::DVec2;
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::interaction::WHEEL_ZOOM;
 use crate::model::lines::{Handle, LARGEST, LinesLab};
+use crate::ui::scene::views;
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::{ResponseExt as _, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::lines::{GRASP, PlaneView, TEXT, draw_question, parts, substitution, text};
 
 /// Range of the slider of t.
@@ -32,7 +29,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
     let (left, right) = parts(area);
-    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+    inside(ui, right, |ui| {
         ScrollArea::vertical().id_salt("lines words scrolled").auto_shrink(false).show(ui, |ui| {
             examples(ui, lab);
             fields(ui, lab);
@@ -64,7 +61,8 @@ fn examples(ui: &mut Ui, lab: &mut LinesLab) {
 }
 
 fn field(ui: &mut Ui, name: &str, value: &mut f64) -> bool {
-    NumberField::new(name, value).width(70.0).within(-LARGEST..=LARGEST).show(ui).changed()
+    let field = NumberField::new(name, value);
+    NumberField { width: 70.0, range: -LARGEST..=LARGEST, ..field }.show(ui).changed()
 }
 
 fn fields(ui: &mut Ui, lab: &mut LinesLab) {
@@ -142,8 +140,7 @@ fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     plane.background();
     let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
     if let Some(seen) = plane.paint(lab, is_held, digits) {
-        let id = ui.scope_id().with("plane");
-        ui.ctx().accesskit_node_builder(id, |node| node.set_description(seen));
+        views::speak(ui, "plane", &seen);
     }
     for (handle, response) in grabbed {
         response.on_hover_text(handle.name());
@@ -160,9 +157,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     if response.contains_pointer()
         && let Some(pointer) = ui.input(|i| i.pointer.hover_pos())
     {
-        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
-        let factor = f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp();
-        let half = (lab.window.half_extent / factor).clamp(0.05, 1e4);
+        let half = (lab.window.half_extent / views::wheel_zoom(ui)).clamp(0.05, 1e4);
         let away = pointer - rect.center();
         let away = DVec2::new(away.x.into(), (-away.y).into());
         let kept = lab.window.half_extent - half;
@@ -195,11 +190,9 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Opti
         lab.drag(handle, plane.to_plane(pointer + beside), fineness);
     }
     if response.has_focus() {
-        let presses = |key| ui.input(|i| i.num_presses(key) as f64);
-        let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
-        let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
-        if (right, up) != (0.0, 0.0) {
-            lab.nudge(handle, DVec2::new(right, up), fineness);
+        let steps = arrows(ui);
+        if steps != Vec2::ZERO {
+            lab.nudge(handle, DVec2::new(steps.x.into(), (-steps.y).into()), fineness);
         }
     }
     let position = lab.position_of(handle)?;

@@ -1,11 +1,13 @@
 //! The plot of f(p + t d) against t, with the point that walks along the ray. It lies below both views, shows
 //! all objects on a common t axis, and has a text for each curve to the right.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Align2, Color32, Context, FontId, Id, Key, Label, Painter, Pos2, Rect, RichText, ScrollArea,
-    Sense, Slider, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, Context, FontId, Galley, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea,
+    Sense, Slider, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use pinhole_lecture::numbers::written as number;
 
@@ -14,7 +16,7 @@ use crate::model::inspection::Inspection;
 use crate::model::session::Heights;
 use crate::model::session::presenting::WRITTEN;
 use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
@@ -49,7 +51,7 @@ pub(crate) fn ui(
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
     draw(ui, left, plot, first, ray_point_t);
-    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+    inside(ui, right, |ui| {
         if theme::installed(ui.ctx()).presenting {
             return brief(ui, plot, inspection, first, digits);
         }
@@ -66,22 +68,14 @@ pub(crate) fn ui(
             let text = "Compress values beyond ±1 unit";
             let hint = "The axis is then logarithmic there: lines and parabolas are bent";
             ui.checkbox(compressed, text).on_hover_text(hint);
-            if plot.left_out > 0 {
-                ui.label(left_out(plot.left_out));
-            }
-            if plot.curves.is_empty() && plot.left_out == 0 {
-                ui.label("There is no object.");
+            match plot.left_out {
+                0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
+                0 => {}
+                1 => drop(ui.label("1 more object is left out")),
+                n => drop(ui.label(format!("{n} more objects are left out"))),
             }
         });
     });
-}
-
-/// Returns the text about objects without a curve.
-fn left_out(count: usize) -> String {
-    match count {
-        1 => "1 more object is left out".to_owned(),
-        n => format!("{n} more objects are left out"),
-    }
 }
 
 fn text(ui: &mut Ui, text: &str) {
@@ -102,7 +96,7 @@ fn walk(
         }
         let Some(t) = ray_point_t else { return };
         text(ui, "t =");
-        NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
+        NumberField { range: -1e9..=1e9, ..NumberField::new("walked t", t) }.show(ui);
         // If there is no space for a slider, the user can still drag the line in the plot.
         if ui.available_width() < SLIDER {
             return;
@@ -138,10 +132,9 @@ fn objects_at(plot: &Plot, values: &[f64]) -> String {
 
 /// Returns the concept under the mouse in the text of the last frame's plot.
 pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
-    let curves = &derived.plot.as_ref()?.curves;
-    let is_hovered =
-        |object: u32| ctx.read_response(curve_text_id(object)).is_some_and(|said| said.hovered());
-    let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
+    let mut objects = derived.plot.as_ref()?.curves.iter().map(|curve| curve.named.object);
+    let response = |object: &u32| ctx.read_response(curve_text_id(*object));
+    let object = objects.find(|k| response(k).is_some_and(|text| text.hovered()))?;
     Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
 }
 
@@ -165,10 +158,8 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
     let words = ui.indent(("said", object), |ui| {
         text(ui, &curve.description(digits));
         if let Some((t, values)) = &plot.ray_point_t {
-            text(
-                ui,
-                &format!("at t = {}: {}", number(*t, digits), curve.reading(values[k], digits)),
-            );
+            let reading = curve.reading(values[k], digits);
+            text(ui, &format!("at t = {}: {reading}", number(*t, digits)));
         }
     });
     ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
@@ -261,8 +252,7 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
     if response.has_focus()
         && let Some(t) = ray_point_t
     {
-        let presses = |key| ui.input(|i| i.num_presses(key) as f32);
-        let steps = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
+        let steps = arrows(ui).x;
         if steps != 0.0 {
             *t = t_at(scale.position(*t) + 3.0 * steps);
         }
@@ -521,10 +511,9 @@ const SAMPLE: f32 = 34.0;
 /// Distance between two paragraphs, in points.
 const GAP: f32 = 3.0;
 
-/// A paragraph about a curve or the walking point: a bold part, then the rest of its text.
-struct Paragraph {
-    curve: Option<usize>,
-    bold: String,
+/// A paragraph about a curve, which begins with its name, or about the walking point.
+struct Paragraph<'a> {
+    curve: Option<&'a Curve>,
     text: String,
 }
 
@@ -536,78 +525,63 @@ fn brief(
     first: Option<(u32, f64)>,
     digits: usize,
 ) {
-    let paragraphs = paragraphs(plot, inspection, first, digits);
-    let (width, height) = (ui.available_width(), ui.available_height());
+    let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
+        curve: None,
+        text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
+    });
+    let curves = plot.curves.iter().map(|curve| {
+        let is_hit = first.is_some_and(|(hit, _)| hit == curve.named.object);
+        let hit = if is_hit { "the first hit; " } else { "" };
+        Paragraph { curve: Some(curve), text: format!(": {hit}{}", curve.description(digits)) }
+    });
+    let paragraphs: Vec<Paragraph> = walked.chain(curves).collect();
     let fits = |size: &f32| {
-        let heights = paragraphs.iter().map(|one| {
-            let job = one.laid_out(ui, *size, width);
-            ui.painter().layout_job(job).size().y + GAP
-        });
-        heights.sum::<f32>() <= height
+        let heights = paragraphs.iter().map(|one| one.laid_out(ui, *size).size().y + GAP);
+        heights.sum::<f32>() <= ui.available_height()
     };
     let size = SIZES.into_iter().find(fits).unwrap_or(WRITTEN);
     ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = GAP;
-        for one in &paragraphs {
-            one.ui(ui, plot, size);
-        }
+        paragraphs.iter().for_each(|one| one.ui(ui, size));
     });
 }
 
-fn paragraphs(
-    plot: &Plot,
-    inspection: &Inspection,
-    first: Option<(u32, f64)>,
-    digits: usize,
-) -> Vec<Paragraph> {
-    let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
-        curve: None,
-        bold: String::new(),
-        text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
-    });
-    let curves = plot.curves.iter().enumerate().map(|(k, curve)| {
-        let hit = first.is_some_and(|(hit, _)| hit == curve.named.object);
-        let hit = if hit { "the first hit; " } else { "" };
-        let text = format!(": {hit}{}", curve.description(digits));
-        Paragraph { curve: Some(k), bold: curve.named.name.clone(), text }
-    });
-    walked.chain(curves).collect()
-}
+impl Paragraph<'_> {
+    fn name(&self) -> &str {
+        self.curve.map_or("", |curve| &curve.named.name)
+    }
 
-impl Paragraph {
     fn indent(&self) -> f32 {
         if self.curve.is_some() { SAMPLE + 8.0 } else { 0.0 }
     }
 
-    fn laid_out(&self, ui: &Ui, size: f32, width: f32) -> LayoutJob {
-        let color = ui.visuals().text_color();
-        let bold = FontId::new(size, theme::bold());
+    fn laid_out(&self, ui: &Ui, size: f32) -> Arc<Galley> {
+        let (bold, strong) = (FontId::new(size, theme::bold()), ui.visuals().strong_text_color());
         let mut job = LayoutJob::default();
-        job.append(&self.bold, 0.0, TextFormat::simple(bold, ui.visuals().strong_text_color()));
-        let rest = formula(&unbroken(&self.text), size, color);
+        job.append(self.name(), 0.0, TextFormat::simple(bold, strong));
+        let rest = formula(&unbroken(&self.text), size, ui.visuals().text_color());
         for part in rest.sections {
             let text = &rest.text[part.byte_range.start.0..part.byte_range.end.0];
             job.append(text, part.leading_space, part.format);
         }
-        job.wrap.max_width = width - self.indent();
-        job
+        job.wrap.max_width = ui.available_width() - self.indent();
+        ui.painter().layout_job(job)
     }
 
-    fn ui(&self, ui: &mut Ui, plot: &Plot, size: f32) {
-        let job = self.laid_out(ui, size, ui.available_width());
-        let galley = ui.painter().layout_job(job);
-        let row = ui.available_width();
-        let (rect, _) = ui.allocate_exact_size(vec2(row, galley.size().y), Sense::hover());
-        let spoken = format!("{}{}", self.bold, plain(&self.text));
+    fn ui(&self, ui: &mut Ui, size: f32) {
+        let galley = self.laid_out(ui, size);
+        let row = vec2(ui.available_width(), galley.size().y);
+        let (rect, _) = ui.allocate_exact_size(row, Sense::hover());
+        let spoken = format!("{}{}", self.name(), plain(&self.text));
         let id = match self.curve {
-            Some(k) => curve_text_id(plot.curves[k].named.object),
+            Some(curve) => curve_text_id(curve.named.object),
             None => Id::unique("position on the ray"),
         };
         let response = ui.interact(rect, id, Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &spoken));
-        if let Some(k) = self.curve {
+        if let Some(curve) = self.curve {
             let line = vec2(SAMPLE, 1.2 * size);
-            line_sample(ui, Rect::from_min_size(rect.min, line), &plot.curves[k]);
+            line_sample(ui, Rect::from_min_size(rect.min, line), curve);
         }
         let color = ui.visuals().text_color();
         ui.painter().galley(rect.min + vec2(self.indent(), 0.0), galley, color);

@@ -41,8 +41,11 @@ pub(crate) struct Dragging {
     pub(super) scrolled: f32,
 }
 
-/// The data that the input edits.
-pub(crate) struct Edited<'a> {
+/// The input in the views, and the data that it edits.
+pub(crate) struct ViewInput<'a> {
+    pub(crate) ctx: &'a Context,
+    /// The last frame, which is the one that the user saw.
+    pub(crate) shown: &'a Derived,
     pub(crate) document: &'a mut Document,
     pub(crate) session: &'a mut Session,
     pub(crate) chosen_object: &'a mut Option<usize>,
@@ -115,54 +118,45 @@ impl WorldArea<'_> {
 }
 
 impl Dragging {
-    /// Applies mouse, wheel and key input in the views, unless something covers the window. `shown` is the
-    /// last frame, which is the one that the user saw.
-    pub(crate) fn take(
-        &mut self,
-        ctx: &Context,
-        edited: &mut Edited,
-        shown: &Derived,
-        is_covered: bool,
-    ) {
-        let handles = &mut edited.session.handles;
+    /// Applies mouse, wheel and key input in the views, unless something covers the window.
+    pub(crate) fn take(&mut self, input: &mut ViewInput, is_covered: bool) {
+        let ctx = input.ctx;
+        let handles = &mut input.session.handles;
         handles.is_busy = !is_covered && (handles.drag.is_some() || self.given_back);
         if is_covered {
             self.recent = None;
-            self.let_go(edited.session);
+            self.let_go(input.session);
             return;
         }
         self.given_back &= ctx.input(|i| i.pointer.any_down());
         let response = |view: Option<(Rect, Id)>| ctx.read_response(view?.1);
         let (world, camera) = (response(self.world), response(self.camera));
-        let world = self.world_view(ctx, shown).zip(world);
+        let world = self.world_view(ctx, input.shown).zip(world);
         if world.is_none() {
             handles.over = None;
         }
         if handles.drag.is_none() {
             if let Some((view, response)) = &world {
-                self.point(ctx, (view, response), edited, shown);
+                self.point(view, response, input);
             }
-            if let (None, Some(response)) = (edited.session.handles.drag, &camera) {
-                self.press_camera(ctx, response, edited);
+            if let (None, Some(response)) = (input.session.handles.drag, &camera) {
+                self.press_camera(response, input);
             }
         }
-        match (edited.session.handles.drag, &world, &camera) {
-            (Some(drag @ Drag { grabbed: Grabbed::Handle(_), .. }), Some((view, _)), _) => {
-                self.hold(ctx, drag, Some(view), edited);
+        let Some(drag) = input.session.handles.drag else {
+            if let Some((view, _)) = world {
+                view.move_focused(input);
             }
-            (Some(drag @ Drag { grabbed: Grabbed::Look | Grabbed::Orbit, .. }), _, Some(_)) => {
-                self.hold(ctx, drag, None, edited);
+            match camera {
+                Some(response) => self.roll_wheel(&response, input),
+                None => self.recent = None,
             }
-            (Some(_), ..) => self.let_go(edited.session),
-            (None, world, camera) => {
-                if let Some((view, _)) = world {
-                    view.move_focused(ctx, edited);
-                }
-                match camera {
-                    Some(response) => self.roll_wheel(ctx, response, edited),
-                    None => self.recent = None,
-                }
-            }
+            return;
+        };
+        match (drag.grabbed, world, camera) {
+            (Grabbed::Handle(_), Some((view, _)), _) => self.hold(drag, Some(&view), input),
+            (Grabbed::Look | Grabbed::Orbit, _, Some(_)) => self.hold(drag, None, input),
+            _ => self.let_go(input.session),
         }
     }
 
@@ -184,20 +178,15 @@ impl Dragging {
     }
 
     /// Updates which handle has the pointer or the keyboard focus, and grabs the handle that is pressed.
-    fn point(
-        &mut self,
-        ctx: &Context,
-        (view, response): (&WorldArea, &Response),
-        edited: &mut Edited,
-        shown: &Derived,
-    ) {
-        let Edited { document, session, chosen_object } = edited;
+    fn point(&mut self, view: &WorldArea, response: &Response, input: &mut ViewInput) {
+        let ViewInput { ctx, shown, document, session, chosen_object } = input;
         let chosen = chosen_object.filter(|chosen| *chosen < document.object_count());
         session.handles.objects[0] = chosen;
         let all = view.placed(document, session);
         if !ctx.input(|i| i.pointer.any_down()) {
             let pointer = response.hover_pos().filter(|_| response.hovered());
-            let found = pointer.and_then(|at| self.hit(&all, view, at, session, shown));
+            let t = session.ray_point_t;
+            let found = pointer.and_then(|at| self.hit(&all, view, at, t, shown));
             let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
             let over = found.or_else(focused).map(|one| one.handle);
             session.handles.over = over;
@@ -219,7 +208,7 @@ impl Dragging {
         // The press and the release of a short click arrive in the same pass.
         let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
         let Some(at) = pressed_at.or(clicked_at) else { return };
-        let Some(found) = self.hit(&all, view, at, session, shown) else { return };
+        let Some(found) = self.hit(&all, view, at, session.ray_point_t, shown) else { return };
         **chosen_object = found.handle.object().or(**chosen_object);
         session.handles.is_busy = true;
         if pressed_at.is_none() {
@@ -231,12 +220,14 @@ impl Dragging {
         session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
     }
 
+    /// Returns the handle at a position of the screen, unless the point on the selected ray, which can be
+    /// dragged too, is nearer.
     fn hit(
         &mut self,
         all: &[PlacedHandle],
         view: &WorldArea,
         at: Pos2,
-        session: &Session,
+        ray_point_t: Option<f64>,
         shown: &Derived,
     ) -> Option<PlacedHandle> {
         let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
@@ -245,9 +236,8 @@ impl Dragging {
             all.iter().any(|one| one.handle == *clicked && one.spot.distance(dots) <= reach)
         });
         let found = hit(all, dots, reach, self.clicked)?;
-        // The point on the selected ray can be grabbed, too.
         let ray_point = || {
-            let point = shown.inspection.as_deref()?.ray.at(session.ray_point_t?);
+            let point = shown.inspection.as_deref()?.ray.at(ray_point_t?);
             overlay::world_position_of(shown.world_frame.as_deref()?, point)
         };
         let is_nearest = ray_point()
@@ -256,7 +246,8 @@ impl Dragging {
     }
 
     /// Starts a drag in the camera view, if the button that looks around or orbits is pressed.
-    fn press_camera(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
+    fn press_camera(&mut self, response: &Response, input: &mut ViewInput) {
+        let ViewInput { ctx, document, session, .. } = input;
         let grabbed = ctx.input(|i| {
             let pressed = |button| i.pointer.button_pressed(button);
             let looks = pressed(PointerButton::Secondary)
@@ -265,7 +256,6 @@ impl Dragging {
             if orbits { Some(Grabbed::Orbit) } else { looks.then_some(Grabbed::Look) }
         });
         let origin = ctx.input(|i| i.pointer.press_origin());
-        let Edited { document, session, .. } = edited;
         let (Some(grabbed), Some(at), Ok(_), true) =
             (grabbed, origin, document.camera.resolve(), response.is_pointer_button_down_on())
         else {
@@ -290,14 +280,8 @@ impl Dragging {
     }
 
     /// Moves the held handle or the camera with the pointer; Escape undoes the drag.
-    fn hold(
-        &mut self,
-        ctx: &Context,
-        mut drag: Drag,
-        world: Option<&WorldArea>,
-        edited: &mut Edited,
-    ) {
-        let Edited { document, session, .. } = edited;
+    fn hold(&mut self, mut drag: Drag, world: Option<&WorldArea>, input: &mut ViewInput) {
+        let ViewInput { ctx, document, session, .. } = input;
         let is_down = ctx.input(|i| match drag.grabbed {
             Grabbed::Handle(_) => i.pointer.primary_down(),
             Grabbed::Look | Grabbed::Orbit => i.pointer.any_down(),

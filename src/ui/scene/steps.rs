@@ -19,7 +19,7 @@ use crate::model::overlay_items::Item;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::ui::action::Steer;
-use crate::ui::scene::dragging::{Dragging, Edited, WorldArea};
+use crate::ui::scene::dragging::{Dragging, ViewInput, WorldArea};
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
@@ -51,12 +51,12 @@ pub(super) struct RecentSteps {
 
 impl WorldArea<'_> {
     /// Moves the focused handle with the arrow keys.
-    pub(super) fn move_focused(&self, ctx: &Context, edited: &mut Edited) {
+    pub(super) fn move_focused(&self, input: &mut ViewInput) {
+        let ViewInput { ctx, document, session, .. } = input;
         let steps = arrow_steps(ctx);
         if steps == DVec3::ZERO {
             return;
         }
-        let Edited { document, session, .. } = edited;
         let mut all = self.placed(document, session).into_iter();
         let Some(found) = all.find(|one| self.has_focus(ctx, one.handle)) else { return };
         if let Handle::Pixel = found.handle {
@@ -121,9 +121,10 @@ fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
 
 impl Dragging {
     /// Applies the wheel in the camera view. Escape undoes recent steps.
-    pub(super) fn roll_wheel(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
+    pub(super) fn roll_wheel(&mut self, response: &Response, input: &mut ViewInput) {
+        let ViewInput { ctx, document, session, .. } = input;
         let time = ctx.input(|i| i.time);
-        let camera = &mut edited.document.camera;
+        let camera = &mut document.camera;
         self.forget(camera, time);
         // Escape is consumed here, so that it does not end presenter mode as well.
         let is_taken_back = |_: &mut RecentSteps| {
@@ -150,7 +151,7 @@ impl Dragging {
         self.scrolled += scroll;
         let notches = (self.scrolled / LOUPE_SCROLL).trunc();
         self.scrolled -= notches * LOUPE_SCROLL;
-        look_closer(&mut edited.session.settings, notches as i32);
+        look_closer(&mut session.settings, notches as i32);
     }
 
     /// Moves the camera by a step for each key press.
@@ -270,11 +271,10 @@ impl Dragging {
             Some(object) => format!("{}: {text}", document.title_of(object)),
             None => text,
         }];
-        match session.hovered {
-            Some(Hovered { concept, by: HoverSource::View }) if !is_held => {
-                lines.push(concept.description(|object| document.title_of(object as usize)));
-            }
-            _ => {}
+        if let (Some(Hovered { concept, by: HoverSource::View }), false) =
+            (session.hovered, is_held)
+        {
+            lines.push(concept.description(|object| document.title_of(object as usize)));
         }
         if self.up_went_along {
             lines.push("up turns with the camera".to_owned());

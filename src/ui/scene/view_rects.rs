@@ -1,11 +1,11 @@
 //! The layout of the views and of the areas next to them, and the dividers that the user drags between them.
 
 use egui::accesskit::Role;
-use egui::{CursorIcon, Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::{CursorIcon, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
-use crate::ui::widgets::{ResponseExt as _, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
@@ -139,10 +139,9 @@ impl Divider<'_> {
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
         let height = height.clamp(80.0, most);
         let boundary = area.bottom() - height;
-        let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
+        let handle = area.with_min_y(boundary - HANDLE).with_max_y(boundary);
         self.move_by(split, height, -drag(self.ui, handle, "readouts handle").y);
-        let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
-        (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
+        (area.with_max_y(boundary - HANDLE), area.with_min_y(boundary))
     }
 
     /// Moves a boundary that is shown at `shown`. If it is not dragged, its stored position stays, because a
@@ -157,21 +156,19 @@ impl Divider<'_> {
     pub(crate) fn across(&mut self, area: Rect, split: Split, name: &str) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.width());
         let x = area.left() + share * area.width();
-        let handle = Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, area.y_range());
+        let handle = area.with_min_x(x - HANDLE / 2.0).with_max_x(x + HANDLE / 2.0);
         self.move_by(split, share, drag(self.ui, handle, name).x / area.width().max(1.0));
-        let left = Rect::from_min_max(area.min, pos2(handle.left(), area.bottom()));
-        (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
+        (area.with_max_x(handle.left()), area.with_min_x(handle.right()))
     }
 
     /// Splits an area into a top and a bottom part, with a handle between them.
     fn down(&mut self, area: Rect, split: Split) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.height());
         let y = area.top() + share * area.height();
-        let handle = Rect::from_x_y_ranges(area.x_range(), y - HANDLE / 2.0..=y + HANDLE / 2.0);
+        let handle = area.with_min_y(y - HANDLE / 2.0).with_max_y(y + HANDLE / 2.0);
         let dragged = drag(self.ui, handle, "stack handle").y;
         self.move_by(split, share, dragged / area.height().max(1.0));
-        let top = Rect::from_min_max(area.min, pos2(area.right(), handle.top()));
-        (top, Rect::from_min_max(pos2(area.left(), handle.bottom()), area.max))
+        (area.with_max_y(handle.top()), area.with_min_y(handle.bottom()))
     }
 }
 
@@ -185,9 +182,7 @@ impl ViewRects {
     ) -> ViewRects {
         // A second picture keeps its title and legend while presenting.
         let strip = if presenting && areas.second.is_none() { 0.0 } else { STRIP };
-        let below_strip = |rect: Rect| {
-            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
-        };
+        let below_strip = |rect: Rect| snapped(rect.with_min_y(rect.top() + strip), per_point);
         let [world, camera_area, second_area] =
             [areas.world, areas.camera, areas.second].map(|part| part.map(below_strip));
         // Two pictures that are compared have the same size, even if their areas were rounded differently.
@@ -202,8 +197,8 @@ impl ViewRects {
 
 /// Shows the title of a picture, above its area.
 pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)) {
-    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| ui.horizontal_centered(content));
+    let above = area.with_min_y(area.top() - STRIP).with_max_y(area.top());
+    inside(ui, above, |ui| ui.horizontal_centered(content));
 }
 
 /// Clamps a share so that both sides are large enough. If the area is too small, both get half of it.
@@ -215,8 +210,7 @@ fn within(share: f32, length: f32) -> f32 {
 /// Splits an area into two of equal size.
 pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     let x = area.center().x;
-    let left = Rect::from_min_max(area.min, pos2(x - HANDLE / 2.0, area.bottom()));
-    (left, Rect::from_min_max(pos2(x + HANDLE / 2.0, area.top()), area.max))
+    (area.with_max_x(x - HANDLE / 2.0), area.with_min_x(x + HANDLE / 2.0))
 }
 
 /// Shows a handle. Returns the handle's movement in this frame, by a drag or by arrow keys.
@@ -235,22 +229,14 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
         return response.drag_delta();
     }
     keep_arrows(&response, vertical, !vertical);
-    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
-    let along = |back, forth| PUSH * (presses(forth) - presses(back));
-    response.drag_delta()
-        + match vertical {
-            true => vec2(along(Key::ArrowLeft, Key::ArrowRight), 0.0),
-            false => vec2(0.0, along(Key::ArrowUp, Key::ArrowDown)),
-        }
+    let arrows = PUSH * arrows(ui);
+    response.drag_delta() + if vertical { vec2(arrows.x, 0.0) } else { vec2(0.0, arrows.y) }
 }
 
 /// Returns the rectangle with its corners on physical pixels, so that pictures stay sharp.
 fn snapped(rect: Rect, per_point: f32) -> Rect {
-    let snap = |x: f32| (x * per_point).round() / per_point;
-    Rect::from_min_max(
-        pos2(snap(rect.left()), snap(rect.top())),
-        pos2(snap(rect.right()), snap(rect.bottom())),
-    )
+    let snap = |at: Pos2| (at * per_point).round() / per_point;
+    Rect::from_min_max(snap(rect.min), snap(rect.max))
 }
 
 /// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly below
@@ -258,11 +244,10 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
 fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);
-    let scale = (available.x / pixels.x).min(available.y / pixels.y);
+    let scale = (available / pixels).min_elem();
     let scale = if scale >= 3.0 { scale.floor() } else { scale };
-    let size = vec2((pixels.x * scale).round().max(1.0), (pixels.y * scale).round().max(1.0));
+    let size = (scale * pixels).round().max(Vec2::splat(1.0));
     let min = area.center() - 0.5 * size / per_point;
     let min = if at_top { pos2(min.x, area.top()) } else { min };
-    let min = pos2((min.x * per_point).round(), (min.y * per_point).round()) / per_point;
-    Rect::from_min_size(min, size / per_point)
+    Rect::from_min_size((min * per_point).round() / per_point, size / per_point)
 }

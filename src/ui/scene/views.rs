@@ -201,13 +201,16 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
             observer.pan(dx, dy);
         }
     }
-    if response.contains_pointer() {
-        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
-        let factor = f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp();
-        if factor != 1.0 {
-            observer.zoom(factor);
-        }
+    let factor = wheel_zoom(ui);
+    if response.contains_pointer() && factor != 1.0 {
+        observer.zoom(factor);
     }
+}
+
+/// Returns the factor by which wheel and pinch enlarge a view.
+pub(crate) fn wheel_zoom(ui: &Ui) -> f64 {
+    let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+    f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp()
 }
 
 /// Maximum number of objects for which the camera view determines the hovered object.

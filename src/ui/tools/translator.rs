@@ -33,86 +33,48 @@ const READING: f64 = 6.0;
 /// Width of the table's first column, in points.
 const ABOUT: f32 = 118.0;
 
-/// The last translation and its inputs.
-#[derive(Default)]
-pub(crate) struct TranslatorPanel {
-    known: Option<(TranslatorInputs, Translation)>,
-}
-
-/// The inputs of a translation.
-#[derive(Clone, PartialEq)]
-struct TranslatorInputs {
-    document: Document,
-    target: &'static str,
-    objects: bool,
-    pixel: Pixel,
+/// Shows the translator.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    document: &Document,
+    choice: &mut Translator,
+    selection: Selection,
     digits: usize,
-}
-
-impl TranslatorPanel {
-    /// Shows the translator.
-    pub(crate) fn ui(
-        &mut self,
-        ui: &mut Ui,
-        document: &Document,
-        choice: &mut Translator,
-        selection: Selection,
-        digits: usize,
-    ) {
-        ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
-        let resolved = document.camera.resolve().ok();
-        let pixel = resolved.and_then(|resolved| selection.pixel(&resolved));
-        let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
-        targets(ui, choice);
-        let translation = self.translation(document, choice, pixel, digits);
-        ui.horizontal_wrapped(|ui| {
-            let can = translation.written.is_ok();
-            if ui.add_enabled(can, egui::Button::new("Copy")).clicked()
-                && let Ok(written) = &translation.written
-            {
-                ui.ctx().copy_text(written.text.text.clone());
-            }
-            let save = ui.add_enabled(can, egui::Button::new("Save as a file…"));
-            save.asks(ExchangeAction::AskSave);
-            ui.button("Paste a camera").asks(ExchangeAction::AskPaste);
-            let few = document.object_count() <= MOST_OBJECTS;
-            let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
-            let many = "There are too many to show: pinhole export writes them";
-            ui.add_enabled(few, objects).on_disabled_hover_text(many);
-            ui.checkbox(&mut choice.every_digit, "every digit");
-        });
-        ui.separator();
-        ScrollArea::vertical().id_salt("translation").auto_shrink(false).show(ui, |ui| {
-            let shown = if choice.every_digit { 17 } else { digits };
-            text(ui, translation, shown);
-            ui.add_space(6.0);
-            table(ui, &translation.rows, choice.chosen().short);
-        });
-    }
-
-    /// Returns the translation, cached by its inputs.
-    fn translation(
-        &mut self,
-        document: &Document,
-        choice: &Translator,
-        pixel: Pixel,
-        digits: usize,
-    ) -> &Translation {
-        let (target, objects) = (choice.target, choice.objects);
-        // Objects that are not written may change.
-        let document = match objects {
-            true => document.clone(),
-            false => Document { camera: document.camera, ..Document::default() },
-        };
-        let key = TranslatorInputs { document, target, objects, pixel, digits };
-        let known = self.known.take().filter(|(known, _)| *known == key);
-        let known = known.unwrap_or_else(|| {
-            let format = choice.chosen();
-            let made = Translation::new(&key.document, format, objects, pixel, digits);
-            (key, made)
-        });
-        &self.known.insert(known).1
-    }
+) {
+    ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+    let resolved = document.camera.resolve().ok();
+    let pixel = resolved.and_then(|resolved| selection.pixel(&resolved));
+    let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
+    targets(ui, choice);
+    // Objects that are not written may be invalid.
+    let subject = match choice.objects {
+        true => document.clone(),
+        false => Document { camera: document.camera, ..Document::default() },
+    };
+    let translation = Translation::new(&subject, choice.chosen(), choice.objects, pixel, digits);
+    ui.horizontal_wrapped(|ui| {
+        let can = translation.written.is_ok();
+        if ui.add_enabled(can, egui::Button::new("Copy")).clicked()
+            && let Ok(written) = &translation.written
+        {
+            ui.ctx().copy_text(written.text.text.clone());
+        }
+        let save = ui.add_enabled(can, egui::Button::new("Save as a file…"));
+        save.asks(ExchangeAction::AskSave);
+        ui.button("Paste a camera").asks(ExchangeAction::AskPaste);
+        let few = document.object_count() <= MOST_OBJECTS;
+        let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
+        let many = "There are too many to show: pinhole export writes them";
+        ui.add_enabled(few, objects).on_disabled_hover_text(many);
+        ui.checkbox(&mut choice.every_digit, "every digit");
+    });
+    ui.separator();
+    ScrollArea::vertical().id_salt("translation").auto_shrink(false).show(ui, |ui| {
+        let shown = if choice.every_digit { 17 } else { digits };
+        text(ui, &translation, shown);
+        ui.add_space(6.0);
+        table(ui, &translation.rows, choice.chosen().short);
+    });
 }
 
 /// Shows a button for each format; below them, one for each language.

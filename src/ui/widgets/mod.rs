@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use egui::accesskit::{Node, Role};
 use egui::{
-    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, Layout, Painter, Rect,
+    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, Key, Layout, Painter, Rect,
     Response, RichText, Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder,
-    vec2,
+    Vec2, vec2,
 };
 
 use crate::model::symbols::typeset_message;
@@ -71,6 +71,13 @@ pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool)
     response.ctx.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
 }
 
+/// Returns the number of presses of the arrow keys in this pass, to the right and down.
+pub(crate) fn arrows(ui: &Ui) -> Vec2 {
+    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+    let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
+    vec2(right, presses(Key::ArrowDown) - presses(Key::ArrowUp))
+}
+
 /// Shows content in a rectangle of the window.
 pub(crate) fn inside<R>(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui) -> R) -> R {
     ui.scope_builder(UiBuilder::new().max_rect(rect), content).inner
@@ -86,7 +93,8 @@ pub(crate) fn clipped(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
 
 /// Shows a menu of choices with this accessible name.
 pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl FnOnce(&mut Ui)) {
-    let combo = ComboBox::from_id_salt(name).width(width).height(520.0).selected_text(shown);
+    let combo =
+        ComboBox::from_id_salt((name, "menu")).width(width).height(520.0).selected_text(shown);
     combo.show_ui(ui, list).response.named(name);
 }
 

@@ -21,16 +21,21 @@ const LEAST_DIGITS: usize = 2;
 
 /// A field that edits one number.
 pub(crate) struct NumberField<'a> {
-    name: &'a str,
+    /// The accessible name.
+    pub(crate) name: &'a str,
     /// The name before the number in the tooltip.
-    hint: &'a str,
-    value: &'a mut f64,
-    suffix: &'a str,
-    width: f32,
-    range: RangeInclusive<f64>,
-    is_whole: bool,
+    pub(crate) hint: &'a str,
+    pub(crate) value: &'a mut f64,
+    /// The unit after the number.
+    pub(crate) suffix: &'a str,
+    /// The width of the field, in points.
+    pub(crate) width: f32,
+    /// The valid numbers. A drag stops at the ends of the range, and a typed number outside it is rejected.
+    pub(crate) range: RangeInclusive<f64>,
+    /// True if only whole numbers are valid.
+    pub(crate) is_whole: bool,
     /// True if the number is painted elsewhere while the user is not typing.
-    is_over: bool,
+    pub(crate) is_over: bool,
 }
 
 impl<'a> NumberField<'a> {
@@ -47,37 +52,6 @@ impl<'a> NumberField<'a> {
             is_whole: false,
             is_over: false,
         }
-    }
-
-    /// Adds a unit after the number.
-    pub(crate) fn suffix(mut self, suffix: &'a str) -> Self {
-        self.suffix = suffix;
-        self
-    }
-
-    /// Sets the name before the number in the tooltip.
-    pub(crate) fn hint(mut self, hint: &'a str) -> Self {
-        self.hint = hint;
-        self
-    }
-
-    /// Limits the number to a range. A drag stops at the ends of the range, and a typed number outside it is
-    /// rejected.
-    pub(crate) fn within(mut self, range: RangeInclusive<f64>) -> Self {
-        self.range = range;
-        self
-    }
-
-    /// Accepts whole numbers only.
-    pub(crate) fn whole(mut self) -> Self {
-        self.is_whole = true;
-        self
-    }
-
-    /// Sets the width of the field, in points.
-    pub(crate) fn width(mut self, width: f32) -> Self {
-        self.width = width;
-        self
     }
 
     /// Shows the field in `rect`, over a number that is painted elsewhere. Until the user types into the
@@ -111,7 +85,7 @@ impl<'a> NumberField<'a> {
                 visuals.expansion = 1.0;
             }
         }
-        let field = NumberField { is_over: true, ..self.width(rect.width()) };
+        let field = NumberField { is_over: true, width: rect.width(), ..self };
         let response = field.show(&mut inside);
         ui.data_mut(|data| data.insert_temp(id, response.id));
         response
@@ -150,37 +124,24 @@ impl<'a> NumberField<'a> {
                 if is_given_up {
                     return None;
                 }
-                match evaluate(text).and_then(|x| in_range(x, &self.range, self.is_whole)) {
-                    Ok(value) => {
-                        *fault.borrow_mut() = Some(String::new());
-                        Some(value)
-                    }
-                    Err(reason) => {
-                        *fault.borrow_mut() = Some(reason);
-                        None
-                    }
-                }
+                let parsed = evaluate(text).and_then(|x| in_range(x, &self.range, self.is_whole));
+                *fault.borrow_mut() = Some(parsed.clone().err().unwrap_or_default());
+                parsed.ok()
             });
         let response = ui.add(field);
         if response.clicked() && !typing {
             select_all(ui, &response, &shortest(exact));
         }
-        let response = response.named(self.name);
-        let response = match is_over && !typing {
-            true => response.spoken(written(*self.value, theme::installed(&ctx).digits)),
-            false => response,
-        };
+        let mut response = response.named(self.name);
+        if is_over && !typing {
+            response = response.spoken(written(*self.value, theme::installed(&ctx).digits));
+        }
         show_fault(ui, id, fault.into_inner(), &response);
         if typing || shown_whole || response.dragged() {
-            response
-        } else {
-            response.on_hover_text(format!(
-                "{} = {}{}",
-                self.hint,
-                written_whole(exact),
-                self.suffix
-            ))
+            return response;
         }
+        let (hint, exact) = (self.hint, written_whole(exact));
+        response.on_hover_text(format!("{hint} = {exact}{suffix}"))
     }
 }
 
@@ -201,29 +162,19 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
-/// The state of typing into a field; it is kept from one pass to the next.
-#[derive(Clone, Copy, Default, PartialEq)]
-enum Typing {
-    #[default]
-    GoesOn,
-    GivenUp,
-}
-
 /// Returns true if Escape ended the typing into a field; the typed text must then be discarded. Otherwise
 /// egui would accept it in the next pass, in which Escape is no longer pressed.
 fn is_given_up(ui: &Ui, id: Id) -> bool {
     let key = id.with("typing");
-    let before = ui.data_mut(|data| data.remove_temp::<Typing>(key));
-    let is_escape = ui.input(|input| input.key_pressed(egui::Key::Escape));
-    if ui.memory(|memory| memory.has_focus(id)) {
-        ui.data_mut(|data| data.insert_temp(key, Typing::GoesOn));
-        return false;
+    // True if Escape ended the typing in the last pass, false if the typing went on.
+    let before = ui.data_mut(|data| data.remove_temp::<bool>(key));
+    let goes_on = ui.memory(|memory| memory.has_focus(id));
+    let ends_now =
+        !goes_on && before == Some(false) && ui.input(|input| input.key_pressed(egui::Key::Escape));
+    if goes_on || ends_now {
+        ui.data_mut(|data| data.insert_temp(key, ends_now));
     }
-    let ends_now = before == Some(Typing::GoesOn) && is_escape;
-    if ends_now {
-        ui.data_mut(|data| data.insert_temp(key, Typing::GivenUp));
-    }
-    ends_now || before == Some(Typing::GivenUp)
+    ends_now || (!goes_on && before == Some(true))
 }
 
 /// Returns the number, or an error with the valid range.
@@ -294,7 +245,9 @@ pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     let mut changed = false;
     let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).max(56.0);
     for (axis, coordinate) in [("x", &mut value.x), ("y", &mut value.y), ("z", &mut value.z)] {
-        let field = NumberField::new(&format!("{name} {axis}"), coordinate).width(width).show(ui);
+        let field =
+            NumberField { width, ..NumberField::new(&format!("{name} {axis}"), coordinate) }
+                .show(ui);
         changed |= field.changed();
     }
     changed

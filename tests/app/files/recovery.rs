@@ -137,7 +137,7 @@ fn what_was_restored_survives_a_window_that_is_killed_at_once() {
 }
 
 #[test]
-fn what_is_opened_beside_leaves_the_file_alone() {
+fn what_is_opened_as_a_new_scene_leaves_the_file_alone() {
     let (folder, store) = store();
     let path = folder.path().join("mine.toml");
     std::fs::write(&path, MINE).unwrap();
@@ -146,7 +146,7 @@ fn what_is_opened_beside_leaves_the_file_alone() {
     drop(killed);
     let mut window = opened(&store, "canonical");
     assert_says(&window, &path.display().to_string());
-    press(&mut window, "Open beside");
+    press(&mut window, "Open as a new scene");
     assert_eq!(*window.state().document(), wanted);
     assert_says(&window, "mine.toml, unsaved*");
     window.key_press_modifiers(Modifiers::COMMAND, Key::S);
