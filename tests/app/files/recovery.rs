@@ -174,7 +174,7 @@ fn changes_are_offered_after_what_is_told_at_the_start() {
     let source = SceneSource::Builtin(BuiltinScene::find("canonical").unwrap());
     let open = OpenDocument::new(source.load().unwrap(), source);
     let mut app = App::new(open, Remembered::default(), Some(store.clone()));
-    app.tell("The last scene cannot be opened again", "It is gone.".to_owned());
+    app.show_message("The last scene cannot be opened again", "It is gone.".to_owned());
     let set_up = |ctx: &Context| App::set_up(ctx, &Settings::default());
     let mut window = support::harness()
         .with_max_steps(30)
