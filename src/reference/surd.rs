@@ -73,8 +73,8 @@ pub(crate) fn bits_of_level(level: usize) -> usize {
 /// Number of levels at which a sign is tried by interval arithmetic before algebra decides it.
 const SIGN_LEVELS: usize = 3;
 
-/// Number of levels for which the roots are cached.
-const KEPT_LEVELS: usize = 4;
+/// Number of levels, whose roots are cached. The last level has more bits than any memory.
+const LEVELS: usize = 16;
 
 /// The A and B of [`Surd`], both positive.
 #[derive(Debug)]
@@ -82,7 +82,7 @@ pub(crate) struct Field {
     a: Dyadic,
     b: Dyadic,
     ab: Dyadic,
-    roots: [OnceLock<[Interval; 3]>; KEPT_LEVELS],
+    roots: [OnceLock<[Interval; 3]>; LEVELS],
 }
 
 impl Field {
@@ -127,26 +127,16 @@ impl Field {
         if x.0[1..].iter().all(Dyadic::is_zero) {
             return sum;
         }
-        let computed;
-        let roots = match self.roots.get(level) {
-            Some(kept) => kept.get_or_init(|| self.roots_at(level)),
-            None => {
-                computed = self.roots_at(level);
-                &computed
-            }
-        };
+        let roots = self.roots[level].get_or_init(|| {
+            let sqrt = |x: &Dyadic| Interval { low: x.clone(), high: x.clone() }.sqrt(bits);
+            [&self.a, &self.b, &self.ab].map(sqrt)
+        });
         for (factor, root) in x.0[1..].iter().zip(roots) {
             if !factor.is_zero() {
                 sum = sum.plus(&Interval::exactly(factor, bits).times(root, bits), bits);
             }
         }
         sum
-    }
-
-    fn roots_at(&self, level: usize) -> [Interval; 3] {
-        let bits = bits_of_level(level);
-        [&self.a, &self.b, &self.ab]
-            .map(|x| Interval { low: x.clone(), high: x.clone() }.sqrt(bits))
     }
 
     /// Returns the proven sign of `x`: see the [module's documentation](self).

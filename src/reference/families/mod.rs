@@ -2,9 +2,7 @@
 
 mod draw;
 mod frames;
-mod planes;
-mod spheres;
-mod ties;
+mod rays;
 
 pub use draw::Draw;
 
@@ -127,7 +125,7 @@ static ALL: LazyLock<Vec<Family>> = LazyLock::new(|| {
         let about = ABOUT.iter().find(|(known, _)| *known == name).map_or("", |(_, about)| about);
         Family { name, about, knob_name, knobs, make }
     };
-    let rays = spheres::FAMILIES.into_iter().chain(planes::FAMILIES).chain(ties::FAMILIES);
+    let rays = rays::FAMILIES.into_iter();
     let rays = rays.map(|(name, knob, knobs, make)| family(name, knob, knobs, Make::Rays(make)));
     let frames = frames::FAMILIES.into_iter();
     let frames =

@@ -1,0 +1,466 @@
+//! Families of single rays: against one sphere, several objects, one plane, and several objects that the ray
+//! meets at the same t.
+//!
+//! The cases of ties consist of whole numbers: a contact point P, and three perpendicular whole vectors of
+//! the same whole length n (see [`Draw::whole_frame`]). A sphere of radius k n around P + k N
+//! touches P if N is one of the three vectors.
+
+use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
+use crate::families::{OFFSETS, PLANETS, RayCase, Row, SMALL, TO_ROUNDING, ULPS};
+use crate::object::Object;
+
+pub(crate) const FAMILIES: [Row<RayCase>; 23] = [
+    ("ordinary", "distance from centre / radius", &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0], everyday),
+    ("course-floor", "slope (0.02 touches)", &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0], course_floor),
+    ("several", "number of objects", &[2.0, 5.0, 20.0], several),
+    ("tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
+    ("planet", "log10 of the radius", &PLANETS, planet),
+    ("grazing", "log10 of the gap to the outline / radius", &TO_ROUNDING, grazing),
+    ("tangent", "radius, in ulps from tangent", &ULPS, tangent),
+    ("eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
+    ("eye-on-surface", "radius, in ulps from the eye", &ULPS, eye_on_surface),
+    ("eye-inside", "distance from centre / radius", &[0.0, 1e-9, 0.1, 0.5, 0.9, 0.999], eye_inside),
+    (
+        "direction-length",
+        "log10 of the direction's length",
+        &[-20.0, -10.0, -5.0, 0.0, 5.0, 10.0, 20.0],
+        direction_length,
+    ),
+    ("world-offset", "log10 of the offset", &OFFSETS, world_offset),
+    (
+        "extreme-range",
+        "log10 of the scale",
+        &[-320.0, -300.0, -150.0, -100.0, 100.0, 150.0, 300.0, 307.0],
+        extreme_range,
+    ),
+    ("mixed-range", "log10 of the largest size", &[10.0, 30.0, 100.0, 300.0], mixed_range),
+    ("near-parallel-plane", "log10 of the angle, in radians", &TO_ROUNDING, near_parallel_plane),
+    ("parallel-plane", "normal, in ulps from parallel", &ULPS, parallel_plane),
+    ("plane-offset", "log10 of the offset", &OFFSETS, plane_offset),
+    (
+        "plane-range",
+        "log10 of the scale",
+        &[-320.0, -300.0, -150.0, 150.0, 300.0, 307.0],
+        plane_range,
+    ),
+    (
+        "ties-concentric",
+        "second radius, ulps from first",
+        &[-1000.0, -1.0, 0.0, 1.0, 1000.0],
+        concentric,
+    ),
+    ("ties-touching-inside", "second radius, in ulps from touching", &ULPS, touching_inside),
+    ("ties-touching-outside", "second radius, in ulps from touching", &ULPS, touching_outside),
+    ("ties-sphere-plane", "radius, in ulps from touching", &ULPS, sphere_plane),
+    ("ties-planes", "second point, in ulps", &ULPS, coincident_planes),
+];
+
+fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 3]) -> RayCase {
+    RayCase { objects: vec![Object::Sphere { center, radius }], origin, direction }
+}
+
+/// Returns the direction from `origin` along a line that passes `center` at the distance `by`,
+/// which is less than the distance of `origin`.
+fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3] {
+    let to = plus(center, -1.0, origin);
+    let square = dot(to, to);
+    let aside = by / (1.0 - by * by / square).sqrt();
+    plus(to, aside, draw.across(to))
+}
+
+/// Makes a case with a sphere of everyday size seen from a few radii away: within a box, the origin
+/// up to 8 radii away.
+fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
+    let radius = draw.between(0.25, 1.0);
+    let center = draw.in_box(4.0);
+    let away = draw.between(2.5, 8.0);
+    let origin = plus(center, radius * away, draw.direction());
+    let direction = past(draw, origin, center, impact * radius);
+    let length = draw.between(0.05, 0.5);
+    one_sphere(center, radius, origin, scaled(direction, length))
+}
+
+fn any_impact(draw: &mut Draw) -> RayCase {
+    let impact = draw.between(0.0, 1.2);
+    everyday(draw, impact)
+}
+
+/// Makes a case with the course's floor, a sphere of radius 5000 around (0, -5001, 0), from the
+/// origin.
+fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
+    let level = draw.across([0.0, 1.0, 0.0]);
+    let direction = plus(level, -slope, [0.0, 1.0, 0.0]);
+    let length = draw.between(0.5, 2.0);
+    one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
+}
+
+/// Makes a case with spheres and planes of everyday size: which one is first.
+fn several(draw: &mut Draw, count: f64) -> RayCase {
+    let planes = draw.whole(0, (count as i64 + 2) / 4);
+    let spheres = (count - planes) as usize;
+    let mut objects: Vec<Object> = (0..spheres)
+        .map(|_| Object::Sphere { center: draw.in_box(5.0), radius: draw.between(0.2, 2.0) })
+        .collect();
+    objects.extend(
+        (0..planes as usize)
+            .map(|_| Object::Plane { point: draw.in_box(8.0), normal: draw.in_box(3.0) }),
+    );
+    let (origin, toward) = (draw.in_box(8.0), draw.in_box(4.0));
+    RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
+}
+
+/// Makes a case with a sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.
+fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
+    let origin = draw.in_box(10.0);
+    let distance = draw.between(1.0, 100.0);
+    let center = plus(origin, distance, draw.direction());
+    let radius = distance * draw.decade(k);
+    // Uses the exact line from 0 through the centre if merely rounding the direction would make the
+    // ray miss, and occasionally otherwise.
+    if (draw.single && k < -6.0) || draw.once_in(8) {
+        return one_sphere(center, radius, [0.0; 3], scaled(center, draw.power_of_two(-8, 8)));
+    }
+    let impact = draw.between(0.0, 1.2);
+    let direction = past(draw, origin, center, impact * radius);
+    let length = draw.between(0.01, 1.0);
+    one_sphere(center, radius, origin, scaled(direction, length))
+}
+
+/// Makes a case with the eye a little above a huge sphere: c is small compared with the squares in
+/// its formula.
+fn planet(draw: &mut Draw, k: f64) -> RayCase {
+    let radius = draw.decade(k) * draw.between(1.0, 2.0);
+    let height = draw.of_any_size(1e-3, 10.0);
+    let origin = draw.in_box(3.0);
+    let down = draw.direction();
+    let center = plus(origin, radius + height, down);
+    // The horizon is sqrt(2 height / radius) below the horizontal.
+    let slope = if draw.once_in(3) {
+        draw.between(0.0, 5.0)
+    } else {
+        (2.0 * height / radius).sqrt() * draw.between(0.9, 2.0)
+    };
+    let direction = plus(draw.across(down), slope, down);
+    one_sphere(center, radius, origin, direction)
+}
+
+/// Makes a case with a line that passes the sphere's outline closely, inside or outside.
+fn grazing(draw: &mut Draw, k: f64) -> RayCase {
+    let impact = 1.0 + draw.sign() * draw.decade(k);
+    everyday(draw, impact)
+}
+
+/// Makes a case with a line that touches the sphere exactly, and radii one unit in the last place
+/// off.
+fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
+    let Sizes { quaternion, extent, steps } = draw.sizes();
+    let ([along, out, _], length) = draw.whole_frame(quaternion);
+    let touched = [0; 3].map(|_| draw.whole(-extent, extent));
+    let (back, radii) = (draw.whole(1, steps), draw.whole(1, steps));
+    let radius = draw.moved_by_ulps(radii * length, ulps);
+    let scale = draw.binary_scale();
+    let stretch = draw.power_of_two(-8, 8);
+    one_sphere(plus(touched, radii, out), radius, plus(touched, -back, along), along)
+        .scaled(scale, stretch)
+}
+
+/// Makes a case with the origin just above or below the surface: is the near root ahead or behind?
+fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
+    let radius = draw.between(0.5, 4.0);
+    let center = draw.in_box(4.0);
+    let height = draw.sign() * draw.decade(k);
+    let origin = plus(center, radius * (1.0 + height), draw.direction());
+    one_sphere(center, radius, origin, draw.in_box(1.0))
+}
+
+/// Makes a case with the origin exactly on the surface, where t = 0 is no hit, and radii one ulp
+/// off.
+fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
+    let Sizes { quaternion, extent, steps } = draw.sizes();
+    let ([along, out, aside], length) = draw.whole_frame(quaternion);
+    let origin = [0; 3].map(|_| draw.whole(-extent, extent));
+    let radii = draw.whole(1, steps);
+    let radius = draw.moved_by_ulps(radii * length, ulps);
+    let direction = match draw.whole(0, 3) as i64 {
+        0 => along,
+        1 => out,
+        2 => plus(cross([1.0, 2.0, 3.0], out), draw.whole(-3, 3), aside),
+        _ => draw.whole_vector(9),
+    };
+    let direction = if direction == [0.0; 3] { out } else { direction };
+    one_sphere(plus(origin, radii, out), radius, origin, direction).scaled(draw.binary_scale(), 1.0)
+}
+
+/// Makes a case with the origin inside the sphere, or at its centre: the far root.
+fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
+    let radius = draw.of_any_size(0.01, 100.0);
+    let center = draw.in_box(4.0);
+    let origin = plus(center, radius * share, draw.direction());
+    one_sphere(draw.given3(center), radius, draw.given3(origin), draw.direction())
+}
+
+/// Makes a case with an everyday sphere and a direction that is far from length 1.
+fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
+    let case = any_impact(draw);
+    let length = dot(case.direction, case.direction).sqrt();
+    let scale = draw.decade(k) / length;
+    RayCase { direction: scaled(case.direction, scale), ..case }
+}
+
+/// Makes a case with an everyday sphere and ray, far from the world's origin.
+fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
+    let mut case = any_impact(draw);
+    let offset = scaled(draw.in_box(1.0), draw.decade(k));
+    for object in &mut case.objects {
+        if let Object::Sphere { center, .. } = object {
+            *center = plus(*center, 1.0, offset);
+        }
+    }
+    // Aimed again: the rounding of the sum may have moved the sphere by more than its size.
+    let Some(Object::Sphere { center, radius }) = case.objects.first().copied() else {
+        return case;
+    };
+    let center = draw.given3(center);
+    let origin = draw.given3(plus(case.origin, 1.0, offset));
+    let to = plus(center, -1.0, origin);
+    if dot(to, to) > 2.0 * radius * radius {
+        let impact = draw.between(0.0, 1.2);
+        let length = draw.between(0.05, 0.5);
+        case.direction = scaled(past(draw, origin, center, impact * radius), length);
+    }
+    RayCase { origin, ..case }
+}
+
+/// Makes a case with lengths, the direction, or both so large or small that squares leave f64's
+/// range.
+fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
+    let case = any_impact(draw);
+    let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));
+    let (lengths, direction) = match draw.whole(0, 3) as i64 {
+        0 => (scale, 1.0),
+        1 => (1.0, scale),
+        2 => (scale, scale),
+        _ => (scale, inverse),
+    };
+    case.scaled(lengths, direction)
+}
+
+/// Makes an origin, a centre, a radius and a direction, each with its own order of magnitude.
+fn mixed_range(draw: &mut Draw, k: f64) -> RayCase {
+    let (large, small) = (draw.decade(k), draw.decade(-k));
+    let mut size = || draw.of_any_size(small.sqrt(), large.sqrt());
+    let sizes = [size(), size(), size(), size()];
+    // Squared, so that a ratio beyond f64's largest number is never formed.
+    let [origin, center, radius, direction] = sizes.map(|x| x * x);
+    let origin = scaled(draw.direction(), origin);
+    let center = scaled(draw.direction(), center);
+    let direction = if draw.once_in(2) {
+        scaled(draw.direction(), direction)
+    } else {
+        plus(center, -1.0, origin)
+    };
+    one_sphere(center, radius, origin, direction)
+}
+
+fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f64; 3]) -> RayCase {
+    RayCase { objects: vec![Object::Plane { point, normal }], origin, direction }
+}
+
+/// Makes a case with a ray at a small angle to a plane: normal . direction nearly cancels.
+fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
+    let normal = draw.direction();
+    let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
+    let direction = plus(draw.across(normal), slope, normal);
+    let length = draw.between(0.5, 3.0);
+    let normal = scaled(normal, draw.between(0.5, 3.0));
+    one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
+}
+
+/// Makes a case with a ray exactly parallel to a plane, inside it or next to it, and normals one
+/// ulp off.
+fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
+    let Sizes { quaternion, extent, steps } = draw.sizes();
+    let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
+    let point = [0; 3].map(|_| draw.whole(-extent, extent));
+    let height = if draw.once_in(3) { 0.0 } else { draw.whole(-steps, steps) };
+    let inside = plus(plus(point, draw.whole(-steps, steps), along), draw.whole(-3, 3), aside);
+    let origin = plus(inside, height, normal);
+    // A coordinate that counts in the product.
+    if let Some(i) = (0..3).find(|&i| normal[i] * along[i] != 0.0) {
+        normal[i] = draw.moved_by_ulps(normal[i], ulps);
+    }
+    one_plane(point, normal, origin, along).scaled(draw.binary_scale(), 1.0)
+}
+
+fn everyday_plane(draw: &mut Draw) -> RayCase {
+    let (point, origin, normal) = (draw.in_box(4.0), draw.in_box(8.0), draw.direction());
+    // Nearly all rays go toward the plane.
+    let toward = dot(normal, plus(point, -1.0, origin));
+    let sense = if draw.once_in(8) { -toward } else { toward };
+    let direction = draw.direction();
+    let flip = if dot(direction, normal) * sense < 0.0 { -1.0 } else { 1.0 };
+    let length = flip * draw.between(0.5, 2.0);
+    one_plane(point, normal, origin, scaled(direction, length))
+}
+
+/// Makes a case with an everyday plane and ray, far from the world's origin.
+fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
+    let RayCase { objects, origin, direction } = everyday_plane(draw);
+    let offset = scaled(draw.in_box(1.0), draw.decade(k));
+    let moved = |point| plus(point, 1.0, offset);
+    let objects = objects.into_iter().map(|plane| plane.map(moved, |normal| normal, |r| r));
+    RayCase { objects: objects.collect(), origin: moved(origin), direction }
+}
+
+/// Makes a case with a normal, a direction or lengths that are so large or small that products
+/// leave f64's range.
+fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
+    let RayCase { objects, origin, direction } = everyday_plane(draw);
+    let scale = draw.decade(k);
+    let factor = |draw: &mut Draw| if draw.once_in(2) { scale } else { 1.0 };
+    let (lengths, normals, directions) = (factor(draw), factor(draw), factor(draw));
+    let length = |point| scaled(point, lengths);
+    let objects = objects.into_iter().map(|o| o.map(length, |n| scaled(n, normals), |r| r));
+    RayCase {
+        objects: objects.collect(),
+        origin: length(origin),
+        direction: scaled(direction, directions),
+    }
+}
+
+/// A contact point and the vectors there, all whole.
+struct Contact {
+    point: [f64; 3],
+    along: [f64; 3],
+    out: [f64; 3],
+    aside: [f64; 3],
+    length: f64,
+    steps: i64,
+}
+
+fn contact(draw: &mut Draw) -> Contact {
+    let Sizes { quaternion, extent, steps } = draw.sizes();
+    let ([along, out, aside], length) = draw.whole_frame(quaternion);
+    // No coordinate is 0: each of them has a neighbour.
+    let point = [0; 3].map(|_| draw.sign() * draw.whole(1, extent));
+    Contact { point, along, out, aside, length, steps }
+}
+
+impl Contact {
+    /// Returns the sphere through the contact point whose centre is `radii` times the vector `out`
+    /// away from the point.
+    fn sphere(&self, draw: &Draw, radii: f64, ulps: f64) -> Object {
+        let radius = draw.moved_by_ulps(radii.abs() * self.length, ulps);
+        Object::Sphere { center: plus(self.point, radii, self.out), radius }
+    }
+
+    /// Draws a vector that points outward from the contact point.
+    fn outward(&self, draw: &mut Draw) -> [f64; 3] {
+        let (a, b) = (draw.whole(-4, 4), draw.whole(-4, 4));
+        plus(plus(self.out, a, self.along), b, self.aside)
+    }
+
+    /// Draws a vector perpendicular to `out`.
+    fn across(&self, draw: &mut Draw) -> [f64; 3] {
+        let (a, b) = (draw.whole(-4, 4), draw.whole(1, 4));
+        plus(scaled(self.along, a), b, self.aside)
+    }
+}
+
+/// Returns the case with the objects in a random order (but spheres before planes), and all lengths
+/// multiplied by a power of two.
+fn shuffled(
+    draw: &mut Draw,
+    objects: [Object; 2],
+    origin: [f64; 3],
+    direction: [f64; 3],
+) -> RayCase {
+    let [first, second] = objects;
+    let same_kind =
+        matches!(first, Object::Sphere { .. }) == matches!(second, Object::Sphere { .. });
+    let objects = if same_kind && draw.once_in(2) { [second, first] } else { [first, second] };
+    let scale = draw.binary_scale();
+    let stretch = draw.power_of_two(-8, 8);
+    RayCase { objects: objects.to_vec(), origin, direction }.scaled(scale, stretch)
+}
+
+/// Makes a case with two spheres with the same centre, coincident or one ulp apart: the first
+/// listed wins.
+fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
+    let center = draw.in_box(4.0);
+    let center = draw.given3(center);
+    let radius = draw.between(0.5, 3.0);
+    let radius = draw.given(radius);
+    let other = draw.moved_by_ulps(radius, ulps);
+    let origin = plus(center, draw.between(0.0, 5.0), draw.direction());
+    let origin = draw.given3(origin);
+    let direction = plus(plus(center, -1.0, origin), 0.7 * radius, draw.direction());
+    let direction = draw.given3(direction);
+    let [first, second] = [radius, other].map(|radius| Object::Sphere { center, radius });
+    shuffled(draw, [first, second], origin, direction)
+}
+
+/// Makes a case with a sphere that touches another from inside, and a ray through the contact.
+fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
+    let contact = contact(draw);
+    let [small, more] = [(); 2].map(|()| draw.whole(1, contact.steps / 2));
+    let outer = contact.sphere(draw, -small - more, 0.0);
+    let inner = contact.sphere(draw, -small, ulps);
+    let outward = contact.outward(draw);
+    let origin = plus(contact.point, draw.whole(1, contact.steps), outward);
+    shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
+}
+
+/// Makes a case with spheres that touch from outside, and a ray through the contact from inside one
+/// or along both.
+fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
+    let contact = contact(draw);
+    let other = draw.whole(1, contact.steps);
+    let (a, b) = (draw.whole(-2, 2), draw.whole(-2, 2));
+    let beyond = contact.sphere(draw, other, ulps);
+    let back = draw.whole(1, 8);
+    if draw.once_in(3) {
+        let radii = draw.whole(1, contact.steps);
+        let around = contact.sphere(draw, -radii, 0.0);
+        let across = contact.across(draw);
+        return shuffled(draw, [around, beyond], plus(contact.point, -back, across), across);
+    }
+    // From D = out + a along + b aside back inside the sphere of k radii: | k out - j D | < k n holds
+    // where j (1 + a^2 + b^2) < 2 k.
+    let outward = plus(plus(contact.out, a, contact.along), b, contact.aside);
+    let around = contact.sphere(draw, -back * (1.0 + a * a + b * b), 0.0);
+    shuffled(draw, [around, beyond], plus(contact.point, -back, outward), outward)
+}
+
+/// Makes a case with a plane that touches a sphere, and a ray through the contact.
+fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
+    let contact = contact(draw);
+    let radii = draw.whole(1, contact.steps);
+    let sphere = contact.sphere(draw, -radii, ulps);
+    let point = plus(contact.point, draw.whole(-9, 9), contact.across(draw));
+    let normal = scaled(contact.out, draw.sign() * draw.whole(1, 5));
+    let outward = contact.outward(draw);
+    let origin = plus(contact.point, draw.whole(1, contact.steps), outward);
+    shuffled(draw, [sphere, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
+}
+
+/// Makes a case with one plane given by two points and normals, or with planes that cross where the ray
+/// goes.
+fn coincident_planes(draw: &mut Draw, ulps: f64) -> RayCase {
+    let contact = contact(draw);
+    let first = Object::Plane { point: contact.point, normal: contact.out };
+    let (normal, in_plane) = if draw.once_in(2) {
+        (scaled(contact.out, draw.sign() * draw.whole(1, 7)), contact.across(draw))
+    } else {
+        let normal = draw.whole_vector(9);
+        (normal, cross(normal, draw.whole_vector(9)))
+    };
+    let mut point = plus(contact.point, draw.whole(-9, 9), in_plane);
+    // A coordinate that counts.
+    if let Some(i) = (0..3).find(|&i| normal[i] * point[i] != 0.0) {
+        point[i] = draw.moved_by_ulps(point[i], ulps);
+    }
+    let outward = contact.outward(draw);
+    let origin = plus(contact.point, draw.whole(1, contact.steps), outward);
+    shuffled(draw, [first, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
+}
