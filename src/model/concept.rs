@@ -120,27 +120,16 @@ impl Concept {
         NAMES.map(|(_, name, _)| name)
     }
 
-    /// Returns the concept's name in files.
-    pub fn name(self) -> String {
-        match self {
-            Concept::Object(object) => format!("object {object}"),
-            Concept::Root { object, number } => format!("root {object} {number}"),
-            other => other.entry().0.to_owned(),
-        }
-    }
-
     /// Returns the concept's description. For an object or a root it contains the object's `title`.
     pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Concept::Object(object) => title(object),
             Concept::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
-            other => other.entry().1.to_owned(),
+            other => {
+                let found = NAMES.iter().find(|(concept, ..)| *concept == other);
+                found.map_or(String::new(), |(.., description)| (*description).to_owned())
+            }
         }
-    }
-
-    fn entry(self) -> (&'static str, &'static str) {
-        let found = NAMES.iter().find(|(concept, ..)| *concept == self);
-        found.map_or(("", ""), |(_, name, description)| (name, description))
     }
 }
 
@@ -149,10 +138,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_lead_back_to_their_concepts() {
-        let numbered = [Concept::Object(7), Concept::Root { object: 2, number: 1 }];
-        for concept in NAMES.iter().map(|(concept, ..)| *concept).chain(numbered) {
-            assert_eq!(Concept::from_name(&concept.name()), Some(concept));
+    fn every_name_is_of_a_concept_with_a_description() {
+        let numbered = [
+            (Concept::Object(7), "object 7"),
+            (Concept::Root { object: 2, number: 1 }, "root 2 1"),
+        ];
+        for (concept, name) in NAMES.iter().map(|(c, name, _)| (*c, *name)).chain(numbered) {
+            assert_eq!(Concept::from_name(name), Some(concept));
             assert!(!concept.description(|k| format!("sphere {k}")).is_empty());
         }
         for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x"] {

@@ -51,7 +51,7 @@ pub struct Window {
 
 /// A handle in the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Handle {
+pub enum LineHandle {
     /// Moves the implicit line without turning it.
     Move,
     /// Turns the implicit line about its grip.
@@ -64,18 +64,18 @@ pub enum Handle {
     T,
 }
 
-impl Handle {
+impl LineHandle {
     /// All handles; each lies over the handles before it.
-    pub const ALL: [Handle; 5] = [Handle::Move, Handle::Turn, Handle::P, Handle::Tip, Handle::T];
+    pub const ALL: [LineHandle; 5] = [Self::Move, Self::Turn, Self::P, Self::Tip, Self::T];
 
     /// Returns the handle's name for screen readers and for its tooltip.
     pub fn name(self) -> &'static str {
         match self {
-            Handle::Move => "move the implicit line",
-            Handle::Turn => "turn the implicit line",
-            Handle::P => "move p",
-            Handle::Tip => "move the tip of d",
-            Handle::T => "slide t",
+            LineHandle::Move => "move the implicit line",
+            LineHandle::Turn => "turn the implicit line",
+            LineHandle::P => "move p",
+            LineHandle::Tip => "move the tip of d",
+            LineHandle::T => "slide t",
         }
     }
 }
@@ -154,23 +154,23 @@ impl LinesLab {
     }
 
     /// Returns the position of a handle; `None` if its line is invalid.
-    pub fn position_of(&self, handle: Handle) -> Option<DVec2> {
+    pub fn position_of(&self, handle: LineHandle) -> Option<DVec2> {
         let of_line = || self.line.check().ok().map(|()| self.grip);
         let position = match handle {
-            Handle::Move => of_line()?,
-            Handle::Turn => of_line()? + self.reach * self.line.direction(),
-            Handle::P => self.ray.p,
-            Handle::Tip => self.ray.p + self.ray.d,
-            Handle::T => self.ray.at(self.t),
+            LineHandle::Move => of_line()?,
+            LineHandle::Turn => of_line()? + self.reach * self.line.direction(),
+            LineHandle::P => self.ray.p,
+            LineHandle::Tip => self.ray.p + self.ray.d,
+            LineHandle::T => self.ray.at(self.t),
         };
         position.is_finite().then_some(position)
     }
 
     /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along
     /// its line by steps of t, in the direction that is closer to `steps`.
-    pub fn nudge(&mut self, handle: Handle, steps: DVec2, fineness: f64) {
+    pub fn nudge(&mut self, handle: LineHandle, steps: DVec2, fineness: f64) {
         let step = if self.snap { LinesLab::GRID } else { 0.1 };
-        if handle == Handle::T {
+        if handle == LineHandle::T {
             let along = steps.dot(self.ray.d);
             if along != 0.0 {
                 let t = self.t + step * steps.abs().max_element().copysign(along);
@@ -186,30 +186,30 @@ impl LinesLab {
     /// Drags a handle to a point of the plane. Rounds its coordinates to the grid if snapping is
     /// on, and otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag
     /// after which there would be no line.
-    pub fn drag(&mut self, handle: Handle, to: DVec2, fineness: f64) {
+    pub fn drag(&mut self, handle: LineHandle, to: DVec2, fineness: f64) {
         let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
         let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;
         let to = DVec2::new(round(to.x), round(to.y)).clamp(-DVec2::splat(1e5), DVec2::splat(1e5));
         match handle {
-            Handle::Move => {
+            LineHandle::Move => {
                 self.line = ImplicitLine::along(self.line.direction(), to);
                 self.grip = to;
             }
-            Handle::Turn => {
+            LineHandle::Turn => {
                 let line = ImplicitLine::along((to - self.grip) / self.reach, self.grip);
                 if line.check().is_ok() {
                     self.line = line;
                 }
             }
-            Handle::P => self.ray.p = to,
-            Handle::Tip => {
+            LineHandle::P => self.ray.p = to,
+            LineHandle::Tip => {
                 let d = to - self.ray.p;
                 let d = DVec2::new(round(d.x), round(d.y));
                 if d != DVec2::ZERO {
                     self.ray.d = d;
                 }
             }
-            Handle::T => {
+            LineHandle::T => {
                 let t = round(self.ray.nearest_t(to));
                 if t.is_finite() {
                     self.set_t(t.clamp(-LARGEST, LARGEST));
@@ -239,26 +239,26 @@ mod tests {
     #[test]
     fn every_handle_goes_where_it_is_dragged() {
         let to = DVec2::new(1.25, -2.5);
-        for handle in [Handle::Move, Handle::Turn, Handle::P, Handle::Tip] {
+        for handle in [LineHandle::Move, LineHandle::Turn, LineHandle::P, LineHandle::Tip] {
             let mut lab = LinesLab::default();
             lab.drag(handle, to, 100.0);
             let there = lab.position_of(handle).expect("a place");
             assert!(there.distance(to) < 1e-12, "{handle:?} {there}");
         }
         let mut lab = LinesLab::default();
-        lab.drag(Handle::T, DVec2::new(3.0, 1.0), 100.0);
+        lab.drag(LineHandle::T, DVec2::new(3.0, 1.0), 100.0);
         assert_eq!((lab.t, lab.trail.first, lab.trail.last), (2.0, 0.5, 2.0));
     }
 
     #[test]
     fn turning_keeps_the_grip_and_moving_keeps_the_direction() {
         let mut lab = LinesLab::default();
-        let grip = lab.position_of(Handle::Move).expect("a place");
-        lab.drag(Handle::Turn, DVec2::new(3.0, 3.0), 100.0);
-        assert_eq!(lab.position_of(Handle::Move), Some(grip));
+        let grip = lab.position_of(LineHandle::Move).expect("a place");
+        lab.drag(LineHandle::Turn, DVec2::new(3.0, 3.0), 100.0);
+        assert_eq!(lab.position_of(LineHandle::Move), Some(grip));
         assert_eq!(lab.line().f(grip), 0.0);
         let direction = lab.line().direction();
-        lab.drag(Handle::Move, DVec2::new(-2.0, 0.5), 100.0);
+        lab.drag(LineHandle::Move, DVec2::new(-2.0, 0.5), 100.0);
         assert_eq!(lab.line().direction(), direction);
         assert_eq!(lab.line().f(DVec2::new(-2.0, 0.5)), 0.0);
     }
@@ -266,10 +266,10 @@ mod tests {
     #[test]
     fn by_the_grid_a_hand_makes_lines_exactly_parallel_and_exactly_one() {
         let mut lab = LinesLab { snap: true, ..LinesLab::default() };
-        lab.drag(Handle::Move, DVec2::new(0.02, 1.04), 100.0);
-        lab.drag(Handle::Turn, DVec2::new(2.1, 2.9), 100.0);
+        lab.drag(LineHandle::Move, DVec2::new(0.02, 1.04), 100.0);
+        lab.drag(LineHandle::Turn, DVec2::new(2.1, 2.9), 100.0);
         assert_eq!(meeting(&lab), Meeting::Parallel);
-        lab.drag(Handle::Move, DVec2::new(1.02, 0.98), 100.0);
+        lab.drag(LineHandle::Move, DVec2::new(1.02, 0.98), 100.0);
         assert_eq!(meeting(&lab), Meeting::Coincident);
     }
 
@@ -280,12 +280,12 @@ mod tests {
                 let mut lab = LinesLab { snap, ..example };
                 let mut before = lab.t;
                 for steps in [DVec2::X, DVec2::X, DVec2::Y] {
-                    lab.nudge(Handle::T, steps, 100.0);
+                    lab.nudge(LineHandle::T, steps, 100.0);
                     let step = if snap { LinesLab::GRID } else { 0.1 };
                     assert!((lab.t - before - step).abs() < 1e-12, "{before} {}", lab.t);
                     before = lab.t;
                 }
-                lab.nudge(Handle::T, DVec2::NEG_X, 100.0);
+                lab.nudge(LineHandle::T, DVec2::NEG_X, 100.0);
                 assert!(lab.t < before);
             }
         }
@@ -294,10 +294,10 @@ mod tests {
     #[test]
     fn no_drag_leaves_no_line() {
         let mut lab = LinesLab::default();
-        let (p, grip) = (lab.ray.p, lab.position_of(Handle::Move).expect("a place"));
+        let (p, grip) = (lab.ray.p, lab.position_of(LineHandle::Move).expect("a place"));
         let before = lab.clone();
-        lab.drag(Handle::Tip, p, 100.0);
-        lab.drag(Handle::Turn, grip, 100.0);
+        lab.drag(LineHandle::Tip, p, 100.0);
+        lab.drag(LineHandle::Turn, grip, 100.0);
         assert_eq!(lab, before);
     }
 }

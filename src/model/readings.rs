@@ -7,7 +7,7 @@ use pinhole_lecture::numbers::written;
 use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::session::Settings;
-use crate::model::symbols::{Kind, meaning};
+use crate::model::symbols::{SymbolKind, meaning};
 
 /// The number format.
 #[derive(Clone, Copy)]
@@ -45,7 +45,9 @@ impl Reading {
 
     /// Returns the meaning in one sentence.
     pub(crate) fn meaning(&self) -> &'static str {
-        meaning(Kind::Readout, self.name).or_else(|| meaning(Kind::Vector, self.name)).unwrap_or("")
+        meaning(SymbolKind::Readout, self.name)
+            .or_else(|| meaning(SymbolKind::Vector, self.name))
+            .unwrap_or("")
     }
 }
 

@@ -20,7 +20,7 @@ use super::files::{OpenDocument, Stamp, argument_of, title_of};
 /// Maximum number of slots; any further window does not record its changes.
 const SLOTS: usize = 64;
 
-/// Begins the last line of a slot's scene file, a comment. A [`Source`] as JSON follows.
+/// Begins the last line of a slot's scene file, a comment. A [`ChangedScene`] as JSON follows.
 const SOURCE: &str = "\n# unsaved changes to: ";
 
 /// A window's slot, which stays locked as long as this value lives.
@@ -37,7 +37,7 @@ pub struct Found {
     slot: Slot,
     /// The text of the scene file.
     text: Result<String, FileError>,
-    source: Source,
+    source: ChangedScene,
     /// Time since the last change was written.
     pub age: Duration,
 }
@@ -46,12 +46,12 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct Unsaved {
     document: Document,
-    source: Source,
+    source: ChangedScene,
 }
 
 /// The scene that changes were made to.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Source {
+struct ChangedScene {
     /// The name of the scene.
     title: String,
     /// The scene in the command line's notation.
@@ -122,7 +122,7 @@ impl Unsaved {
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
         let mut document = open.document.clone();
-        let source = Source {
+        let source = ChangedScene {
             title: title_of(origin),
             argument: argument_of(origin),
             stamp: open.stamp(),
@@ -198,7 +198,7 @@ impl Found {
             let line = text.split_off(text.rfind(SOURCE)?);
             serde_json::from_str(&line[SOURCE.len()..]).ok()
         });
-        let unknown = || Source { title: "a scene".to_owned(), ..Source::default() };
+        let unknown = || ChangedScene { title: "a scene".to_owned(), ..ChangedScene::default() };
         Some(Found { source: source.unwrap_or_else(unknown), age, slot, text })
     }
 
@@ -221,7 +221,7 @@ impl Found {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
         let mut document = document.map_err(|error| error.to_string())?;
-        let Source { title, argument, stamp, faults } = self.source;
+        let ChangedScene { title, argument, stamp, faults } = self.source;
         faults.put_into(&mut document);
         let open = if beside {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))

@@ -3,7 +3,7 @@
 
 /// The kind of a symbol. The vector u and the scalar u are two different symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum SymbolKind {
     /// A vector or a point, bold.
     Vector,
     /// A number in a formula, italic.
@@ -11,6 +11,8 @@ pub(crate) enum Kind {
     /// A number among the readouts.
     Readout,
 }
+
+use SymbolKind::{Readout, Scalar, Vector};
 
 pub(crate) const EYE: &str = "eye: where every view ray begins";
 pub(crate) const AT: &str = "at: the point that the camera looks at";
@@ -28,58 +30,58 @@ const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is th
 const UV: &str = "(𝑢, 𝑣): the position in the viewport, from its middle, in world units";
 
 /// All symbols that have a meaning of their own.
-const MEANINGS: [(Kind, &str, &str); 38] = [
-    (Kind::Vector, "eye", EYE),
-    (Kind::Vector, "at", AT),
-    (Kind::Vector, "view", VIEW),
-    (Kind::Vector, "up", UP),
-    (Kind::Vector, "u", U),
-    (Kind::Vector, "v", V),
-    (Kind::Vector, "w", W),
-    (Kind::Vector, "p", P),
-    (Kind::Vector, "d", D),
-    (Kind::Vector, "n", "𝐧: the plane's normal, perpendicular to it, of any length"),
-    (Kind::Vector, "centre", "centre: the middle of the sphere"),
-    (Kind::Vector, "point", "point: some point of the plane"),
-    (Kind::Vector, "hit", "hit: the point where the ray meets the object first"),
-    (Kind::Vector, "normal", NORMAL),
-    (Kind::Scalar, "t", T),
-    (Kind::Scalar, "u", "𝑢: how far right of the viewport's middle, in world units"),
-    (Kind::Scalar, "v", "𝑣: how far above the viewport's middle, in world units"),
-    (Kind::Scalar, "distance", DISTANCE),
-    (Kind::Scalar, "i", "𝑖: the pixel's row, counted from the top"),
-    (Kind::Scalar, "j", "𝑗: the pixel's column, counted from the left"),
-    (Kind::Scalar, "W", "𝑊: how many columns the image has"),
-    (Kind::Scalar, "H", "𝐻: how many rows the image has"),
-    (Kind::Scalar, "width", "width: the viewport's, in world units"),
-    (Kind::Scalar, "height", "height: the viewport's, in world units"),
-    (Kind::Scalar, "r", "𝑟: the sphere's radius"),
-    (Kind::Scalar, "a", "𝑎: the coefficient of 𝑡², the direction's squared length"),
-    (Kind::Scalar, "b", "𝑏: half the coefficient of 𝑡; negative where the centre is ahead"),
-    (Kind::Scalar, "c", "𝑐: what remains at 𝑡 = 0; negative where the eye is inside the sphere"),
+const MEANINGS: [(SymbolKind, &str, &str); 38] = [
+    (Vector, "eye", EYE),
+    (Vector, "at", AT),
+    (Vector, "view", VIEW),
+    (Vector, "up", UP),
+    (Vector, "u", U),
+    (Vector, "v", V),
+    (Vector, "w", W),
+    (Vector, "p", P),
+    (Vector, "d", D),
+    (Vector, "n", "𝐧: the plane's normal, perpendicular to it, of any length"),
+    (Vector, "centre", "centre: the middle of the sphere"),
+    (Vector, "point", "point: some point of the plane"),
+    (Vector, "hit", "hit: the point where the ray meets the object first"),
+    (Vector, "normal", NORMAL),
+    (Scalar, "t", T),
+    (Scalar, "u", "𝑢: how far right of the viewport's middle, in world units"),
+    (Scalar, "v", "𝑣: how far above the viewport's middle, in world units"),
+    (Scalar, "distance", DISTANCE),
+    (Scalar, "i", "𝑖: the pixel's row, counted from the top"),
+    (Scalar, "j", "𝑗: the pixel's column, counted from the left"),
+    (Scalar, "W", "𝑊: how many columns the image has"),
+    (Scalar, "H", "𝐻: how many rows the image has"),
+    (Scalar, "width", "width: the viewport's, in world units"),
+    (Scalar, "height", "height: the viewport's, in world units"),
+    (Scalar, "r", "𝑟: the sphere's radius"),
+    (Scalar, "a", "𝑎: the coefficient of 𝑡², the direction's squared length"),
+    (Scalar, "b", "𝑏: half the coefficient of 𝑡; negative where the centre is ahead"),
+    (Scalar, "c", "𝑐: what remains at 𝑡 = 0; negative where the eye is inside the sphere"),
     (
-        Kind::Scalar,
+        Scalar,
         "D",
         "𝐷: a quarter of the textbook's discriminant, as 𝑏 is half; below 0 missed, 0 touched",
     ),
-    (Kind::Readout, "t", T),
-    (Kind::Readout, "(u, v)", UV),
-    (Kind::Readout, "|d|", "|𝐝|: the direction's length, how long a step of 𝑡 = 1 is"),
-    (Kind::Readout, "distance", "distance: from the eye along the ray, 𝑡 |𝐝|, in world units"),
-    (Kind::Readout, "point", "point: where the ray's line meets the object, 𝐩 + 𝑡 𝐝"),
-    (Kind::Readout, "normal", NORMAL),
-    (Kind::Readout, "pixel", "pixel: what the ray goes through in the image, by row and column"),
-    (Kind::Readout, "angle(up, view)", "the angle between up and view; at 0° there is no camera"),
+    (Readout, "t", T),
+    (Readout, "(u, v)", UV),
+    (Readout, "|d|", "|𝐝|: the direction's length, how long a step of 𝑡 = 1 is"),
+    (Readout, "distance", "distance: from the eye along the ray, 𝑡 |𝐝|, in world units"),
+    (Readout, "point", "point: where the ray's line meets the object, 𝐩 + 𝑡 𝐝"),
+    (Readout, "normal", NORMAL),
+    (Readout, "pixel", "pixel: what the ray goes through in the image, by row and column"),
+    (Readout, "angle(up, view)", "the angle between up and view; at 0° there is no camera"),
     (
-        Kind::Readout,
+        Readout,
         "sensitivity",
         "degrees that the camera rolls for each degree that up is tipped sideways",
     ),
 ];
 
 /// Returns the meaning of a symbol.
-pub(crate) fn meaning(kind: Kind, name: &str) -> Option<&'static str> {
-    let known = |(listed, known, _): &&(Kind, &str, &str)| *listed == kind && *known == name;
+pub(crate) fn meaning(kind: SymbolKind, name: &str) -> Option<&'static str> {
+    let known = |(listed, known, _): &&(SymbolKind, &str, &str)| *listed == kind && *known == name;
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
@@ -152,8 +154,8 @@ mod tests {
             assert_eq!(meaning(*kind, name), Some(*text));
             assert!(!text.ends_with('.') && text.len() < 100, "{text}");
         }
-        assert_ne!(meaning(Kind::Vector, "u"), meaning(Kind::Scalar, "u"));
-        assert_eq!(meaning(Kind::Scalar, "q"), None);
+        assert_ne!(meaning(SymbolKind::Vector, "u"), meaning(SymbolKind::Scalar, "u"));
+        assert_eq!(meaning(SymbolKind::Scalar, "q"), None);
     }
 }
 

@@ -131,7 +131,7 @@ pub struct Translation {
     pub written: Result<Exported, String>,
     /// The table of conventions; empty if there is no camera, and for code, which uses the
     /// lecture's own conventions.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ConventionRow>,
 }
 
 impl Translation {
@@ -208,7 +208,7 @@ fn cut(value: f64, digits: usize) -> String {
 
 /// A row of the table.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct ConventionRow {
     /// Name of the convention.
     pub about: &'static str,
     /// Its form here.
@@ -257,13 +257,18 @@ fn counted(
 
 /// Returns the table for a camera, which compares a format's conventions with Pinhole's. The row on
 /// pixels has the numbers of `pixel`; `digits` is the number of significant digits.
-fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
+fn rows(
+    conventions: &Conventions,
+    subject: &ExportScene,
+    pixel: Pixel,
+    digits: usize,
+) -> Vec<ConventionRow> {
     let (image, viewport) = (subject.resolve().image(), subject.resolve().viewport());
     let size = [image.width(), image.height()];
     let mut table = axes(conventions, subject, digits);
     let mut line = |about, ours: &str, theirs: &str, flipped, differs| {
         let (ours, theirs) = (ours.to_owned(), theirs.to_owned());
-        table.push(Row { about, ours, theirs, flipped, differs });
+        table.push(ConventionRow { about, ours, theirs, flipped, differs });
     };
     let hand = |is_left| if is_left { "left-handed" } else { "right-handed" };
     let is_left = !conventions.is_right_handed();
@@ -297,7 +302,7 @@ fn rows(conventions: &Conventions, subject: &ExportScene, pixel: Pixel, digits: 
 }
 
 /// Returns the rows about the camera's axes, with their vectors.
-fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
+fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<ConventionRow> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.direction);
@@ -310,7 +315,7 @@ fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<
     let names = ["x of the camera", "y of the camera", "z of the camera"];
     let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));
     pairs
-        .map(|(about, (ours, theirs))| Row {
+        .map(|(about, (ours, theirs))| ConventionRow {
             about,
             ours: text(ours),
             theirs: text(theirs),

@@ -18,7 +18,7 @@ pub struct Real(Dyadic);
 const BITS: i64 = 440;
 
 /// A format of floats: digits and range.
-struct Format {
+struct FloatFormat {
     digits: i64,
     /// `log2` of the smallest subnormal.
     smallest: i64,
@@ -26,10 +26,10 @@ struct Format {
     largest_unit: i64,
 }
 
-const DOUBLE: Format = Format { digits: 53, smallest: -1074, largest_unit: 971 };
-const SINGLE: Format = Format { digits: 24, smallest: -149, largest_unit: 104 };
+const DOUBLE: FloatFormat = FloatFormat { digits: 53, smallest: -1074, largest_unit: 971 };
+const SINGLE: FloatFormat = FloatFormat { digits: 24, smallest: -149, largest_unit: 104 };
 
-impl Format {
+impl FloatFormat {
     /// Returns `log2` of the spacing of the floats at `|x|`, as if there were no largest float.
     fn unit_at(&self, x: &Dyadic) -> i64 {
         x.log2().map_or(self.smallest, |log2| (log2 + 1 - self.digits).max(self.smallest))

@@ -11,7 +11,7 @@ use pinhole_core::DVec2;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::lines::{Handle, LinesLab, Window};
+use crate::model::lines::{LineHandle, LinesLab, Window};
 use crate::model::symbols::typeset_message;
 use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
@@ -265,7 +265,7 @@ impl PlaneView {
     pub(crate) fn paint(
         &self,
         lab: &LinesLab,
-        is_held: impl Fn(Handle) -> bool,
+        is_held: impl Fn(LineHandle) -> bool,
         digits: usize,
     ) -> Option<String> {
         let line = lab.line();
@@ -281,14 +281,14 @@ impl PlaneView {
             self.implicit(&line);
         }
         let mut labels = self.labels();
-        for position in Handle::ALL.into_iter().filter_map(|handle| lab.position_of(handle)) {
+        for position in LineHandle::ALL.into_iter().filter_map(|handle| lab.position_of(handle)) {
             labels.keep_free(Rect::from_center_size(self.to_screen(position), Vec2::splat(15.0)));
         }
         let is_ray = lab.ray.check().is_ok();
         if is_ray {
             self.parametric(lab);
         }
-        for handle in Handle::ALL {
+        for handle in LineHandle::ALL {
             if let Some(at) = self.in_sight(lab, handle) {
                 self.handle(handle, at, is_held(handle));
             }
@@ -515,31 +515,31 @@ impl PlaneView {
     }
 
     /// Returns the position of a handle on the screen, if the user can reach it.
-    pub(crate) fn in_sight(&self, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
+    pub(crate) fn in_sight(&self, lab: &LinesLab, handle: LineHandle) -> Option<Pos2> {
         let at = self.to_screen(lab.position_of(handle)?);
         self.rect.expand(GRASP).contains(at).then_some(at)
     }
 
-    fn handle(&self, handle: Handle, at: Pos2, is_held: bool) {
+    fn handle(&self, handle: LineHandle, at: Pos2, is_held: bool) {
         let larger = if is_held { 1.3 } else { 1.0 };
         let (painter, Colors { ink, mark, ray, halo, .. }) = (&self.painter, self.colors);
         let edge = Stroke::new(2.0, *halo);
         match handle {
-            Handle::Move => {
+            LineHandle::Move => {
                 let square = Rect::from_center_size(at, Vec2::splat(15.0 * larger));
                 painter.rect(square, 2.0, *mark, edge, StrokeKind::Outside);
             }
-            Handle::Turn => {
+            LineHandle::Turn => {
                 painter.circle(at, 8.0 * larger, *halo, Stroke::new(4.0, *mark));
             }
-            Handle::P => {
+            LineHandle::P => {
                 painter.circle(at, 8.0 * larger, *ray, edge);
             }
-            Handle::Tip if is_held => {
+            LineHandle::Tip if is_held => {
                 painter.circle_stroke(at, 12.0, Stroke::new(2.0, *ray));
             }
-            Handle::Tip => {}
-            Handle::T => {
+            LineHandle::Tip => {}
+            LineHandle::T => {
                 painter.circle(at, 7.0 * larger, *ink, Stroke::new(3.0, *ray));
             }
         }
@@ -553,9 +553,9 @@ impl PlaneView {
         let t = format!("t = {}", number(lab.t, digits));
         for (handle, text, font, toward) in [
             // To the left of d, and backwards.
-            (Handle::P, "p", of_ray, -right.rot90() - right),
-            (Handle::T, t.as_str(), of_t, right),
-            (Handle::Tip, "d", of_ray, right),
+            (LineHandle::P, "p", of_ray, -right.rot90() - right),
+            (LineHandle::T, t.as_str(), of_t, right),
+            (LineHandle::Tip, "d", of_ray, right),
         ] {
             if let Some(position) = lab.position_of(handle) {
                 labels.write(text, font, around(self.to_screen(position), toward, 13.0));

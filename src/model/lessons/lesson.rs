@@ -35,7 +35,7 @@ pub struct Step {
     /// The instructions: what to look at or drag. `*u*` marks scalars and `**u**` marks vectors.
     pub text: String,
     /// The question that the class considers before any number is shown.
-    pub question: Option<Question>,
+    pub question: Option<StepQuestion>,
     /// The document that the step opens.
     pub document: Document,
     /// Index of the step that named the scene. All steps of one scene share an observer unless they
@@ -49,7 +49,7 @@ pub struct Step {
 
 /// A question to the class and its answer, with the same marks for symbols as a step's text.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Question {
+pub struct StepQuestion {
     /// The question.
     pub ask: String,
     /// The answer, which takes the question's position.

@@ -11,7 +11,7 @@ mod lesson;
 mod read;
 
 pub use lesson::{
-    AskedExercise, Lesson, LessonArgument, OpenLesson, Question, Step, StepId, StepView, Which,
+    AskedExercise, Lesson, LessonArgument, OpenLesson, Step, StepId, StepQuestion, StepView, Which,
     title_of,
 };
 pub use read::{VERSION, is_lesson, load, parse};

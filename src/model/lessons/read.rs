@@ -12,7 +12,7 @@ use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::mistakes::Mistake;
 
-use super::lesson::{AskedExercise, Lesson, Question, Step, StepView};
+use super::lesson::{AskedExercise, Lesson, Step, StepQuestion, StepView};
 use crate::model::concept::Concept;
 use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::lines::LinesLab;
@@ -136,10 +136,10 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
 }
 
 /// Reads the question to the class. Unlike other fields, it does not carry over to the next step.
-fn question(section: &Section) -> Result<Option<Question>, FileError> {
+fn question(section: &Section) -> Result<Option<StepQuestion>, FileError> {
     let [ask, answer, hide] = ["ask", "answer", "hide"].map(|key| section.get(key));
     match (ask, answer) {
-        (Some(ask), Some(answer)) => Ok(Some(Question {
+        (Some(ask), Some(answer)) => Ok(Some(StepQuestion {
             ask: line(&ask, LONGEST_ANSWER)?,
             answer: line(&answer, LONGEST_ANSWER)?,
             hidden: hide.map_or(Ok(OverlayItems::NONE), |hide| items(&hide))?,

@@ -89,14 +89,14 @@ impl ViewSize {
 
 /// A ball that must be in sight.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ball {
+pub(super) struct Bound {
     pub(super) center: DVec3,
     pub(super) radius: f64,
 }
 
 /// Everything that must be in sight, including the camera.
 struct Subject {
-    balls: Vec<Ball>,
+    balls: Vec<Bound>,
     arrows: Arrows,
     eye: DVec3,
     /// Direction from the scene to the camera: w, or +z for an invalid camera.
@@ -164,7 +164,7 @@ impl Observer {
         let mut subject = Subject::new(camera, scene, items);
         // Spheres that surround the camera are drawn cut away.
         let eye = subject.eye;
-        let around = |ball: &Ball| ball.center.distance(eye) <= ball.radius;
+        let around = |ball: &Bound| ball.center.distance(eye) <= ball.radius;
         subject.balls.extend(balls_of(scene).filter(around));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
         let depth = |observer: &Observer| {
@@ -184,7 +184,7 @@ impl Observer {
     /// it looks at if the camera is given by one.
     pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
         let mut points = [camera.eye].into_iter().chain(given_at(camera));
-        points.all(|center| self.sees(&Ball { center, radius: 0.0 }, size.aspect(), 0.0))
+        points.all(|center| self.sees(&Bound { center, radius: 0.0 }, size.aspect(), 0.0))
     }
 
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the
@@ -216,19 +216,19 @@ impl Observer {
     fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
         let corners =
             camera.resolve().map_or(Vec::new(), |resolved| frustum_corners(&resolved, 1.0).into());
-        let balls = corners.into_iter().chain([Ball { center: camera.eye, radius: 0.0 }]);
+        let balls = corners.into_iter().chain([Bound { center: camera.eye, radius: 0.0 }]);
         let distances = balls.map(|ball| self.distance_for_ball(&ball, aspect, 0.5 * MARGIN));
         distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
     }
 
     /// Returns true if a ball is in sight as a whole.
-    fn sees(&self, ball: &Ball, aspect: f64, margin: f64) -> bool {
+    fn sees(&self, ball: &Bound, aspect: f64, margin: f64) -> bool {
         self.distance_for_ball(ball, aspect, margin) <= self.distance
     }
 
     /// Returns the distance from which a ball is in sight. With the target in the middle, a point
     /// (x, y, z) is in sight from `z + |x| / k`, and similarly for y.
-    fn distance_for_ball(&self, ball: &Ball, aspect: f64, margin: f64) -> f64 {
+    fn distance_for_ball(&self, ball: &Bound, aspect: f64, margin: f64) -> f64 {
         let (back, (right, up)) = (self.back(), self.right_and_up());
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - margin);
         let q = ball.center - self.target();
@@ -252,7 +252,7 @@ impl Subject {
         let (back, right) = resolved
             .map_or((DVec3::Z, DVec3::X), |resolved| (resolved.basis().w, resolved.basis().u));
         balls.extend(resolved.iter().flat_map(|resolved| frustum_corners(resolved, 1.0)));
-        balls.extend(given_at(camera).map(|at| Ball { center: at, radius: 0.0 }));
+        balls.extend(given_at(camera).map(|at| Bound { center: at, radius: 0.0 }));
         let spheres = spheres_in_scale(scene, eye, near_size);
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
         if let Some(resolved) = resolved {
@@ -261,9 +261,9 @@ impl Subject {
                 balls.extend(frustum_corners(&resolved, t));
             }
             walls = walls_seen(&resolved, scene, 2.0 * farthest.max(10.0 * near_size));
-            balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
+            balls.extend(walls.iter().map(|hit| Bound { center: hit.point, radius: 0.0 }));
         }
-        balls.push(Ball { center: eye, radius: 0.0 });
+        balls.push(Bound { center: eye, radius: 0.0 });
         balls.retain(|ball| tame(ball.center));
         let camera_balls = balls.len();
         balls.extend(spheres);
@@ -282,7 +282,7 @@ impl Subject {
         for _ in 0..ROUNDS {
             let stand = observer.target() + observer.distance() * observer.back();
             let depth = (stand - self.eye).dot(observer.back());
-            let tips: Vec<Ball> = self.arrows.tips(self.eye, depth, size).collect();
+            let tips: Vec<Bound> = self.arrows.tips(self.eye, depth, size).collect();
             observer = self.fit_around(direction, size.aspect(), &tips);
         }
         observer
@@ -294,7 +294,7 @@ impl Subject {
     /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and similarly for the other borders: with
     /// `A = max(x + k z + r')` and `B = max(-x + k z + r')`, the nearest eye is
     /// `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
-    fn fit_around(&self, direction: &Observer, aspect: f64, tips: &[Ball]) -> Observer {
+    fn fit_around(&self, direction: &Observer, aspect: f64, tips: &[Bound]) -> Observer {
         let back = direction.back();
         let (right, up) = direction.right_and_up();
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - MARGIN);
@@ -357,8 +357,8 @@ fn near_size(resolved: &ResolvedCamera) -> f64 {
 }
 
 /// Returns the points of the frustum's edges at this t.
-fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
-    rays_around(resolved, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Bound; 4] {
+    rays_around(resolved, 1.0).map(|ray| Bound { center: ray.at(t), radius: 0.0 })
 }
 
 /// Returns the points where the rays half way to the corners meet planes, within the distance
@@ -383,16 +383,16 @@ fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
 }
 
 /// Returns the scene's spheres, if there are not too many.
-fn balls_of(scene: &Scene) -> impl Iterator<Item = Ball> {
-    let ball = |sphere: &Sphere| Ball { center: sphere.center, radius: sphere.radius };
+fn balls_of(scene: &Scene) -> impl Iterator<Item = Bound> {
+    let ball = |sphere: &Sphere| Bound { center: sphere.center, radius: sphere.radius };
     scene.spheres().iter().take(ASKED_SPHERES).map(ball)
 }
 
 /// Returns the spheres by ascending size, up to the first sphere that is out of scale with the
 /// smaller ones.
-fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
-    let is_tame = |ball: &Ball| ball.center.abs().max_element() < 1e12;
-    let mut balls: Vec<Ball> = balls_of(scene).filter(is_tame).collect();
+fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
+    let is_tame = |ball: &Bound| ball.center.abs().max_element() < 1e12;
+    let mut balls: Vec<Bound> = balls_of(scene).filter(is_tame).collect();
     balls.sort_by(|a, b| a.radius.total_cmp(&b.radius));
     let mut extent = near_size;
     let in_scale = balls.iter().take_while(|ball| {
@@ -406,14 +406,14 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
     // A sphere around the camera cannot be seen as a whole from near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
     // A distant speck must not move the observer so far away that everything becomes a speck.
-    let can_be_seen = |ball: &Ball| ball.radius >= SPECK * (ball.center - eye).length();
+    let can_be_seen = |ball: &Bound| ball.radius >= SPECK * (ball.center - eye).length();
     if balls.iter().any(can_be_seen) {
         balls.retain(can_be_seen);
     }
     balls
 }
 
-fn lies_between(ball: &Ball, a: DVec3, b: DVec3) -> bool {
+fn lies_between(ball: &Bound, a: DVec3, b: DVec3) -> bool {
     let along = b - a;
     let share = ((ball.center - a).dot(along) / along.length_squared().max(1e-300)).clamp(0.0, 1.0);
     ball.radius > 0.0 && (a + share * along).distance(ball.center) < ball.radius
@@ -480,7 +480,7 @@ impl Arrows {
         eye: DVec3,
         depth: f64,
         size: ViewSize,
-    ) -> impl Iterator<Item = Ball> + '_ {
+    ) -> impl Iterator<Item = Bound> + '_ {
         let per_point = size.world_per_point(depth.max(1e-12));
         let (least, most) = size.arrow_points();
         let length = 1.0_f64.clamp(least * per_point, most * per_point);
@@ -488,6 +488,6 @@ impl Arrows {
         let axes = axes.into_iter().filter(|_| self.has_axes);
         let tips = self.at_eye.iter().map(move |(axis, times)| eye + times * length * *axis);
         let room = TIP_ROOM.min(TIP_ROOM_SHARE * size.height);
-        tips.chain(axes).map(move |center| Ball { center, radius: room * per_point })
+        tips.chain(axes).map(move |center| Bound { center, radius: room * per_point })
     }
 }

@@ -3,10 +3,10 @@
 
 use crate::camera::{Camera, Orientation};
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
-use crate::families::{FrameCase, OFFSETS, PLANETS, Row, SMALL, TO_ROUNDING, ULPS};
+use crate::families::{FamilyRow, FrameCase, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
-pub(crate) const FAMILIES: [Row<FrameCase>; 12] = [
+pub(crate) const FAMILIES: [FamilyRow<FrameCase>; 12] = [
     ("frame-ordinary", "number of objects", &[1.0, 3.0, 8.0], everyday),
     ("frame-tangent", "radius, in ulps from tangent", &ULPS, tangent),
     ("frame-ties", "second radius, ulps from first", &ULPS, ties),

@@ -66,7 +66,7 @@ const SMALL: [f64; 6] = [-12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
 const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
 /// A family: its name, the meaning of its knob, the knob's values, and the function that makes a case.
-type Row<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
+type FamilyRow<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
 
 /// What the cases of each family have in common.
 const ABOUT: [(&str, &str); 35] = [

@@ -9,15 +9,10 @@ use crate::report::model::Digits;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Marker {
     pub(crate) color: Color32,
-    outline: MarkerOutline,
-}
-
-/// The outline of a mark.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum MarkerOutline {
-    /// A regular polygon with this number of sides, whose first corner is this many degrees from straight up.
-    Regular(usize, f32),
-    Star,
+    /// Number of sides of the shape, a regular polygon; 0 for a star.
+    sides: usize,
+    /// Angle of the polygon's first corner from straight up, in degrees.
+    turned: f32,
 }
 
 /// Half the width of a mark, in points.
@@ -29,7 +24,7 @@ pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers can distinguish;
 /// yellow, too light for white paper, is replaced by wine (Tol 2021).
 const MARKERS: [(&str, Marker); 8] = [
-    ("ladder", Marker { color: Color32::BLACK, outline: MarkerOutline::Star }),
+    ("ladder", marker([0x00, 0x00, 0x00], 0, 0.0)),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
     ("half-b", marker([0xe6, 0x9f, 0x00], 4, 45.0)),
     ("kahan", marker([0x00, 0x9e, 0x73], 3, 0.0)),
@@ -60,7 +55,7 @@ pub(crate) fn in_words(formula: &str) -> &'static str {
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
 const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
-    Marker { color: Color32::from_rgb(r, g, b), outline: MarkerOutline::Regular(sides, turned) }
+    Marker { color: Color32::from_rgb(r, g, b), sides, turned }
 }
 
 /// Returns the marker of a formula.
@@ -113,7 +108,7 @@ impl Marker {
     /// the opposite notch.
     fn fill(&self, painter: &Painter, corners: &[Pos2], color: Color32) {
         let fill = |corners| painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
-        if self.outline == MarkerOutline::Star {
+        if self.sides == 0 {
             for tip in (0..10).step_by(2) {
                 fill([0, 1, 5, 9].map(|next| corners[(tip + next) % 10]).to_vec());
             }
@@ -128,15 +123,13 @@ impl Marker {
         let corner = |degrees: f32, radius: f32| {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())
         };
-        match self.outline {
-            MarkerOutline::Star => {
-                (0..10_usize).map(|k| corner(36.0 * k as f32, [1.6, 0.7][k % 2] * RADIUS)).collect()
-            }
-            MarkerOutline::Regular(sides, turned) => {
-                let size = [1.35, 1.15, 1.1, 1.0][sides.clamp(3, 6) - 3] * RADIUS;
-                (0..sides).map(|k| corner(turned + 360.0 * k as f32 / sides as f32, size)).collect()
-            }
+        if self.sides == 0 {
+            let tip_or_notch = |k: usize| corner(36.0 * k as f32, [1.6, 0.7][k % 2] * RADIUS);
+            return (0..10).map(tip_or_notch).collect();
         }
+        let size = [1.35, 1.15, 1.1, 1.0][self.sides.clamp(3, 6) - 3] * RADIUS;
+        let angle = |k: usize| self.turned + 360.0 * k as f32 / self.sides as f32;
+        (0..self.sides).map(|k| corner(angle(k), size)).collect()
     }
 }
 
@@ -149,7 +142,8 @@ mod tests {
         for (index, (name, marker)) in MARKERS.iter().enumerate() {
             for (other, later) in &MARKERS[index + 1..] {
                 assert_ne!(marker.color, later.color, "{name} and {other}");
-                assert_ne!(marker.outline, later.outline, "{name} and {other}");
+                let is_same = (marker.sides, marker.turned) == (later.sides, later.turned);
+                assert!(!is_same, "{name} and {other}");
             }
             assert_ne!(*marker, STRANGER, "{name}");
         }

@@ -9,7 +9,7 @@ use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
 use crate::model::session::Settings;
-use crate::model::symbols::{Kind, meaning, typeset_message};
+use crate::model::symbols::{SymbolKind, meaning, typeset_message};
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 use crate::ui::widgets::{ResponseExt as _, fault_text};
 
@@ -75,7 +75,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         let color = vector_color(ui, name);
         let color = color.unwrap_or(ui.visuals().text_color());
         let label = ui.label(RichText::new(name).strong().color(color));
-        if let Some(words) = meaning(Kind::Vector, name) {
+        if let Some(words) = meaning(SymbolKind::Vector, name) {
             label.on_hover_text(words);
         }
         ui.horizontal(|ui| vector_row(ui, name, value));

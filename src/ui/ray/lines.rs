@@ -6,7 +6,7 @@ use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Sli
 use pinhole_core::DVec2;
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::lines::{Handle, LARGEST, LinesLab};
+use crate::model::lines::{LineHandle, LARGEST, LinesLab};
 use crate::ui::scene::views;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
@@ -133,9 +133,9 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
 fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
     let before = PlaneView::new(ui, rect, lab.window);
-    let inputs = Handle::ALL.into_iter();
+    let inputs = LineHandle::ALL.into_iter();
     let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
-    let grabbed: Vec<(Handle, Response)> = inputs.collect();
+    let grabbed: Vec<(LineHandle, Response)> = inputs.collect();
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
@@ -167,7 +167,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
 }
 
 /// Handles the dragging of a handle. Returns the response of its area, if it is visible.
-fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
+fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> Option<Response> {
     let at = plane.in_sight(lab, handle)?;
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));

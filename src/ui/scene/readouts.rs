@@ -10,7 +10,7 @@ use crate::model::concept::{HoverSource, Hovered};
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
-use crate::model::symbols::{Kind, meaning};
+use crate::model::symbols::{SymbolKind, meaning};
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::{ResponseExt as _, fault_text};
 use crate::view::derive::Derived;
@@ -233,7 +233,7 @@ fn hits(
         ui.horizontal_wrapped(|ui| {
             ui.weak(format!("{title}:"));
             let response = weak(ui, &parts);
-            if let Some(words) = parts.contains("D =").then(|| meaning(Kind::Scalar, "D")).flatten()
+            if let Some(words) = parts.contains("D =").then(|| meaning(SymbolKind::Scalar, "D")).flatten()
             {
                 response.on_hover_text(words);
             }

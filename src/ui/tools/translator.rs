@@ -15,7 +15,7 @@ use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
 
 use crate::model::symbols::typeset_message;
-use crate::model::translator::{MOST_OBJECTS, Notice, Row, Translation, Translator, shortened};
+use crate::model::translator::{MOST_OBJECTS, Notice, ConventionRow, Translation, Translator, shortened};
 use crate::ui::action::ExchangeAction;
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
@@ -154,7 +154,7 @@ fn marked(ui: &Ui, written: &Text, size: f32) -> LayoutJob {
 }
 
 /// Shows a table that compares Pinhole with the format, with one row per property.
-fn table(ui: &mut Ui, rows: &[Row], label: &str) {
+fn table(ui: &mut Ui, rows: &[ConventionRow], label: &str) {
     if rows.is_empty() {
         return;
     }

@@ -10,7 +10,7 @@ use egui::{
 
 use crate::model::derivation_sections::DerivationSection;
 use crate::model::symbols::plain_scalars;
-use crate::model::symbols::{Kind, meaning};
+use crate::model::symbols::{SymbolKind, meaning};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
 use crate::view::formula::{
     Column, Face, Layout, SymbolInk, TextMeasure, TextRun, left_width, lines,
@@ -206,7 +206,7 @@ pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'s
         across.contains(&at.x) && down.contains(&at.y)
     };
     let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
-    let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
+    let kind = if run.face == Face::Bold { SymbolKind::Vector } else { SymbolKind::Scalar };
     meaning(kind, &plain_scalars(&run.text))
 }
 
