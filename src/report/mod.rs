@@ -3,7 +3,6 @@
 //! [`model`] contains the results; the other modules measure them, or turn them into text and pictures.
 
 #[cfg(feature = "report")]
-#[cfg(feature = "report")]
 pub mod measure;
 pub mod model;
 pub mod plot;

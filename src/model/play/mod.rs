@@ -63,11 +63,6 @@ impl Kind {
         self.texts()[1]
     }
 
-    /// Returns the kind with this [name](Kind::name).
-    pub fn from_name(name: &str) -> Option<Kind> {
-        Kind::ALL.into_iter().find(|kind| kind.name() == name)
-    }
-
     /// Returns the name that the history gives to the step from before the animation to where it
     /// stopped.
     pub fn step_name(self) -> &'static str {

@@ -41,9 +41,9 @@ impl AnswerMark {
         AnswerMark { shape, label: label.into(), is_dashed: false }
     }
 
-    /// Returns a student's answer, labelled `your u` for the name `u`.
-    pub fn yours(shape: MarkShape, name: &str) -> AnswerMark {
-        AnswerMark { shape, label: format!("your {name}"), is_dashed: true }
+    /// Returns a student's answer.
+    pub fn yours(shape: MarkShape, label: impl Into<String>) -> AnswerMark {
+        AnswerMark { shape, label: label.into(), is_dashed: true }
     }
 }
 
@@ -62,32 +62,30 @@ pub fn spoken(marks: &[AnswerMark]) -> String {
 /// The vectors of a basis, in the order in which [`MarkShape::BasisVector`] numbers them.
 const BASIS: [Asked; 3] = [Asked::U, Asked::V, Asked::W];
 
-/// A part of the question with its answers.
-struct Answered<'a> {
+/// The answers to a part of the question; all of them are `None` if the question has no such part.
+#[derive(Default)]
+struct Answered {
+    /// The typed numbers.
     typed: Option<Vec<f64>>,
     /// The right numbers, once they may be seen.
-    right: Option<&'a [f64]>,
+    right: Option<Vec<f64>>,
     /// The typed numbers, unless they are known to be right.
     yours: Option<Vec<f64>>,
 }
 
-impl Answered<'_> {
-    fn right_vector(&self) -> Option<DVec3> {
-        self.right.and_then(vector)
-    }
-
-    fn your_vector(&self) -> Option<DVec3> {
-        self.yours.as_deref().and_then(vector)
-    }
-
-    fn typed_vector(&self) -> Option<DVec3> {
-        self.typed.as_deref().and_then(vector)
-    }
+/// Returns three finite numbers as a vector; `None` for any other numbers.
+fn vector(numbers: &Option<Vec<f64>>) -> Option<DVec3> {
+    let vector = DVec3::from_array(numbers.as_deref()?.try_into().ok()?);
+    vector.is_finite().then_some(vector)
 }
 
-fn vector(numbers: &[f64]) -> Option<DVec3> {
-    let vector = DVec3::from_array(numbers.try_into().ok()?);
-    vector.is_finite().then_some(vector)
+fn first(numbers: &Option<Vec<f64>>) -> Option<f64> {
+    numbers.as_ref()?.first().copied()
+}
+
+/// Returns a typed answer, with the label `your NAME`.
+fn your(shape: MarkShape, name: &str) -> AnswerMark {
+    AnswerMark::yours(shape, format!("your {name}"))
 }
 
 impl Exercises {
@@ -96,17 +94,22 @@ impl Exercises {
         self.is_solved || typed.feedback.as_ref().is_some_and(Feedback::is_good)
     }
 
-    fn answered(&self, asked: Asked) -> Option<Answered<'_>> {
+    fn asks(&self, asked: Asked) -> bool {
+        self.question().parts.iter().any(|part| part.asked == asked)
+    }
+
+    fn answered(&self, asked: Asked) -> Answered {
         let mut parts = self.question().parts.iter().zip(&self.answers);
-        let (part, answer) = parts.find(|(part, _)| part.asked == asked)?;
+        let Some((part, answer)) = parts.find(|(part, _)| part.asked == asked) else {
+            return Answered::default();
+        };
         let right = match &part.truth {
-            Answer::Numbers(numbers) if self.may_be_seen(answer) => Some(numbers.as_slice()),
+            Answer::Numbers(numbers) if self.may_be_seen(answer) => Some(numbers.clone()),
             _ => None,
         };
         let is_right = answer.feedback.as_ref().is_some_and(Feedback::is_good);
         let typed = answer.numbers();
-        let yours = typed.clone().filter(|_| !is_right);
-        Some(Answered { typed, right, yours })
+        Answered { yours: typed.clone().filter(|_| !is_right), typed, right }
     }
 
     /// Returns those of the `usual` overlay items that do not give the answers away.
@@ -114,25 +117,25 @@ impl Exercises {
         use Item::*;
         let hidden = [Handles, Loupe, Ray, Hit, Picture, PixelGrid, Marks];
         let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));
-        let asked = BASIS.map(|asked| self.answered(asked));
-        if asked.iter().all(Option::is_none) {
+        let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
+        if asked.peek().is_none() {
             return items;
         }
         // Frustum and viewport show all three vectors.
-        let is_secret = asked.iter().flatten().any(|answer| answer.right.is_none());
-        let items = items.with(Item::Basis, false);
+        let is_secret = asked.any(|asked| self.answered(asked).right.is_none());
         let shows = |item| items.shows(item) && !is_secret;
-        items.with(Item::Frustum, shows(Item::Frustum)).with(Item::Viewport, shows(Item::Viewport))
+        let items = items.with(Frustum, shows(Frustum)).with(Viewport, shows(Viewport));
+        items.with(Basis, false)
     }
 
     /// Returns the answers to draw in the scene of [`Exercises::document`].
     pub(crate) fn answer_marks(&self) -> Vec<AnswerMark> {
         let mut marks = Vec::new();
         for (index, (asked, name)) in BASIS.into_iter().zip(["u", "v", "w"]).enumerate() {
-            let Some(answer) = self.answered(asked) else { continue };
+            let Answered { right, yours, .. } = self.answered(asked);
             let shape = |vector| MarkShape::BasisVector(index, vector);
-            marks.extend(answer.right_vector().map(|u| AnswerMark::right(shape(u), name)));
-            marks.extend(answer.your_vector().map(|u| AnswerMark::yours(shape(u), name)));
+            marks.extend(vector(&right).map(|u| AnswerMark::right(shape(u), name)));
+            marks.extend(vector(&yours).map(|u| your(shape(u), name)));
         }
         self.mark_rays(&mut marks);
         self.mark_hits(&mut marks);
@@ -151,47 +154,40 @@ impl Exercises {
     fn mark_rays(&self, marks: &mut Vec<AnswerMark>) {
         let Some(given) = self.given_ray() else { return };
         let t = self.answered(Asked::T);
-        let on_ray = |ray: Ray| {
-            let at = t.as_ref()?.yours.as_ref()?[0];
-            Some(AnswerMark::yours(MarkShape::OnRay(ray, at), "t"))
-        };
-        let Some(direction) = self.answered(Asked::Direction) else {
+        let on_ray = |ray| first(&t.yours).map(|at| your(MarkShape::OnRay(ray, at), "t"));
+        if !self.asks(Asked::Direction) {
             marks.push(AnswerMark::right(MarkShape::Direction(given), "d"));
             marks.extend(on_ray(given));
             return;
-        };
-        let yours = direction.your_vector();
-        if let Some(d) = direction.right_vector() {
-            let ray = Ray { direction: d, ..given };
-            let right_t = t.as_ref().and_then(|t| t.right).map(|t| t[0]);
-            marks.push(AnswerMark::right(MarkShape::Ray(ray, right_t), "ray"));
+        }
+        let (p, d) = (self.answered(Asked::Origin), self.answered(Asked::Direction));
+        let yours = vector(&d.yours);
+        if let Some(direction) = vector(&d.right) {
+            let ray = Ray { direction, ..given };
+            marks.push(AnswerMark::right(MarkShape::Ray(ray, first(&t.right)), "ray"));
             marks.extend(on_ray(ray).filter(|_| yours.is_none()));
         }
-        let p = self.answered(Asked::Origin);
-        let origin = p.as_ref().and_then(Answered::typed_vector).unwrap_or(given.origin);
+        let origin = vector(&p.typed).unwrap_or(given.origin);
         if let Some(ray) = yours.and_then(|d| Ray::new(origin, d).ok()) {
-            let typed_t = t.as_ref().and_then(|t| t.typed.as_ref()).map(|t| t[0]);
-            marks.push(AnswerMark::yours(MarkShape::Ray(ray, typed_t), "ray"));
-        } else if let Some(at) = p.and_then(|p| p.your_vector()) {
-            marks.push(AnswerMark::yours(MarkShape::Point(at), "p"));
+            marks.push(your(MarkShape::Ray(ray, first(&t.typed)), "ray"));
+        } else {
+            marks.extend(vector(&p.yours).map(|p| your(MarkShape::Point(p), "p")));
         }
     }
 
     /// Adds the points that the rays hit, and the normals there.
     fn mark_hits(&self, marks: &mut Vec<AnswerMark>) {
-        let point = self.answered(Asked::Point);
-        let right = point.as_ref().and_then(Answered::right_vector);
+        let (point, normal) = (self.answered(Asked::Point), self.answered(Asked::Normal));
+        let right = vector(&point.right);
         marks.extend(right.map(|at| AnswerMark::right(MarkShape::Point(at), "hit")));
-        let yours = point.as_ref().and_then(Answered::your_vector);
-        marks.extend(yours.map(|at| AnswerMark::yours(MarkShape::Point(at), "hit")));
-        let Some(normal) = self.answered(Asked::Normal) else { return };
-        // The typed point, if there is one, gives no answer away.
-        let typed = point.as_ref().and_then(Answered::typed_vector);
-        if let (Some(at), Some(n)) = (right, normal.right_vector()) {
+        let yours = vector(&point.yours);
+        marks.extend(yours.map(|at| your(MarkShape::Point(at), "hit")));
+        if let (Some(at), Some(n)) = (right, vector(&normal.right)) {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));
         }
-        if let (Some(at), Some(n)) = (typed.or(right), normal.your_vector()) {
-            marks.push(AnswerMark::yours(MarkShape::Normal(at, n), "n"));
+        // The typed point, if there is one, gives no answer away.
+        if let (Some(at), Some(n)) = (vector(&point.typed).or(right), vector(&normal.yours)) {
+            marks.push(your(MarkShape::Normal(at, n), "n"));
         }
     }
 
@@ -202,8 +198,7 @@ impl Exercises {
         };
         let mut points = Vec::new();
         for (asked, name) in [(Asked::T, "t"), (Asked::Point, "point")] {
-            let Some(answer) = self.answered(asked) else { continue };
-            let at = match answer.yours.as_deref() {
+            let at = match self.answered(asked).yours.as_deref() {
                 Some([t]) => origin + *t * direction,
                 Some([x, y]) => DVec2::new(*x, *y),
                 _ => continue,
