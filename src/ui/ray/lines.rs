@@ -6,7 +6,7 @@ use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Sli
 use pinhole_core::DVec2;
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::lines::{LineHandle, LARGEST, LinesLab};
+use crate::model::lines::{LARGEST, LineHandle, LinesLab};
 use crate::ui::scene::views;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};

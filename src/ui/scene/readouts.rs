@@ -233,7 +233,8 @@ fn hits(
         ui.horizontal_wrapped(|ui| {
             ui.weak(format!("{title}:"));
             let response = weak(ui, &parts);
-            if let Some(words) = parts.contains("D =").then(|| meaning(SymbolKind::Scalar, "D")).flatten()
+            if let Some(words) =
+                parts.contains("D =").then(|| meaning(SymbolKind::Scalar, "D")).flatten()
             {
                 response.on_hover_text(words);
             }

@@ -15,7 +15,9 @@ use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
 
 use crate::model::symbols::typeset_message;
-use crate::model::translator::{MOST_OBJECTS, Notice, ConventionRow, Translation, Translator, shortened};
+use crate::model::translator::{
+    ConventionRow, MOST_OBJECTS, Notice, Translation, Translator, shortened,
+};
 use crate::ui::action::ExchangeAction;
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
