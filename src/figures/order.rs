@@ -47,22 +47,12 @@ impl FigureSubject {
 
     /// Returns the title of the view.
     pub fn title(self) -> &'static str {
-        match self {
-            FigureSubject::World => "World view",
-            FigureSubject::Camera => "Camera view",
-            FigureSubject::Derivation => "Derivation",
-            FigureSubject::Lines => "Lines",
-        }
+        ["World view", "Camera view", "Derivation", "Lines"][self as usize]
     }
 
     /// Returns the subject's name on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            FigureSubject::World => "world",
-            FigureSubject::Camera => "camera",
-            FigureSubject::Derivation => "derivation",
-            FigureSubject::Lines => "lines",
-        }
+        ["world", "camera", "derivation", "lines"][self as usize]
     }
 }
 
@@ -221,7 +211,7 @@ impl Order {
     /// Creates an egui context in which text looks as in the window.
     fn context(&self) -> Context {
         let ctx = Context::default();
-        theme::install_base(&ctx);
+        theme::install_fonts(&ctx);
         theme::install(&ctx, theme::Look { scheme: self.style.scheme(), ..theme::Look::default() });
         ctx.set_theme(if self.style.is_dark() { Theme::Dark } else { Theme::Light });
         ctx

@@ -10,7 +10,7 @@ use pinhole::model::lessons::LessonArgument;
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::{Shape, Target};
+use pinhole::view::overlay::Shape;
 
 use super::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
 
@@ -34,15 +34,9 @@ fn point_at_nothing(window: &mut Harness<'_, App>) {
 fn hover_mark(window: &mut Harness<'_, App>, view: &str, concept: Concept) {
     let derived = window.state().derived();
     let shown = if view == "World view" { &derived.world_view } else { &derived.camera_view };
-    let target: Target = shown
-        .as_ref()
-        .unwrap()
-        .targets
-        .iter()
-        .rfind(|target| target.concept == concept)
-        .unwrap()
-        .clone();
-    let [x, y] = match target.shape {
+    let marks = &shown.as_ref().unwrap().marks;
+    let mark = marks.iter().rfind(|mark| mark.concept == Some(concept)).unwrap().clone();
+    let [x, y] = match mark.shape {
         Shape::Line { points, .. } | Shape::Polygon { points } => {
             let [a, b] = [points[0], points[1]];
             [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
@@ -90,7 +84,7 @@ fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
     let lit = pictures(&window);
     for (lit, unlit) in lit.iter().zip(&unlit) {
         assert_ne!(lit.image, unlit.image);
-        assert!(lit.targets.iter().any(|target| target.concept == Concept::UpCrossW));
+        assert!(lit.marks.iter().any(|mark| mark.concept == Some(Concept::UpCrossW)));
     }
     let labels: Vec<&str> = lit[0].labels.iter().map(|label| label.text.as_str()).collect();
     assert!(labels.contains(&"sin(90°) = 1"), "{labels:?}");

@@ -238,8 +238,8 @@ pub(crate) fn hovered(
     let mark = |view: &Option<Shown>, at: Vec2| {
         let follows =
             |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
-        let targets = view.iter().flat_map(|shown| shown.targets.iter());
-        let asked = targets.filter(|target| !(ray_follows && follows(target.concept)));
+        let marks = view.iter().flat_map(|shown| shown.marks.iter());
+        let asked = marks.filter(|mark| !(ray_follows && mark.concept.is_some_and(follows)));
         overlay::concept_at(asked, at.into(), MARK_REACH * per_point)
     };
     let in_world = |rect| {

@@ -47,8 +47,6 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> 
     lines.extend(normalized(derivation, numbers));
     if let Some(cross) = &derivation.up_cross_w {
         lines.extend(crossed(cross, numbers));
-    }
-    if let Some(cross) = &derivation.up_cross_w {
         let formula = equation(U, normalize(times(UP, W)));
         let quotient = quotient(cross.product, cross.area, numbers);
         lines.push(match derivation.u {
@@ -59,12 +57,9 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> 
         });
     }
     if let Some(cross) = &derivation.w_cross_u {
-        let substituted =
-            times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
-        let sides = [V, times(W, U), substituted];
-        let line =
-            DerivedLine::chain(Concept::WCrossU, sides, numbers.equals_vector(cross.product));
-        lines.push(line.also(&[Concept::V]));
+        let sides = [V, times(W, U), factors(cross, numbers)];
+        let product = numbers.equals_vector(cross.product);
+        lines.push(DerivedLine::chain(Concept::WCrossU, sides, product).also(&[Concept::V]));
     }
     lines
 }
@@ -92,13 +87,16 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Derived
     Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
+/// Returns both factors of a cross product in numbers.
+fn factors(cross: &Cross, numbers: NumberFormat) -> Formula {
+    times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector))
+}
+
 /// Returns the lines of `up x w` and of its length, which is the area of the parallelogram.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
-    let substituted =
-        times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
-    let product = numbers.equals_vector(cross.product);
-    let mut lines =
-        vec![DerivedLine::chain(Concept::UpCrossW, [times(UP, W), substituted], product)];
+    let (sides, product) =
+        ([times(UP, W), factors(cross, numbers)], numbers.equals_vector(cross.product));
+    let mut lines = vec![DerivedLine::chain(Concept::UpCrossW, sides, product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
@@ -167,11 +165,8 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
         lines.push(verdict(line, check.passes, "right-handed", wrong));
     }
     if let Err(error) = derivation.basis {
-        let line = DerivedLine {
-            concept: None,
-            ..DerivedLine::new(Concept::W, word("there is no basis"))
-        };
-        lines.push(DerivedLine { is_fault: true, ..line.noted(symbols::typeset_message(error)) });
+        let line = failed(Concept::W, word("there is no basis"), Some(error));
+        lines.push(DerivedLine { concept: None, ..line });
     }
     lines
 }
@@ -288,38 +283,24 @@ fn of_pixel(
     // counted from 1, it lies half a pixel before it.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
-    let (viewport, image) = (resolved.viewport(), resolved.image());
-    let across = |k, count| parentheses(minus(share(k, count), half()));
-    let down = |k, count| parentheses(minus(half(), share(k, count)));
     let whole = |n: u32| number(&n.to_string());
-    let line = |name, extent, symbols, size, substituted, value| {
-        let symbols = row([Formula::Scalar(extent), symbols]);
-        let substituted = row([numbers.scalar(size), substituted]);
-        DerivedLine::chain(
-            Concept::Pixel,
-            [Formula::Scalar(name), symbols, substituted],
-            numbers.equals(value),
-        )
+    let (viewport, image) = (resolved.viewport(), resolved.image());
+    let named = |k, count| share(Formula::Scalar(k), Formula::Scalar(count));
+    let [of_j, of_i] = [
+        [named("j", "W"), share(whole(j), whole(image.width()))],
+        [named("i", "H"), share(whole(i), whole(image.height()))],
+    ];
+    let line = |name, [extent, size]: [Formula; 2], [symbols, substituted]: [Formula; 2], value| {
+        let symbols = row([extent, parentheses(symbols)]);
+        let substituted = row([size, parentheses(substituted)]);
+        let sides = [Formula::Scalar(name), symbols, substituted];
+        DerivedLine::chain(Concept::Pixel, sides, numbers.equals(value))
     };
-    let (w, h) = (Formula::Scalar("W"), Formula::Scalar("H"));
-    let (symbol_i, symbol_j) = (Formula::Scalar("i"), Formula::Scalar("j"));
+    let width = [Formula::Scalar("width"), numbers.scalar(viewport.width)];
+    let height = [Formula::Scalar("height"), numbers.scalar(viewport.height)];
     vec![
-        line(
-            "u",
-            "width",
-            across(symbol_j, w),
-            viewport.width,
-            across(whole(j), whole(image.width())),
-            ray.uv.x,
-        ),
-        line(
-            "v",
-            "height",
-            down(symbol_i, h),
-            viewport.height,
-            down(whole(i), whole(image.height())),
-            ray.uv.y,
-        ),
+        line("u", width, of_j.map(|share| minus(share, half())), ray.uv.x),
+        line("v", height, of_i.map(|share| minus(half(), share)), ray.uv.y),
     ]
 }
 

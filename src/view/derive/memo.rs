@@ -93,7 +93,6 @@ impl SpareImages {
             style.finish(&mut pixels);
             let shown = Shown {
                 image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
-                targets: Arc::new(drawing.targets()),
                 labels: Arc::new(drawing.labels),
                 marks: Arc::new(drawing.marks),
             };

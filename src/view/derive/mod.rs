@@ -18,7 +18,7 @@ use crate::view::derive::objects::Objects;
 use crate::view::derive::picture::{GoodPicture, Pictures};
 use crate::view::derive::second_picture::SecondPictures;
 use crate::view::derive::views::{CameraViews, Derivations, Plots, WorldViews};
-use crate::view::overlay::{Highlighted, Label, Mark, Style, Target};
+use crate::view::overlay::{Highlighted, Label, Mark, Style};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
@@ -257,8 +257,6 @@ pub struct Shown {
     pub image: Arc<ColorImage>,
     /// The labels, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
-    /// The regions that react to the pointer, in physical pixels of the image.
-    pub targets: Arc<Vec<Target>>,
-    /// The marks painted over the image, or to be painted by a figure.
+    /// The marks painted over the image, or to be painted by a figure. Marks with a concept react to the pointer.
     pub marks: Arc<Vec<Mark>>,
 }

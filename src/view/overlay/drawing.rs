@@ -82,36 +82,19 @@ pub struct Drawing {
     pub labels: Vec<Label>,
 }
 
-/// A region of the drawing where a concept can be hovered.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Target {
-    /// The concept.
-    pub concept: Concept,
-    /// The shape, in dots.
-    pub shape: Shape,
-}
-
-impl Drawing {
-    /// Returns every mark that can be hovered, in painting order.
-    pub fn targets(&self) -> Vec<Target> {
-        let pointable = self.marks.iter().filter_map(|mark| Some((mark.concept?, &mark.shape)));
-        pointable.map(|(concept, shape)| Target { concept, shape: shape.clone() }).collect()
-    }
-}
-
-/// Returns the concept nearest to a position, at most `within` away; both are in dots. If several are equally
+/// Returns the concept of the mark nearest to a position, at most `within` away; both are in dots. If several are equally
 /// near, the topmost one wins.
 pub fn concept_at<'a>(
-    targets: impl IntoIterator<Item = &'a Target>,
+    marks: impl IntoIterator<Item = &'a Mark>,
     position: [f32; 2],
     within: f32,
 ) -> Option<Concept> {
     let at = wide(position);
     let mut nearest = (f64::from(within), None);
-    for Target { concept, shape } in targets {
-        let distance = shape.distance(at);
+    for mark in marks.into_iter().filter(|mark| mark.concept.is_some()) {
+        let distance = mark.shape.distance(at);
         if distance <= nearest.0 {
-            nearest = (distance, Some(*concept));
+            nearest = (distance, mark.concept);
         }
     }
     nearest.1

@@ -30,7 +30,7 @@ mod world_view;
 
 pub use camera_view::loupe::{Loupe, loupe_window};
 pub use camera_view::{CameraView, camera};
-pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, Target, concept_at};
+pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, concept_at};
 pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
 pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};

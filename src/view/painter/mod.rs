@@ -242,26 +242,25 @@ impl PixelRect {
     /// Converts egui's clip rectangle to a GPU's scissor rectangle, rounded to whole pixels and limited to
     /// the picture.
     fn scissor(clip: Rect, scale: f32, size: [usize; 2]) -> Self {
-        // The cast saturates, so a negative number becomes 0.
-        let to = |x: f32, limit: usize| ((x * scale).round() as usize).min(limit);
-        Self {
-            left: to(clip.min.x, size[0]),
-            top: to(clip.min.y, size[1]),
-            right: to(clip.max.x, size[0]),
-            bottom: to(clip.max.y, size[1]),
-        }
+        Self::rounded(clip * scale, size, f32::round, f32::round)
     }
 
     /// Returns all pixels that a rectangle can touch, and one extra pixel on each side.
     fn around(rect: Rect, scale: f32, size: [usize; 2]) -> Self {
-        let down = |x: f32| ((x * scale).floor() - 1.0) as usize;
-        let up = |x: f32, limit: usize| (((x * scale).ceil() + 1.0) as usize).min(limit);
-        Self {
-            left: down(rect.min.x),
-            top: down(rect.min.y),
-            right: up(rect.max.x, size[0]),
-            bottom: up(rect.max.y, size[1]),
-        }
+        Self::rounded(rect * scale, size, |x| x.floor() - 1.0, |x| x.ceil() + 1.0)
+    }
+
+    /// Rounds a rectangle in pixels, and limits it to the picture.
+    fn rounded(
+        Rect { min, max }: Rect,
+        [width, height]: [usize; 2],
+        low: impl Fn(f32) -> f32,
+        high: impl Fn(f32) -> f32,
+    ) -> Self {
+        // The cast saturates, so a negative number becomes 0.
+        let to = |x: f32, limit: usize| (x as usize).min(limit);
+        let (left, top) = (to(low(min.x), width), to(low(min.y), height));
+        Self { left, top, right: to(high(max.x), width), bottom: to(high(max.y), height) }
     }
 
     /// Returns the intersection of both.

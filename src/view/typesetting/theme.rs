@@ -110,19 +110,23 @@ fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId
 }
 
 fn visuals(theme: Theme, look: Look) -> Visuals {
-    let mut visuals = base_visuals(theme);
+    let mut visuals = theme.default_visuals();
     let is_dark = theme == Theme::Dark;
+    // egui's greys are legible close to the screen, but not from the back row.
+    let mut text = Color32::from_gray(if is_dark { 0xea } else { 0x10 });
+    visuals.weak_text_alpha = 0.75;
     if look.presenting {
-        let (text, ground) = match is_dark {
-            true => (Color32::WHITE, Color32::BLACK),
-            false => (Color32::BLACK, Color32::WHITE),
+        let [ground, strong] = match is_dark {
+            true => [Color32::BLACK, Color32::WHITE],
+            false => [Color32::WHITE, Color32::BLACK],
         };
-        visuals.widgets.noninteractive.fg_stroke.color = text;
-        visuals.widgets.inactive.fg_stroke.color = text;
+        text = strong;
         visuals.weak_text_alpha = 0.88;
         visuals.panel_fill = ground;
         visuals.window_fill = ground;
     }
+    visuals.widgets.noninteractive.fg_stroke.color = text;
+    visuals.widgets.inactive.fg_stroke.color = text;
     if look.scheme == Scheme::Grey {
         let (fill, edge) = if is_dark { (0x50, 0xff) } else { (0xc8, 0x00) };
         visuals.selection.bg_fill = Color32::from_gray(fill);
@@ -216,23 +220,10 @@ pub(crate) fn error_color(ui: &Ui) -> Color32 {
     }
 }
 
-/// Installs the program's base look in a context, effective from the next pass.
+/// Installs the fonts and the default look in a context, effective from the next pass.
 pub(crate) fn install_base(ctx: &Context) {
     install_fonts(ctx);
-    for theme in [Theme::Dark, Theme::Light] {
-        ctx.style_mut_of(theme, |style| style.visuals = base_visuals(theme));
-    }
-}
-
-/// Returns the program's base colours.
-fn base_visuals(theme: Theme) -> Visuals {
-    let mut visuals = theme.default_visuals();
-    // egui's greys are legible close to the screen, but not from the back row.
-    let text = Color32::from_gray(if theme == Theme::Dark { 0xea } else { 0x10 });
-    visuals.widgets.noninteractive.fg_stroke.color = text;
-    visuals.widgets.inactive.fg_stroke.color = text;
-    visuals.weak_text_alpha = 0.75;
-    visuals
+    install(ctx, Look::default());
 }
 
 const SANS: &str = "Noto Sans";

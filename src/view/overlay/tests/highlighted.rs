@@ -60,10 +60,10 @@ fn every_thing_is_lit_in_the_views_that_can_show_it() {
     let stage = canonical();
     for concept in CONCEPTS {
         let world = world_drawing(&stage, concept);
-        assert!(world.targets().iter().any(|target| target.concept == concept), "{concept:?}");
+        assert!(world.marks.iter().any(|mark| mark.concept == Some(concept)), "{concept:?}");
         check_labels(&world, DVec2::new(SIZE.0.into(), SIZE.1.into()));
         let camera = camera_drawing(&stage, Some(concept));
-        assert!(camera.targets().iter().any(|target| target.concept == concept), "{concept:?}");
+        assert!(camera.marks.iter().any(|mark| mark.concept == Some(concept)), "{concept:?}");
         check_labels(&camera, DVec2::splat(240.0));
     }
     let nowhere = camera_drawing(&stage, Some(Concept::Object(99)));
@@ -198,7 +198,7 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     stage.inspection = Some(Arc::new(inspection));
     let drawing = world_drawing(&stage, Concept::AlongU);
     for concept in [Concept::AlongU, Concept::AlongV, Concept::AlongW] {
-        assert!(drawing.targets().iter().any(|target| target.concept == concept), "{concept:?}");
+        assert!(drawing.marks.iter().any(|mark| mark.concept == Some(concept)), "{concept:?}");
     }
     let widths = |concept: Concept| {
         drawing.marks.iter().filter(move |mark| mark.concept == Some(concept)).filter_map(|mark| {
@@ -222,22 +222,31 @@ fn without_a_basis_the_flat_parallelogram_is_still_drawn() {
     let drawing = world_drawing(&stage, Concept::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
     assert!(texts.contains(&"sin(180°) = 0"), "{texts:?}");
-    assert!(world_drawing(&stage, Concept::U).targets().iter().all(|t| t.concept != Concept::U));
+    assert!(
+        world_drawing(&stage, Concept::U).marks.iter().all(|mark| mark.concept != Some(Concept::U))
+    );
 }
 
 #[test]
 fn the_nearest_mark_is_pointed_at() {
     let line = |y: f32| Shape::Line { points: vec![[0.0, y], [100.0, y]], width: 2.0 };
-    let targets = [
-        Target { concept: Concept::U, shape: line(10.0) },
-        Target { concept: Concept::V, shape: line(30.0) },
-        Target { concept: Concept::Eye, shape: Shape::Disc { center: [0.0, 10.0], radius: 6.0 } },
-        Target {
-            concept: Concept::W,
-            shape: Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] },
-        },
+    let mark = |concept: Concept, shape: Shape| Mark {
+        item: Item::Ray,
+        concept: Some(concept),
+        shape,
+        color: Color32::BLACK,
+        halo: None,
+        hidden: false,
+        pattern: None,
+    };
+    let triangle = Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] };
+    let marks = [
+        mark(Concept::U, line(10.0)),
+        mark(Concept::V, line(30.0)),
+        mark(Concept::Eye, Shape::Disc { center: [0.0, 10.0], radius: 6.0 }),
+        mark(Concept::W, triangle),
     ];
-    let at = |x: f32, y: f32| concept_at(&targets, [x, y], 8.0);
+    let at = |x: f32, y: f32| concept_at(&marks, [x, y], 8.0);
     assert_eq!(at(50.0, 12.0), Some(Concept::U));
     assert_eq!(at(50.0, 24.0), Some(Concept::V));
     assert_eq!(at(50.0, 20.0), None, "too far from both");
