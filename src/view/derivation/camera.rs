@@ -11,7 +11,7 @@ use crate::model::symbols;
 use crate::view::derivation::DerivedLine;
 use crate::view::derivation::numbers::{
     AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,
-    normalize, related, times,
+    normalize, times,
 };
 use crate::view::formula::{
     Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
@@ -34,15 +34,15 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> 
         lines.push(match derivation.at {
             Some(at) => {
                 let substituted = minus(numbers.vector(at), numbers.vector(derivation.eye));
-                let sides = [VIEW, minus(AT, EYE), substituted];
-                DerivedLine::chain(Concept::View, sides, numbers.equals_vector(view.vector))
+                let view = numbers.vector(view.vector);
+                DerivedLine::chain(Concept::View, [VIEW, minus(AT, EYE), substituted, view])
             }
             None => vector(VIEW, GivenVector::View, view.vector, Concept::View),
         });
     }
     if let Some(backwards) = derivation.backwards {
-        let result = numbers.equals_vector(backwards);
-        lines.push(DerivedLine::chain(Concept::Backwards, [negative(VIEW)], result));
+        let sides = [negative(VIEW), numbers.vector(backwards)];
+        lines.push(DerivedLine::chain(Concept::Backwards, sides));
     }
     lines.extend(normalized(derivation, numbers));
     if let Some(cross) = &derivation.up_cross_w {
@@ -50,16 +50,13 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> 
         let formula = equation(U, normalize(times(UP, W)));
         let quotient = quotient(cross.product, cross.area, numbers);
         lines.push(match derivation.u {
-            Some(u) => {
-                DerivedLine::new(Concept::U, followed(formula, quotient, numbers.equals_vector(u)))
-            }
+            Some(u) => DerivedLine::new(Concept::U, followed(formula, quotient, numbers.vector(u))),
             None => failed(Concept::U, formula, derivation.basis.err()),
         });
     }
     if let Some(cross) = &derivation.w_cross_u {
-        let sides = [V, times(W, U), factors(cross, numbers)];
-        let product = numbers.equals_vector(cross.product);
-        lines.push(DerivedLine::chain(Concept::WCrossU, sides, product).also(&[Concept::V]));
+        let sides = [V, times(W, U), factors(cross, numbers), numbers.vector(cross.product)];
+        lines.push(DerivedLine::chain(Concept::WCrossU, sides).also(&[Concept::V]));
     }
     lines
 }
@@ -84,7 +81,7 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Derived
         return Some(failed(Concept::W, formula, derivation.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);
-    Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.equals_vector(w))))
+    Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.vector(w))))
 }
 
 /// Returns both factors of a cross product in numbers.
@@ -94,16 +91,15 @@ fn factors(cross: &Cross, numbers: NumberFormat) -> Formula {
 
 /// Returns the lines of `up x w` and of its length, which is the area of the parallelogram.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
-    let (sides, product) =
-        ([times(UP, W), factors(cross, numbers)], numbers.equals_vector(cross.product));
-    let mut lines = vec![DerivedLine::chain(Concept::UpCrossW, sides, product)];
+    let sides = [times(UP, W), factors(cross, numbers), numbers.vector(cross.product)];
+    let mut lines = vec![DerivedLine::chain(Concept::UpCrossW, sides)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
         let degrees = numbers.degrees(angle);
         let symbolic = row([norm(UP), sine(word("angle"))]);
         let substituted = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
-        let sides = [norm(times(UP, W)), symbolic, substituted];
-        lines.push(DerivedLine::chain(Concept::UpCrossW, sides, numbers.equals(cross.area)));
+        let sides = [norm(times(UP, W)), symbolic, substituted, numbers.scalar(cross.area)];
+        lines.push(DerivedLine::chain(Concept::UpCrossW, sides));
     }
     lines
 }
@@ -120,10 +116,10 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
 
 /// Returns the symbols, the substituted numbers, and the result. Omits the numbers if they equal the result.
 fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
-    if result == related(substituted.clone()) {
-        return row([symbols, result]);
+    if result == substituted {
+        return equation(symbols, result);
     }
-    row([equation(symbols, substituted), result])
+    equation(equation(symbols, substituted), result)
 }
 
 /// Returns the line at which the derivation fails, with the reason.
@@ -149,18 +145,18 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
     };
     for ((name, concept), check) in names().zip(derivation.lengths) {
         let Some(check) = check else { continue };
-        let line = DerivedLine::chain(concept, [norm(name)], numbers.equals(check.value));
+        let line = DerivedLine::chain(concept, [norm(name), numbers.scalar(check.value)]);
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
     let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
     for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
         let Some(check) = check else { continue };
-        let line = DerivedLine::chain(concept, [dot(a, b)], numbers.equals(check.value));
+        let line = DerivedLine::chain(concept, [dot(a, b), numbers.scalar(check.value)]);
         lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
     }
     if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = DerivedLine::chain(Concept::W, [formula], numbers.equals(check.value));
+        let line = DerivedLine::chain(Concept::W, [formula, numbers.scalar(check.value)]);
         let wrong = "left-handed: must be greater than 0";
         lines.push(verdict(line, check.passes, "right-handed", wrong));
     }
@@ -244,8 +240,8 @@ pub(super) fn ray_lines(
     ];
     for (concept, scalar, vector, factor, value, product) in parts {
         let substituted = row([numbers.scalar(factor), numbers.vector(value)]);
-        let sides = [row([scalar, vector]), substituted];
-        let line = DerivedLine::chain(concept, sides, numbers.equals_vector(product));
+        let sides = [row([scalar, vector]), substituted, numbers.vector(product)];
+        let line = DerivedLine::chain(concept, sides);
         lines.push(match concept {
             Concept::AlongW => line.also(&[Concept::Distance]),
             _ => line,
@@ -255,9 +251,10 @@ pub(super) fn ray_lines(
     let symbols =
         [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
     let substituted = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
-    let sides = [D, sum(symbols, Operator::Minus), sum(substituted, Operator::Plus)];
-    lines.push(DerivedLine::chain(Concept::Direction, sides, numbers.equals_vector(ray.direction)));
-    let length = DerivedLine::chain(Concept::Direction, [norm(D)], numbers.equals(ray.length));
+    let (symbols, substituted) = (sum(symbols, Operator::Minus), sum(substituted, Operator::Plus));
+    let sides = [D, symbols, substituted, numbers.vector(ray.direction)];
+    lines.push(DerivedLine::chain(Concept::Direction, sides));
+    let length = DerivedLine::chain(Concept::Direction, [norm(D), numbers.scalar(ray.length)]);
     lines.push(length.noted("the length of a step of 𝑡 = 1"));
     let substituted = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
     let formula = equation(along(P, T, D), substituted);
@@ -293,8 +290,8 @@ fn of_pixel(
     let line = |name, [extent, size]: [Formula; 2], [symbols, substituted]: [Formula; 2], value| {
         let symbols = row([extent, parentheses(symbols)]);
         let substituted = row([size, parentheses(substituted)]);
-        let sides = [Formula::Scalar(name), symbols, substituted];
-        DerivedLine::chain(Concept::Pixel, sides, numbers.equals(value))
+        let sides = [Formula::Scalar(name), symbols, substituted, numbers.scalar(value)];
+        DerivedLine::chain(Concept::Pixel, sides)
     };
     let width = [Formula::Scalar("width"), numbers.scalar(viewport.width)];
     let height = [Formula::Scalar("height"), numbers.scalar(viewport.height)];

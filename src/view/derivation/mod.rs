@@ -82,14 +82,10 @@ impl DerivedLine {
     }
 
     /// Returns the line of an equation with several sides; the last side is the result.
-    fn chain<const N: usize>(
-        concept: Concept,
-        sides: [Formula; N],
-        result: Formula,
-    ) -> DerivedLine {
+    fn chain<const N: usize>(concept: Concept, sides: [Formula; N]) -> DerivedLine {
         let mut sides = sides.into_iter();
         let first = sides.next();
-        DerivedLine::new(concept, row(first.into_iter().chain(sides.map(related)).chain([result])))
+        DerivedLine::new(concept, row(first.into_iter().chain(sides.map(related))))
     }
 
     fn also(self, also: &'static [Concept]) -> DerivedLine {

@@ -100,16 +100,6 @@ impl NumberFormat {
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the relation and the result of a derivation, in one form: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
-    pub(super) fn equals(self, x: f64) -> Formula {
-        related(self.scalar(x))
-    }
-
-    /// Returns the relation and the result of a derivation of a vector, in one form.
-    pub(super) fn equals_vector(self, v: DVec3) -> Formula {
-        related(self.vector(v))
-    }
-
     /// Returns a recognised vector. Coordinates with short decimals are written as decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
@@ -140,7 +130,7 @@ impl NumberFormat {
     }
 }
 
-/// Puts `=` before an exact value and `≈` before a rounded one.
+/// Puts `=` before an exact value and `≈` before a rounded one: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
 pub(super) fn related(value: Formula) -> Formula {
     let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([relation.into(), value])

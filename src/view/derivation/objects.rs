@@ -77,25 +77,26 @@ pub(super) fn lines(
 }
 
 impl ObjectLines<'_> {
-    fn line<const N: usize>(&mut self, sides: [Formula; N], result: Formula) {
-        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides, result));
+    fn line<const N: usize>(&mut self, sides: [Formula; N]) {
+        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides));
     }
 
     fn root_concept(&self, number: usize) -> Concept {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
-    /// Describes what this root is on the ray, such as the first hit.
-    fn verdict(&self, number: usize) -> &'static str {
+    /// Adds the line of a root, with a note on what this root is on the ray, such as the first hit.
+    fn root<const N: usize>(&mut self, sides: [Formula; N], number: usize) {
         let index = self.inspection.index_of(self.object, number as u8);
-        index.map_or("", |index| self.inspection.verdict(index))
+        let verdict = index.map_or("", |index| self.inspection.verdict(index));
+        let line = DerivedLine::chain(self.root_concept(number), sides);
+        self.lines.push(line.noted(verdict));
     }
 
     fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
         let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
-        let sides = [minus(P, CENTRE), minus(p, c)];
-        self.line(sides, numbers.equals_vector(derivation.from_center));
+        self.line([minus(P, CENTRE), minus(p, c), numbers.vector(derivation.from_center)]);
         self.quadratic(derivation);
         let roots: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
         for (k, root) in roots.iter().enumerate() {
@@ -134,7 +135,7 @@ impl ObjectLines<'_> {
             ),
         ];
         for (name, symbols, substituted, value) in parts {
-            self.line([name, symbols, substituted], numbers.equals(value));
+            self.line([name, symbols, substituted, numbers.scalar(value)]);
         }
         if let Some(last) = self.lines.last_mut() {
             last.note = meaning(derivation.meeting).to_owned();
@@ -144,29 +145,26 @@ impl ObjectLines<'_> {
     fn sphere_root(&mut self, derivation: &SphereDerivation, k: usize, root: &Root, is_only: bool) {
         let numbers = self.numbers;
         let quadratic = &derivation.quadratic;
-        let a = || numbers.divisor(quadratic.a);
         let minus_b = numbers.scalar(0.0 - quadratic.b);
         let sign = if k == 0 { Operator::Minus } else { Operator::Plus };
         let name = if is_only { T } else { index(T, number(&(k + 1).to_string())) };
         let symbols = row([negative(B), sign.into(), square_root(DISCRIMINANT)]);
         let of_d = square_root(numbers.scalar(quadratic.discriminant));
         let substituted = row([minus_b, sign.into(), of_d]);
-        let sides = [name, fraction(symbols, A), fraction(substituted, a())];
-        let line = DerivedLine::chain(self.root_concept(k), sides, numbers.equals(root.t));
-        let verdict = self.verdict(k);
-        self.lines.push(line.noted(verdict));
+        let substituted = fraction(substituted, numbers.divisor(quadratic.a));
+        self.root([name, fraction(symbols, A), substituted, numbers.scalar(root.t)], k);
     }
 
     fn plane(&mut self, derivation: &PlaneDerivation) {
         let numbers = self.numbers;
         let n = || numbers.vector(derivation.plane.normal);
-        let rate = [dot(N, D), dot(n(), numbers.vector(self.ray.direction))];
-        self.line(rate, numbers.equals(derivation.terms.rate));
+        let rate = numbers.scalar(derivation.terms.rate);
+        self.line([dot(N, D), dot(n(), numbers.vector(self.ray.direction)), rate]);
         let (point, p) = (numbers.vector(derivation.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
         let substituted = dot(n(), parentheses(minus(point, p)));
-        let offset = [dot(N, to_point.clone()), substituted];
-        self.line(offset, numbers.equals(derivation.terms.offset));
+        let offset = numbers.scalar(derivation.terms.offset);
+        self.line([dot(N, to_point.clone()), substituted, offset.clone()]);
         let quotient = fraction(dot(N, to_point), dot(N, D));
         let Some(root) = derivation.root else {
             let note = match derivation.meeting {
@@ -177,14 +175,8 @@ impl ObjectLines<'_> {
             self.lines.push(line.noted(note));
             return;
         };
-        let substituted = fraction(
-            numbers.scalar(derivation.terms.offset),
-            numbers.divisor(derivation.terms.rate),
-        );
-        let sides = [T, quotient, substituted];
-        let line = DerivedLine::chain(self.root_concept(0), sides, numbers.equals(root.t));
-        let verdict = self.verdict(0);
-        self.lines.push(line.noted(verdict));
+        let substituted = fraction(offset, numbers.divisor(derivation.terms.rate));
+        self.root([T, quotient, substituted, numbers.scalar(root.t)], 0);
         if derivation.hit().is_some() {
             self.hit(T, 0, &root);
             self.normal(0, &root, fraction(N, norm(N)), None);
@@ -199,12 +191,8 @@ impl ObjectLines<'_> {
             numbers.scalar(hit.t),
             numbers.vector(self.ray.direction),
         );
-        let sides = [HIT, along(P, t, D), substituted];
-        self.lines.push(DerivedLine::chain(
-            self.root_concept(k),
-            sides,
-            numbers.equals_vector(hit.point),
-        ));
+        let sides = [HIT, along(P, t, D), substituted, numbers.vector(hit.point)];
+        self.lines.push(DerivedLine::chain(self.root_concept(k), sides));
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, substituted: Option<Formula>) {
@@ -214,10 +202,9 @@ impl ObjectLines<'_> {
             .is_some_and(|first| first.object == hit.object && first.t == hit.t);
         let concept = if is_first { Concept::Normal } else { self.root_concept(k) };
         let normal = Formula::Vector("normal", SymbolInk::Text);
-        let result = self.numbers.equals_vector(hit.normal);
-        let formula = equation(normal, symbols);
-        let formula = substituted.into_iter().fold(formula, equation);
-        self.lines.push(DerivedLine::new(concept, row([formula, result])));
+        let numbers = substituted.into_iter().chain([self.numbers.vector(hit.normal)]);
+        let formula = numbers.fold(equation(normal, symbols), equation);
+        self.lines.push(DerivedLine::new(concept, formula));
     }
 }
 

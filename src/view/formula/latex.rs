@@ -11,7 +11,7 @@ pub(crate) fn math(formula: &Formula) -> String {
         Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
         Formula::Word(text) => word(text),
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
-        Formula::Operator(operator) => sign(*operator).to_owned(),
+        Formula::Operator(o) => sign(o.sign()).unwrap_or(o.sign()).to_owned(),
         Formula::Given(_, inner) => math(inner),
         Formula::Row(parts) => row(parts),
         Formula::Root(inner) => format!(r"\sqrt{{{}}}", math(inner)),
@@ -48,7 +48,35 @@ pub(crate) fn text(text: &str) -> String {
     text.chars().map(letter).collect()
 }
 
+/// Signs that only math mode has, and how LaTeX writes them there.
+const SIGNS: [(&str, &str); 16] = [
+    ("−", "-"),
+    ("×", r"\times"),
+    ("·", r"\cdot"),
+    ("√", r"\surd"),
+    ("±", r"\pm"),
+    ("≈", r"\approx"),
+    ("≤", r"\le"),
+    ("≥", r"\ge"),
+    ("≠", r"\ne"),
+    ("→", r"\to"),
+    ("∞", r"\infty"),
+    ("°", r"^{\circ}"),
+    ("²", "^{2}"),
+    ("<", "<"),
+    (">", ">"),
+    ("|", "|"),
+];
+
+/// Returns how math mode writes a sign; `None` for every sign that text mode has as well.
+fn sign(text: &str) -> Option<&'static str> {
+    SIGNS.iter().find(|(sign, _)| *sign == text).map(|(_, latex)| *latex)
+}
+
 fn letter(c: char) -> String {
+    if let Some(sign) = sign(c.encode_utf8(&mut [0; 4])) {
+        return format!("${sign}$");
+    }
     let plain = |from: u32, first: char| {
         char::from_u32(c as u32 - from + first as u32).unwrap_or(c).to_string()
     };
@@ -57,22 +85,8 @@ fn letter(c: char) -> String {
         '\\' => r"\textbackslash{}".to_owned(),
         '~' => r"\textasciitilde{}".to_owned(),
         '^' => r"\textasciicircum{}".to_owned(),
-        '<' | '>' | '|' => format!("${c}$"),
         '“' => "``".to_owned(),
         '”' => "''".to_owned(),
-        '−' => "$-$".to_owned(),
-        '×' => r"$\times$".to_owned(),
-        '·' => r"$\cdot$".to_owned(),
-        '√' => r"$\surd$".to_owned(),
-        '±' => r"$\pm$".to_owned(),
-        '≈' => r"$\approx$".to_owned(),
-        '≤' => r"$\le$".to_owned(),
-        '≥' => r"$\ge$".to_owned(),
-        '≠' => r"$\ne$".to_owned(),
-        '→' => r"$\to$".to_owned(),
-        '∞' => r"$\infty$".to_owned(),
-        '°' => r"$^{\circ}$".to_owned(),
-        '²' => "$^{2}$".to_owned(),
         '\u{1d41a}'..='\u{1d433}' => format!(r"$\mathbf{{{}}}$", plain(0x1d41a, 'a')),
         '\u{1d44e}'..='\u{1d467}' => format!("${}$", plain(0x1d44e, 'a')),
         c if is_hidden(c) => String::new(),
@@ -112,18 +126,6 @@ fn number(digits: &str) -> String {
         _ if digits.contains(' ') => format!(r"\text{{{digits}}}"),
         Some((mantissa, exponent)) => format!(r"{mantissa} \cdot 10^{{{exponent}}}"),
         None => digits,
-    }
-}
-
-fn sign(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Equals => "=",
-        Operator::Approximately => r"\approx",
-        Operator::Plus => "+",
-        Operator::Minus | Operator::Negative => "-",
-        Operator::Times => r"\times",
-        Operator::Dot => r"\cdot",
-        Operator::Comma => ",",
     }
 }
 

@@ -9,9 +9,10 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_view::{CameraSketch, CameraView};
-use crate::view::overlay::drawing::{Drawing, Label, Shape, dot, wide};
+use crate::view::overlay::drawing::{Label, Shape, dot, wide};
 use crate::view::overlay::paint::Picture;
 use crate::view::overlay::screen::position_of;
+use crate::view::overlay::style::Colors;
 use crate::view::overlay::world_view::sketch::LineStyle;
 
 /// Maximum side of all magnified pixels together, in points.
@@ -124,7 +125,8 @@ impl CameraSketch<'_> {
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);
-        for pixel in position.touching(view.resolved.image()) {
+        let touched = position.touching(view.resolved.image());
+        for pixel in &touched {
             let corner =
                 |k: u32| inset.to_screen(f64::from(pixel.column + k), f64::from(pixel.row + k));
             self.frame(corner(0), corner(1), pen(colors.ray, 2.5).about(Concept::Pixel));
@@ -135,6 +137,41 @@ impl CameraSketch<'_> {
             let arm = 0.8 * inset.cell * axis;
             self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).about(Concept::Pixel));
         }
+        self.loupe_labels(loupe, &touched, &inset);
+    }
+
+    /// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the loupe
+    /// covers.
+    fn loupe_labels(&mut self, loupe: &Loupe, touched: &[Pixel], inset: &Inset) {
+        let CameraView { resolved, scale, size, inspection, .. } = self.view;
+        let (low, high) = (inset.from, inset.from + inset.size);
+        self.drawing.labels.retain(|label| {
+            let apart = wide(label.position) - 0.5 * (low + high);
+            apart.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(*scale))).any()
+        });
+        let mut texts = texts(touched, loupe, inset, f64::from(*scale));
+        let is_centre = |pixel: &Pixel| {
+            let centre = resolved.uv_of_pixel(*pixel);
+            inspection.as_ref().is_some_and(|inspection| inspection.uv == centre)
+        };
+        let kind = match touched {
+            [_, _, _, _] => "corner of 4 pixels",
+            [_, _] => "between 2 pixels",
+            [only] if is_centre(only) => "centre of a pixel",
+            _ => "inside a pixel",
+        };
+        let below = high.y - 0.5 * f64::from(*scale) * RIM.y;
+        texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));
+        let (width, Colors { ink, background, .. }) = (size[0] as f32, self.colors);
+        self.drawing.labels.extend(texts.into_iter().map(|(text, center)| {
+            let (item, position, bold) = (Item::Loupe, dot(center), false);
+            let (color, halo) = (*ink, *background);
+            let mut label = Label { item, position, text, color, halo, size: TEXT, bold };
+            // A small loupe is narrower than its text, and lies at the edge of the view.
+            let [half, _] = label.half_extent(*scale);
+            label.position[0] = label.position[0].min(width - half).max(half);
+            label
+        }));
     }
 
     fn filled(&mut self, from: DVec2, to: DVec2, pen: LineStyle) {
@@ -159,76 +196,28 @@ impl CameraSketch<'_> {
     }
 }
 
-/// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the loupe
-/// covers.
-pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
-    let Some((loupe, position, _, inset)) = Inset::open(view) else { return };
-    let (low, high) = (inset.from, inset.from + inset.size);
-    drawing.labels.retain(|label| {
-        let apart = wide(label.position) - 0.5 * (low + high);
-        apart.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(view.scale))).any()
-    });
-    let touched = position.touching(view.resolved.image());
-    let mut texts = rows(&touched, loupe, &inset, view.scale);
-    texts.extend(columns(&touched, loupe, &inset, view.scale));
-    let centre = view.resolved.uv_of_pixel(position.pixel);
-    let is_centre = view.inspection.as_ref().is_some_and(|inspection| inspection.uv == centre);
-    let kind = match touched.len() {
-        4 => "corner of 4 pixels",
-        2 => "between 2 pixels",
-        1 if is_centre => "centre of a pixel",
-        _ => "inside a pixel",
-    };
-    let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
-    texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));
-    let colors = view.style.colors();
-    let width = view.size[0] as f32;
-    drawing.labels.extend(texts.into_iter().map(|(text, center)| {
-        let mut label = Label {
-            item: Item::Loupe,
-            position: dot(center),
-            text,
-            color: colors.ink,
-            halo: colors.background,
-            size: TEXT,
-            bold: false,
-        };
-        // A small loupe is narrower than its text, and lies at the edge of the view.
-        let [half, _] = label.half_extent(view.scale);
-        label.position[0] = label.position[0].min(width - half).max(half);
-        label
-    }));
-}
-
-/// Returns the touched rows' names, to the left of them.
-fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
-    let scale = f64::from(scale);
+/// Returns the loupe's texts, each with its middle: the numbers of the touched rows, to the left of them, the
+/// numbers of the touched columns, above them, and the word `column`.
+fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(String, DVec2)> {
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
-    rows.dedup();
-    let name = |row: &u32| {
-        // Two names may need more space than two small pixels have.
-        let least = 0.64 * f64::from(TEXT) * scale;
-        let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
-        let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
-        let row = row + u32::from(loupe.count_from_one);
-        (format!("row {row}"), DVec2::new(inset.rim(scale).x, inset.center.y + y))
-    };
-    rows.iter().map(name).collect()
-}
-
-/// Returns the numbers of the touched columns, which go above the columns, and the word `column`.
-fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
-    let scale = f64::from(scale);
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
+    rows.dedup();
     columns.sort_unstable();
     columns.dedup();
-    let rim = inset.rim(scale);
-    let name = |(k, column): (usize, &u32)| {
-        let name = (column + u32::from(loupe.count_from_one)).to_string();
-        let half = scale * f64::from(TEXT) * (0.3 * name.len() as f64 + 0.25);
+    let (rim, text, first) = (inset.rim(scale), f64::from(TEXT), u32::from(loupe.count_from_one));
+    let row = |row: &u32| {
+        // Two names may need more space than two small pixels have.
+        let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
+        let y =
+            if rows.len() == 1 { own } else { own.signum() * own.abs().max(0.64 * text * scale) };
+        (format!("row {}", row + first), DVec2::new(rim.x, inset.center.y + y))
+    };
+    let column = |(k, column): (usize, &u32)| {
+        let name = (column + first).to_string();
+        let half = scale * text * (0.3 * name.len() as f64 + 0.25);
         let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
         (name, DVec2::new(inset.center.x + beside, rim.y))
     };
-    let named = columns.iter().enumerate().map(name);
-    named.chain([("column".to_owned(), rim)]).collect()
+    let columns = columns.iter().enumerate().map(column);
+    rows.iter().map(row).chain(columns).chain([("column".to_owned(), rim)]).collect()
 }

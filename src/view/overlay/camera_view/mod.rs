@@ -130,9 +130,7 @@ impl CameraView {
         let requests = std::mem::take(&mut overlay.requests);
         place_labels(requests, &mut overlay.drawing, self.extent());
         overlay.loupe();
-        let mut drawing = overlay.drawing;
-        loupe::label(self, &mut drawing);
-        drawing
+        overlay.drawing
     }
 }
 

@@ -268,7 +268,7 @@ impl Sketch<'_> {
                 if self.view.names_all || concept == Concept::Up {
                     self.named_arrow(ends, Head::Filled, pen, name, POINT);
                 } else {
-                    self.arrow(ends[0], ends[1], Head::Filled, pen);
+                    self.arrow(ends, Head::Filled, pen);
                 }
             }
         }

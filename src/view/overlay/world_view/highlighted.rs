@@ -328,7 +328,7 @@ impl Sketch<'_> {
         for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
             let width = if pen.concept == Some(concept) { STRONG } else { BESIDE };
             let pen = LineStyle { color, width, ..pen }.about(concept);
-            self.arrow(from, from + vector, Head::Filled, pen);
+            self.arrow([from, from + vector], Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
                 self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), POINT);
             }

@@ -136,19 +136,18 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow whose head has a fixed size on the screen. Returns the arrow's tip if the tip is in the
-    /// picture.
+    /// Draws an arrow whose head has a fixed size on the screen. If the tip is in the picture, returns its
+    /// position and the direction of the arrow: of length 1, or zero for an arrow that points at the observer.
     pub(crate) fn arrow(
         &mut self,
-        from: DVec3,
-        to: DVec3,
+        ends: [DVec3; 2],
         head: Head,
         pen: LineStyle,
-    ) -> Option<Tip> {
+    ) -> Option<[DVec2; 2]> {
         if !self.items.shows(pen.item) {
             return None;
         }
-        let CutLine { from, to, whole_to, .. } = self.screen.line(from, to)?;
+        let CutLine { from, to, whole_to, .. } = self.screen.line(ends[0], ends[1])?;
         if !whole_to {
             self.cut_line(from, to, pen);
             return None;
@@ -159,7 +158,7 @@ impl Sketch<'_> {
         let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
             // The arrow points towards the observer or away, so only its end is visible.
             self.disc(to, pen.width + 1.5, pen);
-            return Some(Tip { spot: to, direction: DVec2::ZERO });
+            return Some([to.at, DVec2::ZERO]);
         };
         let size = full.min(0.8 * length);
         let neck = match head {
@@ -169,7 +168,7 @@ impl Sketch<'_> {
         };
         self.cut_line(from, from.toward(to, 1.0 - (neck * size / length).min(1.0)), pen);
         self.head(to, direction, size, head, pen);
-        Some(Tip { spot: to, direction })
+        Some([to.at, direction])
     }
 
     fn head(&mut self, tip: Spot, direction: DVec2, size: f64, head: Head, pen: LineStyle) {
@@ -210,14 +209,14 @@ impl Sketch<'_> {
     /// Draws an arrow with a label at its tip.
     pub(crate) fn named_arrow(
         &mut self,
-        [from, to]: [DVec3; 2],
+        ends: [DVec3; 2],
         head: Head,
         pen: LineStyle,
         text: impl Into<String>,
         font: LabelFont,
     ) {
-        if let Some(Tip { spot, direction }) = self.arrow(from, to, head, pen) {
-            self.label(pen, text, spot.at, direction, font);
+        if let Some([tip, direction]) = self.arrow(ends, head, pen) {
+            self.label(pen, text, tip, direction, font);
         }
     }
 
@@ -372,14 +371,6 @@ fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
         }
     }
     merged
-}
-
-/// The tip of an arrow on the screen.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tip {
-    pub(crate) spot: Spot,
-    /// Direction of length 1, or zero for an arrow that points at the observer.
-    pub(crate) direction: DVec2,
 }
 
 /// A label to be placed.
