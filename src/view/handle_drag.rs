@@ -254,3 +254,143 @@ impl HandleDrag<'_> {
         Ok(dragged)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use pinhole_core::Sphere;
+
+    use super::*;
+    use crate::model::session::handles::Grabbed;
+
+    /// A camera whose viewport is twice as wide as it is high.
+    const WIDE: Camera = Camera {
+        viewport: Viewport { width: 2.0, height: 1.0, distance: 1.0 },
+        ..Camera::CANONICAL
+    };
+
+    const TOP_RIGHT: Handle = Handle::Corner(Corner { is_right: true, is_top: true });
+
+    /// Drags a handle from one point to another; `keeps` are the settings of the pixels' shape and of the picture.
+    fn put(
+        camera: Camera,
+        handle: Handle,
+        [at, to]: [DVec3; 2],
+        keeps: [bool; 2],
+    ) -> Result<Dragged, SteerError> {
+        let observer = Camera {
+            eye: DVec3::new(3.0, 2.0, 4.0),
+            orientation: Orientation::At { at: DVec3::new(0.0, 0.0, -1.0), up: DVec3::Y },
+            ..Camera::CANONICAL
+        };
+        let sphere = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+        let object = Some((0, Object::Sphere(sphere)));
+        let before = HandleValues { camera, selection: Selection::Uv(DVec2::ZERO), object };
+        let (grabbed, begun_at) = (Grabbed::Handle(handle), DVec2::ZERO);
+        let drag = Drag { grabbed, before, begun_at, at, length: 1.0, toward: DVec3::X };
+        let [keep_pixel_shape, keep_picture] = keeps;
+        let drag = HandleDrag {
+            handle,
+            drag: &drag,
+            observer: &observer.resolve().expect("an observer"),
+            scale: 1.0,
+            settings: &Settings { keep_pixel_shape, keep_picture, ..Settings::default() },
+            eye_keeps: Keep::At,
+            snaps: false,
+        };
+        drag.put(to)
+    }
+
+    /// Drags the top right corner of [`WIDE`] in the plane of its viewport; returns the new viewport.
+    fn corner(to: [f64; 2], keeps: [bool; 2]) -> Viewport {
+        let [from, to] = [[1.0, 0.5], to].map(|[x, y]| DVec3::new(x, y, -1.0));
+        put(WIDE, TOP_RIGHT, [from, to], keeps).expect("a drag").values.camera.viewport
+    }
+
+    #[track_caller]
+    fn assert_near(a: f64, b: f64) {
+        assert!((a - b).abs() < 0.02, "{a} is not near {b}");
+    }
+
+    #[test]
+    fn a_free_corner_follows_the_pointer() {
+        let viewport = corner([1.5, 0.75], [false, false]);
+        assert_near(viewport.width, 3.0);
+        assert_near(viewport.height, 1.5);
+        assert_eq!(viewport.distance, 1.0);
+    }
+
+    #[test]
+    fn a_corner_that_keeps_the_pixels_shape_stays_on_the_diagonal() {
+        // The nearest point of the diagonal to (1.5, 0.5) is (1.4, 0.7).
+        let viewport = corner([1.5, 0.5], [true, false]);
+        assert_near(viewport.width, 2.8);
+        assert_eq!(viewport.width, 2.0 * viewport.height);
+        // Each corner has its own diagonal.
+        let lower_left = Handle::Corner(Corner { is_right: false, is_top: false });
+        let ends = [DVec3::new(-1.0, -0.5, -1.0), DVec3::new(-1.5, -0.5, -1.0)];
+        let dragged = put(WIDE, lower_left, ends, [true, false]).expect("a drag");
+        assert_near(dragged.values.camera.viewport.height, 1.4);
+    }
+
+    #[test]
+    fn an_inverted_corner_is_set_as_it_is() {
+        for keeps_shape in [true, false] {
+            let viewport = corner([-0.5, -0.2], [keeps_shape, false]);
+            assert_near(viewport.width, -1.0);
+            assert_near(viewport.height, -0.4);
+            assert!(viewport.check().is_err());
+        }
+    }
+
+    #[test]
+    fn a_distance_scales_the_viewport_only_if_the_picture_is_kept() {
+        let distance = |z: f64, keep_picture: bool| {
+            let ends = [-1.0, z].map(|z| DVec3::new(0.0, -0.5, z));
+            let dragged = put(WIDE, Handle::Distance, ends, [true, keep_picture]);
+            dragged.expect("a drag").values.camera.viewport
+        };
+        let free = distance(-2.0, false);
+        assert_near(free.distance, 2.0);
+        assert_eq!((free.width, free.height), (2.0, 1.0));
+        let kept = distance(-2.0, true);
+        assert_near(kept.width, 4.0);
+        assert_near(kept.height, 2.0);
+        // Behind the eye.
+        for keep_picture in [true, false] {
+            let viewport = distance(1.0, keep_picture);
+            assert_near(viewport.distance, -1.0);
+            assert_eq!((viewport.width, viewport.height), (2.0, 1.0));
+        }
+        // With the picture kept, a corner changes the distance, too.
+        let kept = corner([2.0, 1.0], [true, true]);
+        assert_eq!(kept.distance, 1.0);
+    }
+
+    #[test]
+    fn a_radius_is_the_distance_from_the_centre() {
+        let at = DVec3::new(1.0, 0.0, -5.0);
+        let radius = |to: DVec3| {
+            let dragged = put(WIDE, Handle::Radius(0), [at, to], [true, false]).expect("a drag");
+            match dragged.values.object {
+                Some((_, Object::Sphere(sphere))) => (sphere.radius, dragged.toward),
+                other => panic!("{other:?}"),
+            }
+        };
+        let (length, toward) = radius(DVec3::new(0.0, 2.0, -5.0));
+        assert_near(length, 2.0);
+        assert_eq!(toward, DVec3::Y);
+        assert_eq!(radius(DVec3::new(0.0, 0.0, -5.0)), (0.0, DVec3::X), "in the centre");
+    }
+
+    #[test]
+    fn without_a_basis_only_objects_can_be_resized() {
+        let orientation = Orientation::At { at: WIDE.eye, up: DVec3::Y };
+        let camera = Camera { orientation, ..WIDE };
+        let ends = [DVec3::new(1.0, 0.5, -1.0), DVec3::new(1.5, 0.75, -1.0)];
+        for handle in [TOP_RIGHT, Handle::Distance, Handle::Pixel] {
+            let dragged = put(camera, handle, ends, [true, false]);
+            assert!(matches!(dragged, Err(SteerError::Camera(_))), "{handle:?}: {dragged:?}");
+        }
+        assert!(put(camera, Handle::Radius(0), ends, [true, false]).is_ok());
+    }
+}

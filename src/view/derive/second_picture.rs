@@ -428,3 +428,51 @@ fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<Answe
     };
     vec![AnswerMark::yours(shape, "your hit")]
 }
+
+#[cfg(test)]
+mod tests {
+    use pinhole_core::{DVec3, Sphere, shade, trace};
+    use pinhole_exchange::document::Item as DocumentItem;
+    use pinhole_exchange::images::png;
+
+    use super::*;
+    use crate::model::practice::AnswersFile;
+    use crate::model::session::Session;
+    use crate::view::derive::{Deriver, ViewSizes};
+    use crate::view::overlay::Style;
+
+    #[test]
+    fn a_grade_follows_a_colour_that_the_scheme_replaces() {
+        let sphere = Sphere { center: DVec3::new(0.0, 0.0, -3.0), radius: 1.0 };
+        let red = DocumentItem { color: Some([200, 40, 40]), ..DocumentItem::plain(sphere) };
+        let image = ImageSize::new(40, 40).expect("a size");
+        let camera = Camera { image, ..Camera::CANONICAL };
+        let mut document = Document { camera, spheres: vec![red].into(), ..Document::default() };
+        let scene = document.scene().expect("a scene");
+        let resolved = camera.resolve().expect("a camera");
+        let frame = trace(&scene, &resolved, &Raster::full(image), Outputs::default());
+        let color_of = |i: u32| document.color_of(i);
+        let pixels = shade(&frame, &scene, Shade::Object, color_of, |[r, g, b]| [r, g, b, 255]);
+        let mut bytes = Vec::new();
+        png::encode(&mut bytes, [40, 40], &pixels, false).expect("a picture");
+        let file = Arc::new(AnswersFile { path: "mine.png".into(), bytes, kind: None });
+        let answers = Some(StudentAnswers { file, count_from: 0 });
+        let session = Session { answers, ..Session::default() };
+        let sizes = ViewSizes {
+            camera: Some([40, 40]),
+            second: Some((SecondPicture::Answers, [40, 40])),
+            scale: 1.0,
+            style: Style::ColourBlindLight,
+            ..ViewSizes::default()
+        };
+        let mut deriver = Deriver::default();
+        let mut is_right = |document: &Document| {
+            let grading = deriver.derive(document, &session, &sizes).grading;
+            let graded = grading.expect("answers").expect("a grade");
+            graded.grade.is_right.iter().all(|is_right| *is_right)
+        };
+        assert!(is_right(&document));
+        document.spheres[0].color = Some([40, 40, 200]);
+        assert!(!is_right(&document), "the picture's red is wrong now");
+    }
+}
