@@ -158,14 +158,14 @@ impl Stage<'_> {
             Handle::Corner(corner) => on_viewport(corner.uv(&camera.viewport)),
             Handle::Distance => on_viewport(DVec2::new(0.0, -0.5 * camera.viewport.height)),
             Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.resolved?)),
-            Handle::Center(k) => Some(self.document.spheres.get(k)?.shape.center),
-            Handle::Radius(k) => {
-                let sphere = self.document.spheres.get(k)?.shape;
-                Some(sphere.center + sphere.radius * toward)
-            }
-            Handle::Point(k) => {
-                let position = k.checked_sub(self.document.sphere_count())?;
-                Some(self.document.planes.get(position)?.shape.point)
+            Handle::Center(k) | Handle::Radius(k) | Handle::Point(k) => {
+                Some(match (self.document.object(k)?, handle) {
+                    (Object::Sphere(sphere), Handle::Radius(_)) => {
+                        sphere.center + sphere.radius * toward
+                    }
+                    (Object::Sphere(sphere), _) => sphere.center,
+                    (Object::Plane(plane), _) => plane.point,
+                })
             }
         }
     }

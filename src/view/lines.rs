@@ -523,26 +523,19 @@ impl PlaneView {
     fn handle(&self, handle: LineHandle, at: Pos2, is_held: bool) {
         let larger = if is_held { 1.3 } else { 1.0 };
         let (painter, Colors { ink, mark, ray, halo, .. }) = (&self.painter, self.colors);
-        let edge = Stroke::new(2.0, *halo);
-        match handle {
+        let (radius, fill, width, edge) = match handle {
             LineHandle::Move => {
                 let square = Rect::from_center_size(at, Vec2::splat(15.0 * larger));
-                painter.rect(square, 2.0, *mark, edge, StrokeKind::Outside);
+                painter.rect(square, 2.0, *mark, (2.0, *halo), StrokeKind::Outside);
+                return;
             }
-            LineHandle::Turn => {
-                painter.circle(at, 8.0 * larger, *halo, Stroke::new(4.0, *mark));
-            }
-            LineHandle::P => {
-                painter.circle(at, 8.0 * larger, *ray, edge);
-            }
-            LineHandle::Tip if is_held => {
-                painter.circle_stroke(at, 12.0, Stroke::new(2.0, *ray));
-            }
-            LineHandle::Tip => {}
-            LineHandle::T => {
-                painter.circle(at, 7.0 * larger, *ink, Stroke::new(3.0, *ray));
-            }
-        }
+            LineHandle::Turn => (8.0 * larger, *halo, 4.0, *mark),
+            LineHandle::P => (8.0 * larger, *ray, 2.0, *halo),
+            LineHandle::Tip if is_held => (12.0, Color32::TRANSPARENT, 2.0, *ray),
+            LineHandle::Tip => return,
+            LineHandle::T => (7.0 * larger, *ink, 3.0, *ray),
+        };
+        painter.circle(at, radius, fill, Stroke::new(width, edge));
     }
 
     /// Writes p, d and t at their handles.

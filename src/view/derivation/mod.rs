@@ -198,29 +198,27 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     if sections.shows(DerivationSection::Basis) {
         add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
     }
-    let exact = inputs.resolved.and_then(|resolved| exact_ray(resolved, selection));
-    let derived = exact
-        .as_ref()
-        .and_then(|(_, derived)| Some((inputs.resolved?, derived, inputs.inspection?)));
+    let seen = inputs.resolved.zip(inputs.inspection).and_then(|(resolved, inspection)| {
+        let (exact, derived) = exact_ray(resolved, selection)?;
+        Some((resolved, inspection, exact, derived))
+    });
     if sections.shows(DerivationSection::PixelToRay) {
-        add(
-            DerivationSection::PixelToRay,
-            match derived {
-                Some((resolved, derived, inspection)) => {
-                    camera::ray_lines(camera, resolved, derived, inspection, numbers)
-                }
-                None => {
-                    let selection = selection.inside(camera.image);
-                    let mut lines = camera::ray_givens(camera, selection, None, numbers);
-                    lines.extend(fault.as_ref().map(fault_line));
-                    lines
-                }
-            },
-        );
+        let lines = match &seen {
+            Some((resolved, inspection, _, derived)) => {
+                camera::ray_lines(camera, resolved, derived, inspection, numbers)
+            }
+            None => {
+                let selection = selection.inside(camera.image);
+                let mut lines = camera::ray_givens(camera, selection, None, numbers);
+                lines.extend(fault.as_ref().map(fault_line));
+                lines
+            }
+        };
+        add(DerivationSection::PixelToRay, lines);
     }
     if sections.shows(DerivationSection::Objects) {
-        match (exact, inputs.scene, inputs.inspection) {
-            (Some((exact, derived)), Some(scene), Some(inspection)) => {
+        match (seen, inputs.scene) {
+            (Some((_, inspection, exact, derived)), Some(scene)) => {
                 let ray = (&exact, derived.ray());
                 add_objects(&mut derivation, inputs, ray, (scene, inspection));
             }

@@ -1,7 +1,7 @@
 //! Intersection of the selected ray with one object: the coefficients, the roots, the hit and the normal.
 
-use pinhole_core::{Plane, Ray, Root, Sphere};
-use pinhole_exchange::document::Document;
+use pinhole_core::{Object, Plane, Ray, Root, Sphere};
+use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
 };
@@ -36,27 +36,24 @@ struct ObjectLines<'a> {
 pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<DerivedLine> {
     let index = object as usize;
     let line = |name, right| DerivedLine::new(Concept::Object(object), equation(name, right));
-    if let Some(Sphere { center, radius }) = document.spheres.get(index).map(|item| item.shape) {
-        let center = numbers.given_vector(GivenVector::Center(object), center);
-        return vec![line(CENTRE, center), line(R, numbers.given(Given::Radius(object), radius))];
+    match document.object(index) {
+        Some(Object::Sphere(Sphere { center, radius })) => vec![
+            line(CENTRE, numbers.given_vector(GivenVector::Center(object), center)),
+            line(R, numbers.given(Given::Radius(object), radius)),
+        ],
+        Some(Object::Plane(Plane { point, normal })) => vec![
+            line(POINT, numbers.given_vector(GivenVector::Point(object), point)),
+            line(N, numbers.given_vector(GivenVector::Normal(object), normal)),
+        ],
+        None => {
+            let row = document.csv_spheres.iter().flat_map(|csv| csv.items.iter());
+            let row = row.skip(index - document.spheres.len()).take(1);
+            row.flat_map(|Item { shape: Sphere { center, radius }, .. }| {
+                [line(CENTRE, numbers.vector(*center)), line(R, numbers.scalar(*radius))]
+            })
+            .collect()
+        }
     }
-    let Some(plane) = index.checked_sub(document.sphere_count()) else {
-        let row = document
-            .csv_spheres
-            .as_ref()
-            .and_then(|csv| csv.items.get(index - document.spheres.len()));
-        return row.map_or(Vec::new(), |item| {
-            let Sphere { center, radius } = item.shape;
-            vec![line(CENTRE, numbers.vector(center)), line(R, numbers.scalar(radius))]
-        });
-    };
-    let Some(Plane { point, normal }) = document.planes.get(plane).map(|item| item.shape) else {
-        return Vec::new();
-    };
-    vec![
-        line(POINT, numbers.given_vector(GivenVector::Point(object), point)),
-        line(N, numbers.given_vector(GivenVector::Normal(object), normal)),
-    ]
 }
 
 pub(super) fn lines(

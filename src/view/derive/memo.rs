@@ -30,9 +30,7 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
         self.0 = Some((key, value.clone()));
         value
     }
-}
 
-impl<K: PartialEq, V> Memo<K, V> {
     /// Removes and returns the cached value, unless it was made from `key`.
     pub(super) fn take_other(&mut self, key: &K) -> Option<V> {
         self.0.take_if(|(known, _)| known != key).map(|(_, value)| value)

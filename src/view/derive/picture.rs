@@ -13,7 +13,6 @@ use pinhole_core::{
 
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::Item;
-use crate::model::session::Settings;
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::memo::Memo;
@@ -144,10 +143,11 @@ impl Pictures {
     /// Returns the camera's picture, traced only at the pixels that the screen shows.
     pub(super) fn get(
         &mut self,
-        Inputs { session, sizes, watch, .. }: Inputs<'_>,
+        inputs: Inputs<'_>,
         resolved: ResolvedCamera,
         world: &GoodWorld,
     ) -> GoodPicture {
+        let Inputs { session, sizes, watch, .. } = inputs;
         let selection = session.shown_selection().inside(resolved.image());
         let inspection = self.inspection.get((resolved, world.generation, selection), |_| {
             Arc::new(Inspection::new(&resolved, &world.scene, selection))
@@ -161,8 +161,7 @@ impl Pictures {
         // If a method is too slow for the full picture, it is not used during a drag either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
-        let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
-        let others = self.other_methods(&seen, world, settings, with_map, too_many, watch);
+        let others = self.other_methods(inputs, &seen, world, too_many);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (others.method, seen, settings.shade, world.palette, clear);
@@ -196,22 +195,21 @@ impl Pictures {
     /// them.
     fn other_methods(
         &mut self,
+        Inputs { session, sizes, watch, .. }: Inputs<'_>,
         seen: &TraceKey,
         world: &GoodWorld,
-        settings: &Settings,
-        with_map: bool,
         too_many: Option<TooMany>,
-        watch: OnWork<'_>,
     ) -> OtherMethods {
+        let settings = &session.settings;
+        let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
         let other = settings.compared;
         let is_compared = settings.method != Method::Ladder || with_map;
         let too_many = too_many.filter(|_| is_compared);
         let method = too_many.map_or(settings.method, |_| Method::Ladder);
         // Only a comparison needs all digits of t.
         let truth = (is_compared && too_many.is_none()).then(|| {
-            let traced = &mut self.traced;
             self.truth.get(seen.clone(), |(resolved, _, raster)| {
-                *traced += 1;
+                self.traced += 1;
                 trace_truth(&world.scene, resolved, raster, watch)
             })
         });
@@ -235,8 +233,6 @@ impl Pictures {
     ) -> MadePicture {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (traced, rough) = (&mut self.traced, &mut self.rough);
-        let shown = &mut self.shown;
         let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
             if let (Some(by), Some(truth)) = (&others.drawn_by, &others.truth) {
                 let pixels = repainted(&by.frame, scene, colors, watch);
@@ -245,9 +241,10 @@ impl Pictures {
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
             let key = (seen.clone(), outputs.t);
-            let spare = rough.take_other(&key).and_then(Arc::into_inner).zip(spare_pixels(shown));
-            let frame = rough.get(key, |((resolved, _, raster), _)| {
-                *traced += 1;
+            let spare = self.rough.take_other(&key).and_then(Arc::into_inner);
+            let spare = spare.zip(spare_pixels(&mut self.shown));
+            let frame = self.rough.get(key, |((resolved, _, raster), _)| {
+                self.traced += 1;
                 let memory = (spare, watch);
                 let traced = trace_picture(scene, resolved, raster, outputs, colors, memory);
                 fresh = Some(traced.1);
@@ -256,9 +253,9 @@ impl Pictures {
             let pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
             (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
         });
-        if !shown.last().is_some_and(|last| Arc::ptr_eq(last, &picture)) {
-            shown.push(Arc::clone(&picture));
-            shown.drain(..shown.len().saturating_sub(2));
+        if !self.shown.last().is_some_and(|last| Arc::ptr_eq(last, &picture)) {
+            self.shown.push(Arc::clone(&picture));
+            self.shown.drain(..self.shown.len().saturating_sub(2));
         }
         (picture, steps, counts)
     }

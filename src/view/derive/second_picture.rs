@@ -28,6 +28,7 @@ use crate::view::derive::objects::GoodWorld;
 use crate::view::derive::picture::{
     Compared, GoodPicture, OnWork, WorkKind, trace_picture, watched,
 };
+use crate::view::derive::views::camera_view;
 use crate::view::derive::{Derived, Inputs, Shown, highlighted, opaque};
 use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
@@ -100,18 +101,7 @@ impl SecondPictures {
         let Inputs { session, sizes, watch, .. } = inputs;
         let Some((kind, size)) = sizes.second else { return };
         let items = session.settings.items;
-        let mut view = CameraView {
-            resolved: good.resolved,
-            picture: Same(Arc::clone(&good.picture)),
-            inspection: Some(Same(Arc::clone(&good.inspection))),
-            size: size.map(|n| n as usize),
-            items,
-            scale: sizes.scale,
-            style: sizes.style,
-            highlighted: None,
-            loupe: None,
-            is_apart: false,
-        };
+        let mut view = CameraView { is_apart: false, ..camera_view(inputs, good, size) };
         let picture = match kind {
             SecondPicture::ErrorMap => {
                 // A highlighted concept belongs to the current document.
@@ -165,34 +155,36 @@ impl SecondPictures {
         let Inputs { document: Document { camera, .. }, session, watch, .. } = inputs;
         let mistakes_view = &session.mistakes_view;
         let mistake = mistakes_view.shown();
-        let Some(world) = world else {
-            // Shows an older picture only if it belongs to the same mistake.
-            let (wrong, pictures) = self.wrong_camera.known(|key| key.4 == mistake)?;
-            derived.wrong_camera = Some(Arc::clone(wrong));
-            let index = usize::from(mistakes_view.shows_differences());
-            return pictures.as_ref().map(|pictures| Arc::clone(&pictures[index]));
+        let shade = session.settings.shade;
+        let make = |world: &GoodWorld, raster: &Raster| {
+            let color_of = |i: u32| world.colors[i as usize];
+            let paint = Paint { shade, color_of, to_pixel: opaque };
+            let (resolved, scene) = (&good.resolved, &world.scene);
+            let (wrong, compared) =
+                ComparedCamera::new(camera, resolved, scene, mistake, raster, paint);
+            let pictures = compared.map(|ComparedPicture { pixels, wrong, right }| {
+                let differences = difference_map(&wrong, &right);
+                [pixels, differences].map(|pixels| picture(raster, camera.image, pixels))
+            });
+            (Arc::new(wrong), pictures)
         };
-        let numbers = [world.generation, world.palette];
-        let key = (*camera, numbers, raster(inputs, good), session.settings.shade, mistake);
-        let (wrong, pictures) = self.wrong_camera.get(key, |(.., raster, shade, mistake)| {
-            self.count += 1;
-            watched(watch, WorkKind::Trace, || {
-                let color_of = |i: u32| world.colors[i as usize];
-                let paint = Paint { shade: *shade, color_of, to_pixel: opaque };
-                let (resolved, scene) = (&good.resolved, &world.scene);
-                let (wrong, compared) =
-                    ComparedCamera::new(camera, resolved, scene, *mistake, raster, paint);
-                let pictures = compared.map(|ComparedPicture { pixels, wrong, right }| {
-                    let differences = difference_map(&wrong, &right);
-                    [pixels, differences].map(|pixels| picture(raster, camera.image, pixels))
-                });
-                (Arc::new(wrong), pictures)
-            })
-        });
+        let (wrong, pictures) = match world {
+            // Shows an older picture only if it belongs to the same mistake.
+            None => self.wrong_camera.known(|key| key.4 == mistake)?.clone(),
+            Some(world) => {
+                let numbers = [world.generation, world.palette];
+                let key = (*camera, numbers, raster(inputs, good), shade, mistake);
+                self.wrong_camera.get(key, |(_, _, raster, ..)| {
+                    self.count += 1;
+                    watched(watch, WorkKind::Trace, || make(world, raster))
+                })
+            }
+        };
         // A mark would give away the answer to a vote.
-        if let Some(camera) = wrong.camera.as_ref().ok().filter(|_| mistakes_view.is_revealed()) {
-            derived.answer_marks =
-                of_mistake(camera, &world.scene, session.shown_selection()).into();
+        if let (Some(world), Ok(camera), true) = (world, &wrong.camera, mistakes_view.is_revealed())
+        {
+            let marks = of_mistake(camera, &world.scene, session.shown_selection());
+            derived.answer_marks = marks.into();
         }
         derived.wrong_camera = Some(wrong);
         let [picture, differences] = pictures?;

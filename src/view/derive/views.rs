@@ -115,25 +115,39 @@ impl CameraViews {
         inputs: Inputs<'_>,
         good: &GoodPicture,
     ) -> Option<Shown> {
-        let Inputs { session, sizes, watch, .. } = inputs;
-        let size = sizes.camera?;
+        let size = inputs.sizes.camera?;
         let shown = CameraView {
-            picture: Same(Arc::clone(&good.picture)),
-            resolved: good.resolved,
-            inspection: Some(Same(Arc::clone(&good.inspection))),
-            items: session.settings.items,
-            size: size.map(|n| n as usize),
-            scale: sizes.scale,
-            style: sizes.style,
             // A highlighted concept belongs to the current document, so it is not shown in an older picture.
             highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
             loupe: good.loupe.clone(),
-            is_apart: sizes.purpose != Purpose::Window,
+            ..camera_view(inputs, good, size)
         };
-        let (scene, buffers) = (derived.scene.as_deref(), &mut self.buffers);
-        Some(self.view.get(shown, |view| {
-            buffers.draw(size, view.style, watch, |pixels| overlay::camera(view, scene, pixels))
-        }))
+        let scene = derived.scene.as_deref();
+        let draw = |view: &CameraView| {
+            let draw = |pixels: &mut [Color32]| overlay::camera(view, scene, pixels);
+            self.buffers.draw(size, view.style, inputs.watch, draw)
+        };
+        Some(self.view.get(shown, draw))
+    }
+}
+
+/// Returns the view of a picture without a highlighted concept and without a loupe.
+pub(super) fn camera_view(
+    Inputs { session, sizes, .. }: Inputs<'_>,
+    good: &GoodPicture,
+    size: [u32; 2],
+) -> CameraView {
+    CameraView {
+        resolved: good.resolved,
+        picture: Same(Arc::clone(&good.picture)),
+        inspection: Some(Same(Arc::clone(&good.inspection))),
+        size: size.map(|n| n as usize),
+        items: session.settings.items,
+        scale: sizes.scale,
+        style: sizes.style,
+        highlighted: None,
+        loupe: None,
+        is_apart: sizes.purpose != Purpose::Window,
     }
 }
 
@@ -181,13 +195,12 @@ impl WorldPictures {
         let scene = objects.observed(&enclosing)?;
         let color_of = |i: u32| good.colors[i as usize];
         let colors = (Shade::Object, color_of);
-        let (frame, traced) = (&mut self.frame, &mut self.traced);
         let seen = (observer, good.generation, enclosing);
         let subsampling = self.fineness.at_most(seen.clone(), sizes.subsampling);
         Some(self.picture.get((seen, subsampling, good.palette), |(seen, ..)| {
             let mut fresh = None;
-            let frame = frame.get((seen.clone(), subsampling), |_| {
-                *traced += 1;
+            let frame = self.frame.get((seen.clone(), subsampling), |_| {
+                self.traced += 1;
                 let image = observer.image();
                 let raster = subsampling.raster(image, [image.width(), image.height()]);
                 let (outputs, memory) = (Outputs::default(), (None, watch));
@@ -365,20 +378,19 @@ impl Plots {
             Named { object, title, name, color }
         };
         let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
-        let made = &mut self.made;
         let curves = self.curves.get((*resolved, generation, selection, named), |(.., named)| {
-            *made += 1;
+            self.made += 1;
             Arc::new(curves(scene, &ray, named))
         });
         let range = range(&curves, session.ray_point_t);
         let ends = [*range.start(), *range.end()];
         let heights = session.settings.plot_heights();
-        let samples = self.samples.get((*made, ends, heights), |_| {
+        let samples = self.samples.get((self.made, ends, heights), |_| {
             Arc::new(samples(&curves, scene, &ray, &range, heights))
         });
         let ray_point_t = session.ray_point_t.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
-            (t, self.ray_point_t.get((*made, t), make))
+            (t, self.ray_point_t.get((self.made, t), make))
         });
         let left_out = scene.len() - curves.len();
         Some(Plot { curves, left_out, range, heights, samples, ray_point_t })

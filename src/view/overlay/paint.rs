@@ -43,26 +43,21 @@ impl Fills {
             return;
         }
         dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
-            before(band * BAND, dots);
-            self.paint_band(band * BAND, width, dots);
-        });
-    }
-
-    /// Paints the band of rows that starts at row `top`. A dot of egui has the same layout as in tiny-skia:
-    /// four bytes, premultiplied.
-    fn paint_band(&self, top: usize, width: usize, dots: &mut [Color32]) {
-        let height = dots.len() / width;
-        let bytes = bytemuck::cast_slice_mut(dots);
-        let Some(mut band) = PixmapMut::from_bytes(bytes, width as u32, height as u32) else {
-            return;
-        };
-        let (above, below) = (top as f32, (top + height) as f32);
-        let moved = Transform::from_translate(0.0, -above);
-        for (path, paint) in &self.0 {
-            if path.bounds().bottom() > above && path.bounds().top() < below {
-                band.fill_path(path, paint, FillRule::Winding, moved, None);
+            let (top, height) = (band * BAND, dots.len() / width);
+            before(top, dots);
+            // A dot of egui has the same layout as in tiny-skia: four bytes, premultiplied.
+            let bytes = bytemuck::cast_slice_mut(dots);
+            let Some(mut band) = PixmapMut::from_bytes(bytes, width as u32, height as u32) else {
+                return;
+            };
+            let (above, below) = (top as f32, (top + height) as f32);
+            let moved = Transform::from_translate(0.0, -above);
+            for (path, paint) in &self.0 {
+                if path.bounds().bottom() > above && path.bounds().top() < below {
+                    band.fill_path(path, paint, FillRule::Winding, moved, None);
+                }
             }
-        }
+        });
     }
 }
 

@@ -120,7 +120,7 @@ impl Screen {
         inside.into_iter().map(|q| self.spot_of_view(q)).collect()
     }
 
-    /// Returns the visible part of the line from `a` to `b`, and whether its ends are `a` and `b` themselves.
+    /// Returns the visible part of the line from `a` to `b`, and whether it ends at `b` itself.
     /// The line is clipped before the division by depth (Blinn, Newell, *Clipping using homogeneous
     /// coordinates*, 1978).
     pub(crate) fn line(&self, a: DVec3, b: DVec3) -> Option<CutLine> {
@@ -150,7 +150,6 @@ impl Screen {
         (self.is_near(from) && self.is_near(to)).then_some(CutLine {
             from,
             to,
-            whole_from: s0 == 0.0,
             whole_to: s1 == 1.0,
         })
     }
@@ -221,8 +220,6 @@ pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
 pub(crate) struct CutLine {
     pub(crate) from: Spot,
     pub(crate) to: Spot,
-    /// True if `from` is the start of the line itself.
-    pub(crate) whole_from: bool,
     /// True if `to` is the end of the line itself.
     pub(crate) whole_to: bool,
 }
@@ -248,14 +245,7 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
 
 /// Returns two orthogonal unit vectors in the plane with this normal, along the world's axes if possible.
 pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
-    let least = normal.abs();
-    let axis = if least.x <= least.y && least.x <= least.z {
-        DVec3::X
-    } else if least.y <= least.z {
-        DVec3::Y
-    } else {
-        DVec3::Z
-    };
+    let axis = DVec3::AXES[normal.abs().min_position()];
     let a = (axis - axis.dot(normal) * normal).normalize();
     (a, normal.cross(a))
 }

@@ -111,12 +111,12 @@ impl Sketch<'_> {
         let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
         let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
         let diagonal = a.at.distance(c.at).max(b.at.distance(d.at));
-        if diagonal >= SMALL_VIEWPORT * self.scale() {
+        if diagonal >= SMALL_VIEWPORT * self.screen.scale {
             return;
         }
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
         // In a low view, the body takes no more than its share of the height.
-        let low = (self.screen.size.min_element() / (LOW * self.scale())).clamp(0.4, 1.0);
+        let low = (self.screen.size.min_element() / (LOW * self.screen.scale)).clamp(0.4, 1.0);
         let point = low * self.screen.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);
         let half = 0.5 * BODY.0 * point / larger;
@@ -155,7 +155,7 @@ impl Sketch<'_> {
         let Some(dots) = self.screen.dots_per_unit(resolved.viewport_point(DVec2::ZERO)) else {
             return;
         };
-        let points = dots * side / self.scale();
+        let points = dots * side / self.screen.scale;
         let size = (0.09 * points).clamp(8.0, 22.0) / points * side;
         if !size.is_finite() {
             return;
@@ -366,17 +366,9 @@ impl WorldView {
 fn grid_step(distance: f64) -> f64 {
     let about = 2.0 * PATCH_RADIUS * distance / 9.0;
     let power = 10f64.powf(about.log10().floor());
-    let mantissa = about / power;
-    power
-        * if mantissa < 1.5 {
-            1.0
-        } else if mantissa < 3.5 {
-            2.0
-        } else if mantissa < 7.5 {
-            5.0
-        } else {
-            10.0
-        }
+    let below = |(limit, _): &(f64, f64)| about / power < *limit;
+    let step = [(1.5, 1.0), (3.5, 2.0), (7.5, 5.0)].into_iter().find(below);
+    power * step.map_or(10.0, |(_, step)| step)
 }
 
 impl Sketch<'_> {

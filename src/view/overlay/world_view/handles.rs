@@ -113,7 +113,8 @@ impl Sketch<'_> {
         for mark in others.into_iter().chain(plain) {
             let Some(spot) = self.screen.spot(mark.at) else { continue };
             let is_free = shown.iter().all(|(other, at)| {
-                at.distance(spot.at) >= self.scale() * (mark.state.radius() + other.state.radius())
+                at.distance(spot.at)
+                    >= self.screen.scale * (mark.state.radius() + other.state.radius())
             });
             if is_free {
                 shown.push((mark, spot.at));
@@ -123,7 +124,7 @@ impl Sketch<'_> {
     }
 
     fn knob(&mut self, mark: &HandleMark, at: DVec2) {
-        let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.scale());
+        let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.screen.scale);
         let radius = scale * mark.state.radius();
         let mut add = |shape: Shape, color, cased: bool| {
             let pen = LineStyle { halo: cased, ..LineStyle::new(Item::Handles, color, 0.0) };

@@ -123,10 +123,6 @@ impl LineStyle {
 }
 
 impl Sketch<'_> {
-    pub(crate) fn scale(&self) -> f64 {
-        f64::from(self.drawing.scale)
-    }
-
     /// Draws a straight line of the world.
     pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: LineStyle) {
         if self.items.shows(pen.item)
@@ -154,7 +150,7 @@ impl Sketch<'_> {
         }
         let along = to.at - from.at;
         let length = along.length();
-        let full = self.scale() * (4.0 + 3.0 * f64::from(pen.width));
+        let full = self.screen.scale * (4.0 + 3.0 * f64::from(pen.width));
         let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
             // The arrow points towards the observer or away, so only its end is visible.
             self.disc(to, pen.width + 1.5, pen);
@@ -325,7 +321,7 @@ impl Sketch<'_> {
     fn runs(&self, from: Spot, to: Spot, pen: LineStyle) -> Vec<LinePart> {
         let length = (to.at - from.at).length();
         let count = (length / SAMPLE_SPACING).ceil().clamp(1.0, 16_384.0);
-        let shortest = SHORTEST_RUN * self.scale() / length.max(1e-9);
+        let shortest = SHORTEST_RUN * self.screen.scale / length.max(1e-9);
         let is_hidden = |share: f64| self.is_hidden(from.toward(to, share), pen);
         let mut runs: Vec<LinePart> = Vec::new();
         for k in 0..count as u32 {
