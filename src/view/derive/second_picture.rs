@@ -70,6 +70,9 @@ type WrongKey = (Camera, [u64; 2], Raster, Shade, Mistake);
 /// shading, and the selected ray.
 type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
 
+/// The inputs of the map of a student's answers: their grade, and the size in dots.
+type MapKey = (Same<Graded>, [u32; 2]);
+
 /// The picture of another camera, and the map of the pixels that differ from the edited camera's picture.
 type Pair = [Arc<Picture>; 2];
 
@@ -80,7 +83,7 @@ pub(super) struct SecondPictures {
     wrong_camera: Memo<WrongKey, (Arc<ComparedCamera>, Option<Pair>)>,
     ghost: Memo<GhostKey, Option<(Arc<AgainstGhost>, Pair)>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
-    answers_map: Memo<(Same<Graded>, [u32; 2]), Option<Arc<Picture>>>,
+    answers_map: Memo<MapKey, Option<Arc<Picture>>>,
     answer_marks: Memo<(Same<Graded>, Selection), Arc<[AnswerMark]>>,
     view: Memo<CameraView, Shown>,
     buffers: SpareImages,
