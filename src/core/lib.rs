@@ -31,7 +31,6 @@
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas, for comparison |
 //! | interaction | [`steering`]: moving and turning a camera by drags, wheel and keys |
-//! | files | the feature `serde`, off by default, serializes cameras, scenes and their parts; values that are read pass the same checks as values made in code |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
 //! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), and rays
@@ -190,8 +189,6 @@ mod exact;
 pub mod methods;
 mod render;
 mod scene;
-#[cfg(feature = "serde")]
-mod serialization;
 pub mod steering;
 
 /// Runs the README's example as a doc test.
@@ -227,7 +224,8 @@ pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
 pub use render::frame::{Counts, Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
-pub use render::shade::{HitShader, lambert, shade, shade_at_level};
+pub use render::shade::shade_rows::HitShader;
+pub use render::shade::{lambert, shade, shade_at_level};
 pub use render::{
     retrace, retrace_at_level, retrace_painted, trace, trace_as, trace_at_level, trace_painted,
 };

@@ -17,7 +17,6 @@ pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
 ///
 /// Orthonormal and right-handed: `u x v = w`. In these coordinates the camera is canonical.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Basis {
     /// Right in the image.
     pub u: DVec3,

@@ -22,8 +22,6 @@ use crate::exact::scale::unit;
 
 /// The direction in which the camera looks and its up, given in one of three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Orientation {
     /// Looks at the point `at`, level with respect to `up`.
     At {
@@ -45,8 +43,6 @@ pub enum Orientation {
 
 /// The ways to give an [`Orientation`], without the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum OrientationKind {
     /// A point to look at, and up.
     At,
@@ -60,7 +56,6 @@ pub enum OrientationKind {
 ///
 /// The fields may have any values while they are edited; [`Camera::resolve`] checks them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Camera {
     /// The origin of every view ray.
     pub eye: DVec3,

@@ -2,6 +2,7 @@
 //! ray, whose direction no `f64` holds.
 
 use glam::{DVec2, DVec3};
+use serde::Serialize;
 use thiserror::Error;
 
 use crate::camera::resolved::ResolvedCamera;
@@ -16,8 +17,7 @@ use crate::exact::scale::{ldexp, split, triple};
 /// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
 ///
 /// The fields may have any values; a ray that does not pass [`Ray::check`] meets nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ray {
     /// The point at `t = 0`, the lecture's p.
     pub origin: DVec3,

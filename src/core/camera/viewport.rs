@@ -2,13 +2,13 @@
 //! image is the grid of pixels into which it is divided. Computer vision writes both as K, the matrix of
 //! focal lengths and principal point.
 
+use serde::Serialize;
 use thiserror::Error;
 
 use crate::exact::scale::shortest;
 
 /// Width and height of the viewport and its distance from the eye, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Viewport {
     /// Extent along u.
     pub width: f64,
@@ -98,15 +98,13 @@ pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
 
 /// The image's width W and height H in pixels, 1 to [`ImageSize::MAX`] each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ImageSize {
     width: u32,
     height: u32,
 }
 
 /// A pixel by row (0 on top) and column (0 at the left).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Pixel {
     /// Row, from 0 at the top to H - 1.
     pub row: u32,
@@ -193,7 +191,6 @@ impl ImageSize {
 /// (Hartley, Zisserman, *Multiple View Geometry*, 2nd ed., section 6.1, with y down.) Where pixel
 /// centres are whole numbers, as in OpenCV, cx and cy are a half less.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Intrinsics {
     /// Horizontal focal length in pixels, `distance W / width`.
     pub fx: f64,

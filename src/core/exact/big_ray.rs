@@ -62,21 +62,6 @@ impl BigRay {
         &(&terms[0] + &terms[1]) + &terms[2]
     }
 
-    /// Returns the sign of D: whether the line misses, touches or crosses the sphere.
-    pub(crate) fn meets(&self, quadratic: &BigQuadratic) -> Ordering {
-        quadratic.discriminant.sign(&self.radicands)
-    }
-
-    /// Returns the sign of b: whether the sphere's centre lies ahead.
-    pub(crate) fn is_ahead(&self, quadratic: &BigQuadratic) -> Ordering {
-        quadratic.b.sign(&self.radicands)
-    }
-
-    /// Returns the nearer or the farther root: `sign` is that of the square root.
-    pub(crate) fn root(&self, quadratic: BigQuadratic, sign: Ordering) -> BigRoot {
-        BigRoot { x: quadratic.b, sign, radicand: quadratic.discriminant, y: None }
-    }
-
     /// Returns `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly
     /// where it is.
     pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {

@@ -3,13 +3,14 @@
 use std::cmp::Ordering;
 use std::ops::Add;
 
+use serde::Serialize;
+
 /// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly; or the
 /// number of `t` that each step computed, if those are counted.
 ///
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has
 /// a bound of its own error, and passes decisions that lie within the bound on to the next step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[non_exhaustive]
 pub struct Steps {
     /// Decisions made in `f64`.

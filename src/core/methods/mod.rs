@@ -25,6 +25,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 pub use dispatch::{MethodHit, MethodKernel, Traced, frame_kernel, ray_kernel, trace_by};
 
 mod dispatch;
@@ -99,9 +101,8 @@ pub enum Precision {
 }
 
 /// A way to find the first hit of a ray.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "String", into = "&'static str"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "&'static str")]
 pub enum Method {
     /// The steps by which this crate decides: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).

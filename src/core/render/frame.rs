@@ -25,7 +25,6 @@ pub struct Raster {
 /// The outputs to keep for every pixel. An output that is not requested is not written, and its buffer
 /// stays empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Outputs {
     /// True to keep `t` of the first hit.
     pub t: bool,
@@ -242,13 +241,6 @@ pub(crate) fn empty_frame<T: Depth>(
     }
 }
 
-/// A band's part of each buffer. A part is empty if its output was not requested.
-pub(crate) struct BandBuffers<'a, T> {
-    pub(crate) t: &'a mut [T],
-    pub(crate) object: &'a mut [u32],
-    pub(crate) normal: &'a mut [DVec3],
-}
-
 /// A thread's own buffers, which replace outputs that were not requested.
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
@@ -257,31 +249,15 @@ pub(crate) struct OwnBuffers<T> {
     pub(crate) drawn: Vec<f32>,
 }
 
-impl<T> OwnBuffers<T> {
-    pub(crate) fn new() -> OwnBuffers<T> {
-        OwnBuffers { t: Vec::new(), object: Vec::new(), drawn: Vec::new() }
-    }
-}
-
-/// Splits the buffers into those of the bands, in order; the bands have the given numbers of rows and
-/// columns.
-pub(crate) fn band_buffers<'a, T>(
-    mut t: &'a mut [T],
-    mut object: &'a mut [u32],
-    mut normal: &'a mut [DVec3],
-    (bands, width): (&[Range<usize>], usize),
-) -> Vec<BandBuffers<'a, T>> {
-    let next = |rows: &Range<usize>| {
-        let pixels = rows.len() * width;
-        let (t, object) = (first_of(&mut t, pixels), first_of(&mut object, pixels));
-        BandBuffers { t, object, normal: first_of(&mut normal, pixels) }
-    };
+/// Splits a buffer into the parts of the bands, which have these rows of `width` pixels each. The parts are
+/// empty if the buffer is.
+pub(crate) fn parts<'a, T>(
+    mut buffer: &'a mut [T],
+    bands: &[Range<usize>],
+    width: usize,
+) -> Vec<&'a mut [T]> {
+    let next = |rows: &Range<usize>| buffer.split_off_mut(..rows.len() * width).unwrap_or_default();
     bands.iter().map(next).collect()
-}
-
-/// Splits off the first part of a buffer; returns an empty slice if the buffer is empty.
-fn first_of<'a, T>(buffer: &mut &'a mut [T], size: usize) -> &'a mut [T] {
-    buffer.split_off_mut(..size).unwrap_or_default()
 }
 
 /// Returns a buffer's part or, if its output was not requested, as much of the thread's own buffer.

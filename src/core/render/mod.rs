@@ -45,13 +45,13 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
+use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::steps::Steps;
 use crate::render::frame::{
-    BandBuffers, Counts, Depth, Finish, Frame, Outputs, OwnBuffers, Raster, band_buffers,
-    empty_frame, or_own,
+    Counts, Depth, Finish, Frame, Outputs, OwnBuffers, Raster, empty_frame, or_own, parts,
 };
 use crate::render::plan::{Plan, SLICE_ROWS};
 use crate::render::row_band::RowBand;
@@ -215,11 +215,14 @@ pub(crate) fn fill<T: Depth>(
     let plan = Plan::new(level, scene, camera, raster);
     let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
     let (width, bands, keeps_t) = (raster.columns().len(), plan.bands(), !t.is_empty());
-    let buffers = band_buffers(t, object, normal, (&bands, width));
-    let draw = |own: &mut OwnBuffers<T>, (rows, part): (Range<usize>, BandBuffers<T>)| {
-        let needs_t = !part.t.is_empty() || finish.is_some();
-        let t = or_own(part.t, &mut own.t, rows.len() * width, T::ZERO);
-        let object = or_own(part.object, &mut own.object, rows.len() * width, 0);
+    let parts_of_t = parts(t, &bands, width).into_iter().zip(parts(object, &bands, width));
+    let buffers = parts_of_t.zip(parts(normal, &bands, width));
+    type Buffers<'a, T> = ((&'a mut [T], &'a mut [u32]), &'a mut [DVec3]);
+    let draw = |own: &mut OwnBuffers<T>,
+                (rows, ((t, object), normal)): (Range<usize>, Buffers<T>)| {
+        let needs_t = !t.is_empty() || finish.is_some();
+        let t = or_own(t, &mut own.t, rows.len() * width, T::ZERO);
+        let object = or_own(object, &mut own.object, rows.len() * width, 0);
         let mut band = RowBand::new(&plan, rows.clone(), T::drawn(t, &mut own.drawn), object);
         band.draw_large();
         while band.draw_rows() {
@@ -228,7 +231,7 @@ pub(crate) fn fill<T: Depth>(
         band.draw_others();
         let (steps, left_out, untouched) = band.counted();
         let found = if needs_t { T::found(t) } else { &mut [] };
-        let of_t = fill_exactly(&plan, rows.clone(), object, found, part.normal);
+        let of_t = fill_exactly(&plan, rows.clone(), object, found, normal);
         let of_t = if keeps_t { of_t } else { Steps::default() };
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
@@ -237,13 +240,14 @@ pub(crate) fn fill<T: Depth>(
         (steps, of_t, left_out, untouched)
     };
     let bands = bands.into_iter().zip(buffers);
+    let new_buffers = || OwnBuffers { t: Vec::new(), object: Vec::new(), drawn: Vec::new() };
     let (left_out, rows_untouched);
     (*steps, *steps_of_t, left_out, rows_untouched) = if is_quick {
-        let mut own = OwnBuffers::new();
+        let mut own = new_buffers();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
         // A thread takes the next band when it has finished one.
-        bands.par_bridge().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
+        bands.par_bridge().map_init(new_buffers, draw).reduce(Default::default, sums)
     };
     *counts = Counts {
         spheres: scene.spheres().len() as u64,

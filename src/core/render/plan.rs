@@ -74,35 +74,31 @@ impl<'a> Plan<'a> {
         };
         spans.sort_unstable_by(|a, b| a.outline.nearest.total_cmp(&b.outline.nearest));
         let seen = |plane| ObjectFromOrigin::new(&Object::Plane(plane), camera.eye());
-        let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
-        let planes: Vec<Option<ObjectFromOrigin>> = planes.collect();
-        let mut plan = Plan {
+        let planes: Vec<Option<ObjectFromOrigin>> =
+            distinct(scene.planes()).map(|plane| plane.map(seen)).collect();
+        /// The frame is finished before another thread would have started, at a few operations per pixel,
+        /// if it has at most this many pixels and spheres.
+        const QUICK: (usize, usize) = (1 << 18, 8);
+        let has_others = others.iter().any(|slice| !slice.is_empty());
+        let is_quick = visible.is_none()
+            && planes.is_empty()
+            && !has_others
+            && axes.pixels() <= QUICK.0
+            && spans.len() <= QUICK.1;
+        Plan {
             level,
             scene,
             rays,
+            is_written_once: visible.is_none() && spans.len() <= MOST_WRITTEN_ONCE,
+            is_quick,
             axes,
             spans,
             others,
             visible,
             left_out,
-            is_written_once: false,
-            is_quick: false,
             extents,
             planes,
-        };
-        plan.is_written_once = plan.visible.is_none() && plan.spans.len() <= MOST_WRITTEN_ONCE;
-        plan.is_quick = plan.is_quick();
-        plan
-    }
-
-    /// Returns whether one thread, at a few operations per pixel, draws the frame in the time that other
-    /// threads need to wake up.
-    fn is_quick(&self) -> bool {
-        const PIXELS: usize = 1 << 18;
-        const SPANS: usize = 8;
-        let has_others = self.others.iter().any(|slice| !slice.is_empty());
-        let is_simple = self.visible.is_none() && self.planes.is_empty() && !has_others;
-        is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
+        }
     }
 
     /// Returns the rows of each band, in the order in which threads take the bands.
@@ -174,7 +170,7 @@ impl Classifier<'_> {
             return classified;
         };
         let mut outlines = Outlines::default();
-        let lanes = lanes_of(self.level);
+        let lanes = dispatch!(self.level, simd => lanes(simd));
         for (group, some) in spheres.chunks(lanes).enumerate() {
             let side = |x: fn(&Sphere) -> f64| {
                 std::array::from_fn::<f64, MOST_LANES, _>(|k| x(&some[k.min(some.len() - 1)]))
@@ -227,11 +223,7 @@ impl Classifier<'_> {
     }
 }
 
-/// Returns the number of `f64` in a vector of the level.
-fn lanes_of(level: Level) -> usize {
-    dispatch!(level, simd => lanes(simd))
-}
-
+/// Returns the number of `f64` in a vector.
 #[inline(always)]
 fn lanes<S: Simd>(_simd: S) -> usize {
     S::f64s::LEN

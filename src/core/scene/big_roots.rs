@@ -21,9 +21,8 @@ impl BigRay {
 
     /// Returns the sphere's quadratic.
     pub(crate) fn quadratic(&self, sphere: &Sphere) -> BigQuadratic {
-        let q = self.to_center(sphere);
-        let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
-        let b = self.dot(&q);
+        let c = big_c(sphere, &self.origin);
+        let b = self.dot(&self.to_center(sphere));
         let discriminant = &b.square(&self.radicands) - &self.a.scaled(&c);
         BigQuadratic { b, discriminant }
     }
@@ -36,7 +35,7 @@ impl BigRay {
     /// Returns the root of a plane that is not parallel.
     pub(crate) fn plane_root(&self, plane: &Plane) -> BigRoot {
         let normal = exact3(plane.normal);
-        let offset = Surd::from(dot(&normal, &minus(&exact3(plane.point), &self.origin)));
+        let offset = Surd::from(big_offset(plane, &self.origin));
         let rate = self.dot(&normal);
         let (x, y) = if rate.sign(&self.radicands) == Ordering::Less {
             (-&offset, -&rate)
@@ -49,9 +48,9 @@ impl BigRay {
     /// Returns `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
     pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> Precise {
         // Times the scale's square: t and the direction are free of it.
-        let (q, t) = (self.to_center(sphere), Dyadic::from(t));
-        let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
-        let (b, square) = (self.dot(&q), self.scale.square(&self.radicands));
+        let (c, t) = (big_c(sphere, &self.origin), Dyadic::from(t));
+        let b = self.dot(&self.to_center(sphere));
+        let square = self.scale.square(&self.radicands);
         let linear = b.times(&self.scale, &self.radicands).scaled(&(&t + &t));
         let value = &(&self.a.scaled(&t.square()) - &linear) + &square.scaled(&c);
         self.value(&value, &square)
@@ -67,7 +66,7 @@ impl BigRay {
     /// Returns `normal . (origin + t direction - point)`, as [`BigRay::value`].
     pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> Precise {
         let normal = exact3(plane.normal);
-        let offset = dot(&normal, &minus(&exact3(plane.point), &self.origin));
+        let offset = big_offset(plane, &self.origin);
         let value = &self.dot(&normal).scaled(&Dyadic::from(t)) - &self.scale.scaled(&offset);
         self.value(&value, &self.scale)
     }
@@ -105,12 +104,12 @@ impl BigRay {
 }
 
 /// Returns `|center - origin|^2 - r^2`.
-pub(crate) fn big_c(sphere: &Sphere, origin: DVec3) -> Dyadic {
-    let q = minus(&exact3(sphere.center), &exact3(origin));
+pub(crate) fn big_c(sphere: &Sphere, origin: &Exact3) -> Dyadic {
+    let q = minus(&exact3(sphere.center), origin);
     &dot(&q, &q) - &Dyadic::from(sphere.radius).square()
 }
 
 /// Returns `normal . (point - origin)`.
-pub(crate) fn big_offset(plane: &Plane, origin: DVec3) -> Dyadic {
-    dot(&exact3(plane.normal), &minus(&exact3(plane.point), &exact3(origin)))
+pub(crate) fn big_offset(plane: &Plane, origin: &Exact3) -> Dyadic {
+    dot(&exact3(plane.normal), &minus(&exact3(plane.point), origin))
 }

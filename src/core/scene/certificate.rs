@@ -390,11 +390,11 @@ fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate,
         let question = Question::Ahead;
         Bounded { question, value: rate.value.near(), bound: rate.doubt, unit }
     }
-    let rough = bounded(plane, &plane.rough_rate(&ray.rough), &ray.rough);
+    let rough = bounded(plane, &plane.rate_of(&ray.rough), &ray.rough);
     if let Some(found) = Certificate::decided(Step::F64, index, &rough) {
         return (found, Some(rough.value.total_cmp(&0.0)));
     }
-    let fine = bounded(plane, &plane.fine_rate(ray), &ray.fine);
+    let fine = bounded(plane, &plane.rate_of(&ray.fine), &ray.fine);
     match Certificate::decided(Step::DoubleDouble, index, &fine) {
         Some(found) => (found, Some(fine.value.total_cmp(&0.0))),
         None => (Certificate::exact(Question::Ahead, index, fine.bound / fine.unit), None),

@@ -10,8 +10,6 @@ use crate::scene::sphere::Sphere;
 
 /// One object of a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Object {
     /// A sphere.
     Sphere(Sphere),

@@ -6,7 +6,6 @@ use crate::scene::error::ObjectError;
 
 /// All points `q` with `normal . (q - point) = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Plane {
     /// Any point of the plane.
     pub point: DVec3,

@@ -105,7 +105,7 @@ impl PlaneFromOrigin {
 
     /// Recomputes the offset from the exact number, where double-double loses its digits.
     fn set_exact(&mut self) {
-        let exact = big_offset(&self.plane, self.origin);
+        let exact = big_offset(&self.plane, &exact3(self.origin));
         self.side = exact.sign();
         // The offset may need the exact number where its sign does not.
         if !(self.offset_doubt < 0.5 && self.offset.hi.abs() > 1e-200) {
@@ -120,12 +120,12 @@ impl PlaneFromOrigin {
 
     /// Returns the exact sign of `normal . direction`.
     fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = self.rough_rate(&ray.rough);
+        let rough = self.rate_of(&ray.rough);
         if let Some(sign) = rough.sign() {
             steps.count(Step::F64);
             return sign;
         }
-        let fine = self.fine_rate(ray);
+        let fine = self.rate_of(&ray.fine);
         if let Some(sign) = fine.sign() {
             steps.count(Step::DoubleDouble);
             return sign;
@@ -134,12 +134,9 @@ impl PlaneFromOrigin {
         ray.big().rate(&self.plane)
     }
 
-    pub(crate) fn rough_rate(&self, direction: &DirectionTerms<f64>) -> Rate<f64> {
+    /// Returns `normal . direction` in the direction's precision.
+    pub(crate) fn rate_of<T: Number>(&self, direction: &DirectionTerms<T>) -> Rate<T> {
         Rate::new(&self.normal, self.normal_length, direction)
-    }
-
-    pub(crate) fn fine_rate(&self, ray: &ExactRay) -> Rate<DoubleDouble> {
-        Rate::new(&self.normal, self.normal_length, &ray.fine)
     }
 
     /// Returns whether the line meets the plane, that is, whether it is not parallel to it.
@@ -158,7 +155,7 @@ impl PlaneFromOrigin {
         if self.side == Ordering::Equal {
             return (Precise::ZERO, Step::DoubleDouble);
         }
-        let rate = self.fine_rate(ray);
+        let rate = self.rate_of(&ray.fine);
         let off = self.offset_doubt
             + 1.05
                 * (rate.doubt / rate.value.hi.abs()
@@ -175,7 +172,7 @@ impl PlaneFromOrigin {
     /// Returns `t` in `f64` and its relative error, in units of `2^(scale - scale of the ray) /
     /// stretch`.
     pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
-        let rate = self.rough_rate(direction);
+        let rate = self.rate_of(direction);
         rate.sign()?;
         let share = rate.doubt / rate.value.abs();
         (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
@@ -188,7 +185,7 @@ impl PlaneFromOrigin {
 
     /// Returns `normal . direction`, rounded, with its exact sign, in the units of the inputs.
     pub(crate) fn rate_given(&self, ray: &ExactRay) -> f64 {
-        let rate = (self.fine_rate(ray).value / DoubleDouble::from(ray.stretch)).hi.abs();
+        let rate = (self.rate_of(&ray.fine).value / DoubleDouble::from(ray.stretch)).hi.abs();
         let rate = ldexp(rate, self.normal_scale + ray.scale).max(f64::MIN_POSITIVE);
         match self.rate(ray, &mut Steps::default()) {
             Ordering::Less => -rate,
@@ -264,7 +261,7 @@ pub(crate) struct PlaneOrder {
 impl PlaneOrder {
     pub(crate) fn new(one: &PlaneFromOrigin, other: &PlaneFromOrigin) -> PlaneOrder {
         let terms = |of: &PlaneFromOrigin, beside: &PlaneFromOrigin| {
-            times(&exact3(of.plane.normal), &big_offset(&beside.plane, beside.origin))
+            times(&exact3(of.plane.normal), &big_offset(&beside.plane, &exact3(beside.origin)))
         };
         let (plus, minus) = (terms(other, one), terms(one, other));
         let exact: [Dyadic; 3] = std::array::from_fn(|i| &plus[i] - &minus[i]);

@@ -6,7 +6,6 @@ use crate::scene::error::ObjectError;
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sphere {
     /// The centre c.
     pub center: DVec3,

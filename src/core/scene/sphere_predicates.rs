@@ -6,9 +6,10 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::ray::ExactRay;
-use crate::exact::big_ray::BigRoot;
+use crate::exact::big_ray::{BigQuadratic, BigRoot};
 use crate::exact::bounded::{Number, PLAIN, UNIT, dot, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
+use crate::exact::dyadic::exact3;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
 use crate::exact::quadratic::{Form, Quadratic, SphereTerms, sphere_normal};
 use crate::exact::scale::ldexp;
@@ -137,7 +138,7 @@ impl SphereFromOrigin {
         }
         steps.count(Step::Exact);
         let big = ray.big();
-        big.meets(&big.quadratic(&self.sphere))
+        big.quadratic(&self.sphere).discriminant.sign(&big.radicands)
     }
 
     /// Returns the sign of b, for a line that meets the sphere: whether the centre lies ahead.
@@ -154,7 +155,7 @@ impl SphereFromOrigin {
         }
         steps.count(Step::Exact);
         let big = ray.big();
-        big.is_ahead(&big.quadratic(&self.sphere))
+        big.quadratic(&self.sphere).b.sign(&big.radicands)
     }
 
     /// Finds the root that the ray hits first: the smallest `t > 0`. Returns `None` if there is none.
@@ -245,9 +246,8 @@ impl SphereFromOrigin {
 
     /// Returns the root in exact numbers.
     pub(crate) fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
-        let big = ray.big();
-        let quadratic = big.quadratic(&self.sphere);
-        big.root(quadratic, root.sign())
+        let BigQuadratic { b, discriminant } = ray.big().quadratic(&self.sphere);
+        BigRoot { x: b, sign: root.sign(), radicand: discriminant, y: None }
     }
 
     /// Returns the outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16
@@ -388,7 +388,7 @@ impl PointPower {
                 step,
             };
         }
-        let exact = big_c(sphere, origin);
+        let exact = big_c(sphere, &exact3(origin));
         // c may need the exact number where its sign does not.
         let step = if doubt < 0.5 && value.hi.abs() > TINY { step } else { Step::Exact };
         let sign = exact.sign();

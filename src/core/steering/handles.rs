@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::fine_basis::Aim;
@@ -12,9 +13,8 @@ use crate::exact::scale::{angle_between, ldexp3, split, unit};
 use crate::steering::{CONE, SteerError, Steered, Turn, orthonormal, steady};
 
 /// The quantity that stays fixed when the eye is moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Keep {
     /// The point that the camera looks at, its [pivot](Camera::pivot): the view turns.
     At,

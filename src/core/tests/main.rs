@@ -26,7 +26,6 @@ mod picture;
 mod readme;
 mod reference;
 mod roots;
-mod serialization;
 mod shading;
 mod steering;
 mod steps;

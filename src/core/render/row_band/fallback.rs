@@ -4,6 +4,7 @@
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::HashMap;
+use std::mem;
 use std::ops::Range;
 
 use glam::DVec3;
@@ -51,8 +52,8 @@ pub(crate) struct PixelLadder<'a> {
     object: &'a mut [u32],
     /// The rough hit of the sphere that each pixel shows, in `f64`; empty if few pixels are in doubt.
     hits: &'a mut [RoughHit],
-    known_objects: KnownObjects,
-    steps: Steps,
+    known_objects: &'a mut KnownObjects,
+    steps: &'a mut Steps,
 }
 
 impl RowBand<'_> {
@@ -63,48 +64,42 @@ impl RowBand<'_> {
 
     /// Decides the pixels that the rows have left in doubt.
     pub(crate) fn resolve_doubt(&mut self) {
-        let RowBand { plan, rows, t, object, doubts, hits, steps, .. } = self;
-        let (plan, width) = (*plan, plan.rays.n.len());
+        let doubts = mem::take(&mut self.doubts);
         if doubts.len() < MANY {
-            let known_objects = KnownObjects::default();
-            let rows = rows.clone();
-            let mut ladder =
-                PixelLadder { plan, rows, t, object, hits, known_objects, steps: *steps };
-            ladder.resolve_all(doubts);
-            *steps = ladder.steps;
+            self.ladder().resolve_all(&doubts);
         } else {
+            let RowBand { plan, rows, t, object, hits, steps, .. } = self;
             hits.resize(t.len(), RoughHit::NONE);
             let count = rows.len().div_ceil(SHARES);
-            let size = count * width;
+            let size = count * plan.axes.width;
             let pixels = t.par_chunks_mut(size).zip(object.par_chunks_mut(size));
             let shares = pixels.zip(hits.par_chunks_mut(size)).enumerate();
-            let (all_rows, all_doubts) = (&*rows, &*doubts);
             let resolved = shares.map(|(share, ((t, object), hits))| {
-                let first = all_rows.start + share * count;
-                let rows = first..all_rows.end.min(first + count);
-                let known_objects = KnownObjects::default();
-                let steps = Steps::default();
-                let mut ladder = PixelLadder { plan, rows, t, object, hits, known_objects, steps };
-                ladder.resolve_all(all_doubts);
-                ladder.steps
+                let first = rows.start + share * count;
+                let rows = first..rows.end.min(first + count);
+                let (mut steps, mut known_objects) = Default::default();
+                let (steps, known_objects) = (&mut steps, &mut known_objects);
+                PixelLadder { plan, rows, t, object, hits, known_objects, steps }
+                    .resolve_all(&doubts);
+                *steps
             });
             *steps = *steps + resolved.reduce(Steps::default, |a, b| a + b);
         }
-        doubts.clear();
+        self.doubts = doubts;
+        self.doubts.clear();
     }
 
     /// Decides one pixel by itself, up the ladder. The pixel has been counted as decided in `f64`; it is
     /// counted at the step that decides it instead.
     #[cold]
     pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
+        self.steps.f64 -= 1;
+        self.ladder().resolve(query);
+    }
+
+    fn ladder(&mut self) -> PixelLadder<'_> {
         let RowBand { plan, rows, t, object, hits, known_objects, steps, .. } = self;
-        let kept = std::mem::take(known_objects);
-        let rows = rows.clone();
-        let mut ladder =
-            PixelLadder { plan, rows, t, object, hits, known_objects: kept, steps: *steps };
-        ladder.steps.f64 -= 1;
-        ladder.resolve(query);
-        (*steps, *known_objects) = (ladder.steps, ladder.known_objects);
+        PixelLadder { plan, rows: rows.clone(), t, object, hits, known_objects, steps }
     }
 }
 
@@ -270,7 +265,7 @@ impl PixelLadder<'_> {
         let PixelQuery { index, seen, row, column, t } = *query;
         let (camera, offset) = (self.plan.rays.camera, self.offset(query));
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
-        let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
+        let Some(root) = seen.first_root(&ray, self.steps) else { return };
         let hit = Hit { index, object: Cow::Borrowed(seen), root };
         let known = self.object[offset];
         if known != NO_OBJECT
@@ -281,7 +276,7 @@ impl PixelLadder<'_> {
             // The object that a pixel shows is hit.
             let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
             let known_hit = Hit { index: known, object, root };
-            let order = hit.compare(&known_hit, &ray, &mut self.steps);
+            let order = hit.compare(&known_hit, &ray, self.steps);
             if order.then(index.cmp(&known)) == Ordering::Greater {
                 return;
             }

@@ -114,12 +114,6 @@ struct Drawing<S: Simd> {
 }
 
 impl<S: Simd> Drawing<S> {
-    /// Computes `t` of some columns.
-    #[inline(always)]
-    fn find<const CORRECTS_ROOT: bool>(&self, columns: S::f32s, lanes: &SpanLanes<S>) -> S::f32s {
-        if CORRECTS_ROOT { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
-    }
-
     /// Draws one vector, which starts at a column counted from the row's first one; returns a mask of
     /// the lanes in doubt.
     #[inline(always)]
@@ -135,7 +129,7 @@ impl<S: Simd> Drawing<S> {
         if known.simd_lt(nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
-        let found = self.find::<CORRECTS_ROOT>(columns, lanes);
+        let found = lanes.t(columns, CORRECTS_ROOT);
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
         // Selecting the stored value itself would become a masked store, which is slow on many
@@ -161,12 +155,12 @@ impl<S: Simd> Drawing<S> {
     ) {
         let columns = S::f32s::from_slice(self.simd, columns);
         if is_whole {
-            self.find::<CORRECTS_ROOT>(columns, lanes).store_slice(t);
+            lanes.t(columns, CORRECTS_ROOT).store_slice(t);
             self.own.store_slice(object);
             return;
         }
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
-        let found = self.find::<CORRECTS_ROOT>(columns, lanes);
+        let found = lanes.t(columns, CORRECTS_ROOT);
         is_inside.select(found, self.none).store_slice(t);
         is_inside.select(self.own, S::u32s::splat(self.simd, NO_OBJECT)).store_slice(object);
     }

@@ -9,9 +9,9 @@ use fearless_simd::prelude::*;
 use crate::exact::double_double::Lane;
 use crate::exact::lanes::{SingleLanes, lanes_of};
 use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::small_outlines::Singles;
 use crate::render::outline::{MARGIN, MOST_LANES, Outline};
-use crate::render::rows::VectorBounds;
-use crate::render::rows::{RowBuffers, TIE, WrittenBlocks, draw_row};
+use crate::render::rows::{RowBuffers, TIE, VectorBounds, WrittenBlocks, draw_row};
 use crate::scene::sphere::Sphere;
 
 /// A sphere that can be drawn by rows.
@@ -231,8 +231,7 @@ impl Span {
                 || {
                     let columns = &target.axes.columns[at..at + S::f32s::LEN];
                     let columns = S::f32s::from_slice(simd, columns);
-                    let corrects_root = self.outline.corrects_root;
-                    if corrects_root { lanes.wide(columns).0 } else { lanes.narrow(columns).0 }
+                    lanes.t(columns, self.outline.corrects_root)
                 },
             );
             for (column, &t) in (at..=to).zip(found.as_slice()) {
@@ -300,9 +299,6 @@ impl Span {
         }
     }
 }
-
-/// Lanes of `f32`, as many as two vectors of `f64` can be narrowed to.
-type Singles = [f32; 2 * MOST_LANES];
 
 /// A vector of rows of one sphere.
 pub(crate) struct SpanRows {
@@ -492,6 +488,12 @@ impl<S: Simd> SpanLanes<S> {
         }
     }
 
+    /// Computes `t` of some columns, by [`SpanLanes::wide`] if the root is to be corrected.
+    #[inline(always)]
+    pub(crate) fn t(&self, columns: S::f32s, corrects_root: bool) -> S::f32s {
+        if corrects_root { self.wide(columns).0 } else { self.narrow(columns).0 }
+    }
+
     /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp: for a
     /// sphere whose S is small compared with b.
     ///
@@ -504,7 +506,7 @@ impl<S: Simd> SpanLanes<S> {
     /// the last rounding, t is within an ulp; `tests/ladder.rs` checks it against the reference. The sum
     /// with `b_pivot` keeps its rest, and the quotient is corrected by it and by its own residual.
     #[inline(always)]
-    pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
+    fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
         let (from_first, to_last) = (columns - self.first, self.last - columns);
         let square = (from_first + self.left) * (to_last + self.right);
@@ -538,7 +540,7 @@ impl<S: Simd> SpanLanes<S> {
     /// four times the sum. From the end at which b is larger it only becomes smaller, so that the rest of
     /// the sum with it is exact (Dekker, Numerische Mathematik 18, 1971).
     #[inline(always)]
-    pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
+    fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
         let (from_first, to_last) = (columns - self.first, self.last - columns);
         let whole = from_first * to_last;

@@ -8,13 +8,10 @@ pub(crate) mod shade_rows;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use crate::camera::ray::Ray;
-use crate::render::frame::Depth;
-use crate::render::frame::Frame;
-use crate::render::shade::paint::Srgb;
-use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
+use crate::render::frame::{Depth, Frame};
+use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade, Srgb};
 use crate::render::shade::painter::Painter;
-use crate::render::shade::shade_rows::{AMBIENT, FROM_EYE, Toner};
+use crate::render::shade::shade_rows::{AMBIENT, FROM_EYE};
 use crate::scene::Scene;
 
 /// Number of rows that one thread shades at a time.
@@ -74,22 +71,6 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
         let rows = index * ROWS..index * ROWS + pixels.len() / width;
         painter.rows(rows, t, &frame.object[part], pixels);
     });
-}
-
-/// Colours single hits, for rays outside a frame, as [`shade`](fn@shade) does.
-pub struct HitShader<'a>(Toner<'a>);
-
-impl<'a> HitShader<'a> {
-    /// Makes the shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows as white.
-    pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
-        HitShader(Toner::new(scene, shade, nearest))
-    }
-
-    /// Returns the colour of the ray's first hit, which is on this object at this `t`; `own` is the
-    /// object's colour.
-    pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
-        self.0.color(self.0.tones(ray, object, t, own))
-    }
 }
 
 /// Returns a colour lit from the eye, as in [`Shade::Lambert`]; `cosine` is `|n.d| / |d|`.

@@ -3,6 +3,8 @@
 
 use std::sync::LazyLock;
 
+use serde::{Deserialize, Serialize};
+
 /// A colour as sRGB bytes: red, green, blue.
 pub type Rgb = [u8; 3];
 
@@ -10,9 +12,8 @@ pub type Rgb = [u8; 3];
 pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 
 /// A way to make a colour from a hit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Shade {
     /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
     #[default]

@@ -5,17 +5,16 @@ use std::ops::Range;
 use fearless_simd::Level;
 
 use crate::camera::resolved::ResolvedCamera;
-use crate::render::frame::Depth;
-use crate::render::frame::{NO_OBJECT, Raster};
+use crate::render::frame::{Depth, NO_OBJECT, Raster};
 use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
-use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};
+use crate::render::shade::shade_rows::{HitShader, PADDING, RowRays, Run, ToneRow};
 use crate::scene::Scene;
 
 /// The values that all pixels of a picture share.
 pub(crate) struct Painter<'a, C, F> {
     level: Level,
     paint: &'a Paint<C, F>,
-    toner: Toner<'a>,
+    shader: HitShader<'a>,
     camera: &'a ResolvedCamera,
     raster: &'a Raster,
     /// Direction terms of each column (structure of arrays), padded to whole vectors.
@@ -46,9 +45,9 @@ where
         for column in &mut columns {
             column.resize(column.len() + PADDING, 0.0);
         }
-        let toner = Toner::new(scene, paint.shade, nearest);
+        let shader = HitShader::new(scene, paint.shade, nearest);
         let is_plain = has_plain_rays(camera);
-        Painter { level, paint, toner, camera, raster, columns, is_plain }
+        Painter { level, paint, shader, camera, raster, columns, is_plain }
     }
 
     /// Paints some rows of the raster from their hits. Only shadings that [need `t`](Shade::needs_t)
@@ -80,7 +79,7 @@ where
                 row: self.camera.row_term(self.camera.v_of_row(self.raster.rows()[row])),
                 is_plain: self.is_plain,
             };
-            self.toner.row(self.level, &rays, &runs, &wide, &mut tones);
+            self.shader.row(self.level, &rays, &runs, &wide, &mut tones);
             self.write(&runs, &tones, pixels);
         }
     }
@@ -116,7 +115,7 @@ where
             }
             let [r, g, b] = tones.each_ref().map(|channel| channel[run.start..run.end].iter());
             for (pixel, ((r, g), b)) in pixels.iter_mut().zip(r.zip(g).zip(b)) {
-                *pixel = to_pixel(self.toner.color([*r, *g, *b]));
+                *pixel = to_pixel(self.shader.color_of([*r, *g, *b]));
             }
         }
         fill(&mut pixels[done..], BACKGROUND);

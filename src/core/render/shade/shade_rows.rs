@@ -8,11 +8,9 @@ use glam::DVec3;
 use crate::camera::ray::Ray;
 use crate::exact::lanes::Lanes;
 use crate::render::shade::normals::{
-    Ball, PLAIN_T, far_normal, near_normal, plane_cosine, sphere_cosine,
+    Ball, Normals, PLAIN_T, Surface, far_normal, near_normal, plane_cosine, sphere_cosine,
 };
-use crate::render::shade::normals::{Normals, Surface};
-use crate::render::shade::paint::{PARTS, Srgb};
-use crate::render::shade::paint::{Rgb, Shade};
+use crate::render::shade::paint::{PARTS, Rgb, Shade, Srgb};
 use crate::scene::Scene;
 
 /// Number of pixels by which rows are padded: the number of `f32` lanes in the widest vector.
@@ -26,11 +24,11 @@ pub(crate) const FROM_EYE: f64 = 0.85;
 /// Three numbers per pixel: light in parts for [`Shade::Lambert`], bytes for all other shadings.
 pub(crate) type Tones = [u32; 3];
 
-/// The conversion of hits to tones, and of tones to colours.
-pub(crate) struct Toner<'a> {
-    pub(crate) shade: Shade,
+/// Converts hits to colours, as [`shade`](fn@crate::shade) does; also for rays outside a frame.
+pub struct HitShader<'a> {
+    shade: Shade,
     /// The `t` that [`Shade::T`] shows as white.
-    pub(crate) nearest: f64,
+    nearest: f64,
     normals: Normals<'a>,
     srgb: &'static Srgb,
 }
@@ -64,14 +62,21 @@ impl RowRays<'_> {
 /// A row's tones, padded, channel by channel.
 pub(crate) type ToneRow = [Vec<u32>; 3];
 
-impl<'a> Toner<'a> {
-    pub(crate) fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> Self {
-        Toner { shade, nearest, normals: Normals::new(scene), srgb: Srgb::get() }
+impl<'a> HitShader<'a> {
+    /// Makes the shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows as white.
+    pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> Self {
+        HitShader { shade, nearest, normals: Normals::new(scene), srgb: Srgb::get() }
+    }
+
+    /// Returns the colour of the ray's first hit, which is on this object at this `t`; `own` is the
+    /// object's colour.
+    pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
+        self.color_of(self.tones(ray, object, t, own))
     }
 
     /// Converts tones to a colour.
     #[inline(always)]
-    pub(crate) fn color(&self, tones: Tones) -> Rgb {
+    pub(crate) fn color_of(&self, tones: Tones) -> Rgb {
         match self.shade {
             Shade::Lambert => tones.map(|linear| self.srgb.byte_of(linear)),
             _ => tones.map(|byte| byte as u8),
@@ -79,7 +84,7 @@ impl<'a> Toner<'a> {
     }
 
     /// Returns the tones of one ray's first hit. Lambert and object do not use `t`.
-    pub(crate) fn tones(&self, ray: &Ray, object: u32, t: f64, color: Rgb) -> Tones {
+    fn tones(&self, ray: &Ray, object: u32, t: f64, color: Rgb) -> Tones {
         let Some(surface) = self.normals.surface(object) else { return [0; 3] };
         match self.shade {
             Shade::Object => color.map(u32::from),
