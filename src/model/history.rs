@@ -305,7 +305,7 @@ mod names_tests {
             d.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::X };
         });
         assert_name("move eye and at", true, |d| {
-            d.camera = d.camera.with_eye_at(DVec3::X, Keep::View).unwrap().camera;
+            d.camera = d.camera.with_eye(DVec3::X, Keep::View);
         });
         assert_name("change distance", true, |d| d.camera.viewport.distance = 2.0);
         assert_name("change the field of view", true, |d| {

@@ -74,8 +74,11 @@ impl HandleDrag<'_> {
         let camera = match self.handle {
             Handle::Eye | Handle::At => {
                 let point = self.readable(at, point, 1.0)?;
-                let steered =
-                    if self.handle == Handle::Eye { self.eye(point) } else { self.look_at(point) }?;
+                let steered = if self.handle == Handle::Eye {
+                    self.led_to(values.camera.with_eye(point, self.eye_keeps), self.eye_keeps)?
+                } else {
+                    self.led_to(values.camera.with_at(point), Keep::At)?
+                };
                 dragged.up_went_along = steered.up_went_along;
                 steered.camera
             }
@@ -133,38 +136,12 @@ impl HandleDrag<'_> {
         Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
     }
 
-    fn eye(&self, point: DVec3) -> Result<Steered, SteerError> {
-        let camera = self.drag.before.camera;
-        let by = point - camera.eye;
-        let orientation = match (camera.orientation, self.eye_keeps) {
-            (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
-            (Orientation::View { view, up }, Keep::At) => Orientation::View { view: view - by, up },
-            (given, _) => given,
-        };
-        let set = Camera { eye: point, orientation, ..camera };
-        self.aimed(set, camera.with_eye_at(point, self.eye_keeps))
-    }
-
-    fn look_at(&self, point: DVec3) -> Result<Steered, SteerError> {
-        let camera = self.drag.before.camera;
-        let orientation = match camera.orientation {
-            Orientation::At { up, .. } => Orientation::At { at: point, up },
-            Orientation::View { up, .. } => Orientation::View { view: point - camera.eye, up },
-            basis => basis,
-        };
-        self.aimed(Camera { orientation, ..camera }, camera.with_at(point))
-    }
-
     /// Returns the steered camera. If that camera has no basis, returns `set` instead, so that the fields
     /// show the fault. If the settings keep up fixed, always returns `set` for a camera with an up vector.
-    fn aimed(
-        &self,
-        set: Camera,
-        steered: Result<Steered, SteerError>,
-    ) -> Result<Steered, SteerError> {
-        let has_up = set.orientation.has_up();
+    fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
+        let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
-        if has_up && (self.settings.keep_up || is_at_fault) {
+        if set.orientation.has_up() && (self.settings.keep_up || is_at_fault) {
             return Ok(Steered { camera: set, up_went_along: false });
         }
         steered

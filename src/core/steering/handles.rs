@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::fine_basis::Aim;
 use crate::camera::{Camera, Orientation};
-use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::{angle_between, ldexp3, split, unit};
 use crate::steering::{CONE, SteerError, Steered, Turn, orthonormal, steady};
 
@@ -34,96 +33,61 @@ impl Keep {
 }
 
 impl Camera {
-    /// Returns the camera with its eye moved to a point of the world.
+    /// Returns the camera with its eye set to a point of the world, whether or not it has a basis then.
+    /// With [`Keep::View`], `at` moves with the eye; with [`Keep::At`], `view` still ends at the same point.
+    #[must_use]
+    pub fn with_eye(&self, point: DVec3, keep: Keep) -> Camera {
+        let by = point - self.eye;
+        let orientation = match (self.orientation, keep) {
+            (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
+            (Orientation::View { view, up }, Keep::At) => Orientation::View { view: view - by, up },
+            (given, _) => given,
+        };
+        Camera { eye: point, orientation, ..*self }
+    }
+
+    /// Returns the camera with `at`, or the end of `view`, set to a point of the world, whether or not it has
+    /// a basis then. A camera whose basis is set by hand stays as it is.
+    #[must_use]
+    pub fn with_at(&self, point: DVec3) -> Camera {
+        let orientation = match self.orientation {
+            Orientation::At { up, .. } => Orientation::At { at: point, up },
+            Orientation::View { up, .. } => Orientation::View { view: point - self.eye, up },
+            basis => basis,
+        };
+        Camera { orientation, ..*self }
+    }
+
+    /// Returns the camera after a drag of its eye or at, which has set its fields as in `moved`; see
+    /// [`Camera::with_eye`] and [`Camera::with_at`].
     ///
-    /// With [`Keep::At`] the pivot stays and the view turns by the smallest angle. For a camera given by
-    /// view, the length of `view` becomes the distance from the eye to the pivot; a basis set by hand
-    /// makes the smallest turn that aims it at the pivot. With [`Keep::View`] the basis stays, and `at`
-    /// keeps its position relative to the eye.
+    /// With [`Keep::At`], up turns with the view where the view comes close to up, and otherwise stays; a
+    /// basis set by hand makes the smallest turn that aims it at its [pivot](Camera::pivot) again. With
+    /// [`Keep::View`], the basis stays.
     ///
-    /// A camera without a basis only has its fields set, which may give it a basis.
+    /// A camera without a basis only gets the fields of `moved`, which may give it a basis.
     ///
     /// # Errors
     /// Returns an error if there is no basis afterwards (the eye is at the pivot), or if rounding would
     /// turn the basis ([`SteerError::Unsteady`]).
-    pub fn with_eye_at(&self, point: DVec3, keep: Keep) -> Result<Steered, SteerError> {
-        check_point("eye", point)?;
-        let moved = Camera { eye: point, ..*self };
-        if keep == Keep::View {
-            return self.travelled_to(point);
+    pub fn led_to(&self, moved: Camera, keep: Keep) -> Result<Steered, SteerError> {
+        let stays = |camera: Camera| Ok(Steered { camera, up_went_along: false });
+        let Ok(basis) = self.basis() else {
+            moved.basis()?;
+            return stays(moved);
+        };
+        if keep == Keep::View || moved == *self {
+            return stays(steady(moved, &basis)?);
         }
-        match self.orientation {
-            Orientation::At { .. } => self.led_to(moved),
-            Orientation::View { view, up } => {
-                let orientation = Orientation::View { view: view + (self.eye - point), up };
-                self.led_to(Camera { orientation, ..moved })
-            }
-            Orientation::Basis(basis) => {
-                let view = (self.eye - point) - self.reach()? * basis.w;
-                self.frame_led_to(moved, &basis, view)
-            }
-        }
-    }
-
-    /// Returns the camera aimed at a point of the world, with its eye in place. Sets `at`, or
-    /// `view = point - eye` for a camera given by view; a basis set by hand makes the smallest turn that
-    /// aims it at the point.
-    ///
-    /// A camera without a basis only has its fields set, which may give it a basis.
-    ///
-    /// # Errors
-    /// Returns an error if the point is the eye, or there is no basis.
-    pub fn with_at(&self, point: DVec3) -> Result<Steered, SteerError> {
-        check_point("at", point)?;
-        let view = difference_with_rest(point, self.eye).0;
-        let orientation = match self.orientation {
-            Orientation::At { up, .. } => Orientation::At { at: point, up },
-            Orientation::View { up, .. } => Orientation::View { view, up },
-            Orientation::Basis(basis) if view == DVec3::ZERO => {
-                Basis::by_hand(basis.u, basis.v, basis.w)?;
-                return Err(BasisError::EyeIsAt { point }.into());
-            }
-            Orientation::Basis(basis) => return self.frame_led_to(*self, &basis, view),
-        };
-        self.led_to(Camera { orientation, ..*self })
-    }
-
-    /// Returns the camera with eye and at moved together.
-    fn travelled_to(&self, eye: DVec3) -> Result<Steered, SteerError> {
-        let orientation = match self.orientation {
-            Orientation::At { at, up } if eye != self.eye => {
-                Orientation::At { at: at + (eye - self.eye), up }
-            }
-            given => given,
-        };
-        let moved = Camera { eye, orientation, ..*self };
-        let camera = match self.basis() {
-            Ok(basis) => steady(moved, &basis)?,
-            Err(_) => moved.basis().map(|_| moved)?,
-        };
-        Ok(Steered { camera, up_went_along: false })
-    }
-
-    /// Returns the camera after eye, at or view have been set. Up turns with the view where the view
-    /// comes close to up, and otherwise stays.
-    fn led_to(&self, moved: Camera) -> Result<Steered, SteerError> {
-        let stays = |camera: Camera| Steered { camera, up_went_along: false };
         let (aim, up) = match moved.orientation {
             Orientation::At { at, up } => (Aim::from_to(moved.eye, at, up)?, up),
             Orientation::View { view, up } => (Aim::along(view, up)?, up),
-            Orientation::Basis(_) => return Ok(stays(moved)),
+            Orientation::Basis(_) => return stays(self.frame_led_to(moved, &basis)?),
         };
-        let Ok(basis) = self.basis() else {
-            moved.basis()?;
-            return Ok(stays(moved));
-        };
-        if moved == *self {
-            return Ok(stays(moved));
-        }
         let to = unit(aim.view.rounded());
         let Some((direction, v)) = up_carried(&basis, self.up_angle()?.angle, to) else {
             moved.basis()?;
-            return Ok(stays(moved));
+            return stays(moved);
         };
         let (m, k) = split(up);
         let up = ldexp3(m.length() * unit(direction), k);
@@ -136,32 +100,19 @@ impl Camera {
         Ok(Steered { camera, up_went_along: true })
     }
 
-    /// Returns the camera with its basis, set by hand, turned to look along `view`.
-    fn frame_led_to(
-        &self,
-        moved: Camera,
-        basis: &Basis,
-        view: DVec3,
-    ) -> Result<Steered, SteerError> {
-        let basis = Basis::by_hand(basis.u, basis.v, basis.w)?;
+    /// Returns the moved camera with its basis, set by hand, turned to look at this camera's pivot.
+    fn frame_led_to(&self, moved: Camera, basis: &Basis) -> Result<Camera, SteerError> {
+        let view = (self.eye - moved.eye) - self.reach()? * basis.w;
         if !view.is_finite() {
             return Err(BasisError::NotFinite { field: "view", value: view }.into());
         }
         if view == DVec3::ZERO {
             return Err(BasisError::EyeIsAt { point: moved.eye }.into());
         }
-        let straight = orthonormal(&basis);
-        let turned = orthonormal(&frame_carried(&straight, unit(view)));
+        let turned = orthonormal(&frame_carried(&orthonormal(basis), unit(view)));
         let camera = Camera { orientation: Orientation::Basis(turned), ..moved };
         camera.basis()?;
-        Ok(Steered { camera, up_went_along: false })
-    }
-}
-
-fn check_point(field: &'static str, value: DVec3) -> Result<(), SteerError> {
-    match value.is_finite() {
-        true => Ok(()),
-        false => Err(BasisError::NotFinite { field, value }.into()),
+        Ok(camera)
     }
 }
 

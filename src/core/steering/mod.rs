@@ -7,7 +7,7 @@
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
 //! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
 //!   [`Camera::scaled_picture`] is the d-lock.
-//! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`].
+//! - *Handles*: [`Camera::led_to`], from the fields that [`Camera::with_eye`] or [`Camera::with_at`] sets.
 //! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) returns the point of the
 //!   world for a position in the observer's picture.
 //! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], given the size [`pixel_in_world`].

@@ -9,8 +9,8 @@ use fearless_simd::prelude::*;
 use crate::exact::lanes::lanes_of;
 use crate::render::bvh::occlusion::{Occlusion, strips};
 use crate::render::bvh::visible::{VisibleBox, VisibleSpheres};
-use crate::render::outline::Outlines;
 use crate::render::outline::small_outlines::SmallOutlines;
+use crate::render::outline::{Outline, Outlines};
 use crate::render::rows::small_spheres::{Runs, draw_small};
 use crate::render::rows::span::{Span, SpanTarget};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
@@ -269,7 +269,7 @@ fn rows_meet<S: Simd>(
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
     let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
     let (first, last) = (number(rows.start), number(rows.end - 1));
-    let (first_row, last_row) = (load(&outlines.first_row), load(&outlines.last_row));
+    let (first_row, last_row) = (load(&outlines.lanes.first_row), load(&outlines.lanes.last_row));
     let meets = last_row.simd_ge(first) & first_row.simd_le(last) & first_row.simd_le(last_row);
     meets.to_bitmask()
 }
@@ -277,12 +277,12 @@ fn rows_meet<S: Simd>(
 /// Returns the rows of the target and the columns that a sphere can cover.
 #[inline(always)]
 fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
-    let rows = target.axes.rows_between(outlines.first_row[lane], outlines.last_row[lane]);
+    let Outline { column, middle_row, row, shear, first_row, last_row, .. } = &outlines.lanes;
+    let rows = target.axes.rows_between(first_row[lane], last_row[lane]);
     // The middle moves by the shear; the half width is at most that of the widest row.
-    let row = outlines.middle_row + outlines.row[lane];
-    let (above, below) = (row - outlines.first_row[lane], outlines.last_row[lane] - row);
-    let reach =
-        outlines.size[lane].sqrt() + outlines.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
-    let (left, right) = (outlines.column[lane] - reach, outlines.column[lane] + reach);
+    let row = middle_row + row[lane];
+    let (above, below) = (row - first_row[lane], last_row[lane] - row);
+    let reach = outlines.size[lane].sqrt() + shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
+    let (left, right) = (column[lane] - reach, column[lane] + reach);
     (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
 }

@@ -31,8 +31,8 @@ pub(crate) const MOST_SINGLE_LANES: usize = 2 * MOST_LANES;
 
 type Lane8 = [f64; MOST_LANES];
 
-/// Outlines of a vector of spheres. Let r and c be row and column numbers of the image, and j the number
-/// of rows from the centre's row to r. On row r, a sphere that is seen from outside and lies wholly in
+/// The outline of a sphere. Let r and c be row and column numbers of the image, and j the number of rows
+/// from the centre's row to r. On row r, a sphere that is seen from outside and lies wholly in
 /// front of the eye covers the columns
 ///
 /// ```text
@@ -56,62 +56,48 @@ type Lane8 = [f64; MOST_LANES];
 ///
 /// With `h = Z^2 + Y^2 - r^2` and the column slope s, `D = h s^2 S^2`; b is `q.d / (s sqrt h)`, and
 /// the numerator `c / (distance s sqrt h)` with `c = |q|^2 - r^2`.
-#[derive(Clone, Default)]
-pub(crate) struct Outlines {
-    pub(crate) column: Lane8,
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Outline<T = f64, Mask = bool> {
+    pub(crate) column: T,
     /// The middle row of the image.
     pub(crate) middle_row: f64,
-    /// Row of each centre, counted from the middle row: `j = (r - middle_row) - row`. The error of j is
+    /// Row of the centre, counted from the middle row: `j = (r - middle_row) - row`. The error of j is
     /// thus relative to its parts, not to the rounding of a large row number.
-    pub(crate) row: Lane8,
-    pub(crate) shear: Lane8,
-    pub(crate) square: [Lane8; 3],
-    pub(crate) b0: Lane8,
-    pub(crate) b_column: Lane8,
-    pub(crate) b_row: Lane8,
-    pub(crate) numerator: Lane8,
+    pub(crate) row: T,
+    pub(crate) shear: T,
+    pub(crate) square: [T; 3],
+    pub(crate) b0: T,
+    pub(crate) b_column: T,
+    pub(crate) b_row: T,
+    pub(crate) numerator: T,
     /// Error bound of `w^2`.
-    pub(crate) square_doubt: Lane8,
+    pub(crate) square_doubt: T,
     /// First row with `w^2 >= -square_doubt`, not clipped: a whole number.
-    pub(crate) first_row: Lane8,
+    pub(crate) first_row: T,
     /// Last row with `w^2 >= -square_doubt`, not clipped: a whole number.
-    pub(crate) last_row: Lane8,
+    pub(crate) last_row: T,
     /// Lower bound of `t` of all hits.
-    pub(crate) nearest: Lane8,
-    /// Upper bound of `w^2`.
-    pub(crate) size: Lane8,
+    pub(crate) nearest: T,
     /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
     /// go up the ladder.
-    pub(crate) thin: Lane8,
-    /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
-    pub(crate) corrects_root: u64,
+    pub(crate) thin: T,
+    /// True if the sphere is so wide that the error of the root must be corrected too, as
+    /// [`wide`](crate::render::rows::span::SpanLanes::wide) does.
+    pub(crate) corrects_root: Mask,
+}
+
+/// Outlines of a vector of spheres.
+#[derive(Clone, Default)]
+pub(crate) struct Outlines {
+    pub(crate) lanes: Outline<Lane8, u64>,
+    /// Upper bounds of `w^2`.
+    pub(crate) size: Lane8,
     /// Lanes in which all fields above are valid.
     pub(crate) is_plain: u64,
     /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
     /// Lanes whose spheres no ray inside the image's borders can meet.
     pub(crate) is_outside: u64,
-}
-
-/// One sphere's outline, see [`Outlines`].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Outline {
-    pub(crate) column: f64,
-    pub(crate) middle_row: f64,
-    pub(crate) row: f64,
-    pub(crate) shear: f64,
-    pub(crate) square: [f64; 3],
-    pub(crate) b0: f64,
-    pub(crate) b_column: f64,
-    pub(crate) b_row: f64,
-    pub(crate) numerator: f64,
-    pub(crate) square_doubt: f64,
-    pub(crate) first_row: f64,
-    pub(crate) last_row: f64,
-    pub(crate) nearest: f64,
-    pub(crate) thin: f64,
-    /// True if the sphere is so wide that the error of the root must be corrected too.
-    pub(crate) corrects_root: bool,
 }
 
 /// Returns the dot product `a . b` of a vector of lanes with three numbers.
@@ -205,48 +191,48 @@ impl Outlines {
             & size.simd_gt(splat(1e-12));
         self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
         (self.is_behind, self.is_outside) = centers.not_seen(simd, space);
-        self.corrects_root = kinds.corrects_root.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
-        put(&mut self.column, column_center + offset);
-        self.middle_row = space.middle_row;
-        put(&mut self.row, row);
-        put(&mut self.shear, shear);
-        put(&mut self.square[0], square0);
-        put(&mut self.square[1], square1);
-        put(&mut self.square[2], -minus_square2);
-        put(&mut self.b0, b0);
-        put(&mut self.b_column, b_column);
-        put(&mut self.b_row, b_row);
-        put(&mut self.numerator, numerator);
-        put(&mut self.square_doubt, square_doubt);
-        put(&mut self.first_row, first_row.ceil());
-        put(&mut self.last_row, last_row.floor());
-        put(&mut self.nearest, nearest);
         put(&mut self.size, size);
-        put(&mut self.thin, (kinds.thin * kinds.thin).max(splat(32.0) * square_doubt));
+        let lanes = &mut self.lanes;
+        lanes.corrects_root = kinds.corrects_root.to_bitmask();
+        put(&mut lanes.column, column_center + offset);
+        lanes.middle_row = space.middle_row;
+        put(&mut lanes.row, row);
+        put(&mut lanes.shear, shear);
+        put(&mut lanes.square[0], square0);
+        put(&mut lanes.square[1], square1);
+        put(&mut lanes.square[2], -minus_square2);
+        put(&mut lanes.b0, b0);
+        put(&mut lanes.b_column, b_column);
+        put(&mut lanes.b_row, b_row);
+        put(&mut lanes.numerator, numerator);
+        put(&mut lanes.square_doubt, square_doubt);
+        put(&mut lanes.first_row, first_row.ceil());
+        put(&mut lanes.last_row, last_row.floor());
+        put(&mut lanes.nearest, nearest);
+        put(&mut lanes.thin, (kinds.thin * kinds.thin).max(splat(32.0) * square_doubt));
     }
-}
 
-impl Outlines {
     /// Returns the outline in one lane.
     #[inline(always)]
     pub(crate) fn one(&self, lane: usize) -> Outline {
+        let lanes = &self.lanes;
         Outline {
-            column: self.column[lane],
-            middle_row: self.middle_row,
-            row: self.row[lane],
-            shear: self.shear[lane],
-            square: self.square.map(|x| x[lane]),
-            b0: self.b0[lane],
-            b_column: self.b_column[lane],
-            b_row: self.b_row[lane],
-            numerator: self.numerator[lane],
-            square_doubt: self.square_doubt[lane],
-            first_row: self.first_row[lane],
-            last_row: self.last_row[lane],
-            nearest: self.nearest[lane],
-            thin: self.thin[lane],
-            corrects_root: self.corrects_root >> lane & 1 == 1,
+            column: lanes.column[lane],
+            middle_row: lanes.middle_row,
+            row: lanes.row[lane],
+            shear: lanes.shear[lane],
+            square: lanes.square.map(|x| x[lane]),
+            b0: lanes.b0[lane],
+            b_column: lanes.b_column[lane],
+            b_row: lanes.b_row[lane],
+            numerator: lanes.numerator[lane],
+            square_doubt: lanes.square_doubt[lane],
+            first_row: lanes.first_row[lane],
+            last_row: lanes.last_row[lane],
+            nearest: lanes.nearest[lane],
+            thin: lanes.thin[lane],
+            corrects_root: lanes.corrects_root >> lane & 1 == 1,
         }
     }
 }

@@ -66,12 +66,6 @@ pub(crate) struct Runs {
     pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
-/// Masks of the spheres whose row was found: drawn, or in doubt.
-struct FoundRows {
-    is_drawn: u64,
-    is_doubtful: u64,
-}
-
 /// Draws the spheres of a vector whose bits are set and that have a row in the target. Rows in doubt are
 /// not drawn, but listed in [`Runs::doubtful`].
 #[inline(always)]
@@ -90,9 +84,9 @@ pub(crate) fn draw_small<S: Simd>(
         for depth in 0..(RUNS / n).min(own.steps - first) {
             let step = first + depth;
             let rows = own.step(simd, step, target);
-            let found = runs.find(simd, outlines, &rows, depth * n, target.axes);
-            is_drawn |= (small & found.is_drawn) << (depth * n);
-            for lane in lanes_of(small & found.is_doubtful) {
+            let (drawn, doubtful) = runs.find(simd, outlines, &rows, depth * n, target.axes);
+            is_drawn |= (small & drawn) << (depth * n);
+            for lane in lanes_of(small & doubtful) {
                 let row = target.rows.start + own.row[lane] as usize + step;
                 runs.doubtful.push((lane, row));
             }
@@ -240,7 +234,8 @@ impl Runs {
         }
     }
 
-    /// Finds each sphere's row for this step, counted from the sphere's first row in the target.
+    /// Finds each sphere's row for this step, counted from the sphere's first row in the target. Returns
+    /// masks of the spheres whose row is drawn, and of those in whose row a pixel is in doubt.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,
@@ -249,7 +244,7 @@ impl Runs {
         rows: &RowStep<S>,
         at: usize,
         axes: &RasterAxes,
-    ) -> FoundRows {
+    ) -> (u64, u64) {
         let half = S::f64s::LEN;
         let middle = S::f64s::splat(simd, outlines.middle_row);
         let row =
@@ -281,11 +276,8 @@ impl Runs {
         let [begin, end] = index;
         (rows.offset + begin).store_slice(&mut self.offset[runs.clone()]);
         ((end - begin) + S::i32s::splat(simd, 1)).store_slice(&mut self.count[runs]);
-        let is_drawn = is_sure & rows.is_here;
-        FoundRows {
-            is_drawn: is_drawn.to_bitmask() & is_there,
-            is_doubtful: (rows.is_here & !is_sure).to_bitmask(),
-        }
+        let (is_drawn, is_doubtful) = (rows.is_here & is_sure, rows.is_here & !is_sure);
+        (is_drawn.to_bitmask() & is_there, is_doubtful.to_bitmask())
     }
 
     /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first
@@ -350,7 +342,7 @@ impl Runs {
                 let vector = offset..offset + PIXELS;
                 let doubtful = if vector.end <= target.t.len() {
                     let (t, object) = (&mut target.t[vector.clone()], &mut target.object[vector]);
-                    Pixels { simd, found, is_inside, index }.take_over(t, object)
+                    take_over(simd, (found, is_inside), index, t, object)
                 } else {
                     let (t, object) = (&mut target.t[offset..end], &mut target.object[offset..end]);
                     take_over_last(&found.into(), index, t, object)
@@ -369,34 +361,28 @@ impl Runs {
     }
 }
 
-/// Some pixels of one row of a sphere.
-struct Pixels<S: Simd> {
+/// Writes the pixels where the sphere is nearer than the known hit; returns a mask of those too close to
+/// call.
+#[inline(always)]
+fn take_over<S: Simd>(
     simd: S,
-    found: f32x8<S>,
-    is_inside: <f32x8<S> as SimdBase<S>>::Mask,
+    (found, is_inside): (f32x8<S>, <f32x8<S> as SimdBase<S>>::Mask),
     index: u32,
+    t: &mut [f32],
+    object: &mut [u32],
+) -> u64 {
+    let known = f32x8::from_slice(simd, t);
+    let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
+    // Selecting the stored value itself would become a masked store, which is slow on many processors.
+    is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
+    let objects = u32x8::from_slice(simd, object);
+    let change = u32x8::splat(simd, index) ^ objects;
+    (objects ^ is_nearer.select(change, u32x8::splat(simd, 0))).store_slice(object);
+    let is_farther = found.simd_gt(known * f32x8::splat(simd, 1.0 + TIE));
+    (is_inside & !(is_nearer | is_farther)).to_bitmask()
 }
 
-impl<S: Simd> Pixels<S> {
-    /// Writes the pixels where the sphere is nearer than the known hit; returns a mask of those too close
-    /// to call.
-    #[inline(always)]
-    fn take_over(&self, t: &mut [f32], object: &mut [u32]) -> u64 {
-        let Pixels { simd, found, is_inside, index } = *self;
-        let known = f32x8::from_slice(simd, t);
-        let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
-        // Selecting the stored value itself would become a masked store, which is slow on many
-        // processors.
-        is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
-        let objects = u32x8::from_slice(simd, object);
-        let change = u32x8::splat(simd, index) ^ objects;
-        (objects ^ is_nearer.select(change, u32x8::splat(simd, 0))).store_slice(object);
-        let is_farther = found.simd_gt(known * f32x8::splat(simd, 1.0 + TIE));
-        (is_inside & !(is_nearer | is_farther)).to_bitmask()
-    }
-}
-
-/// Does what [`Pixels::take_over`] does for the last pixels of the buffers, where the buffers end within
+/// Does what [`take_over`] does for the last pixels of the buffers, where the buffers end within
 /// a vector.
 #[cold]
 #[inline(never)]

@@ -302,14 +302,7 @@ impl Span {
 
 /// A vector of rows of one sphere.
 pub(crate) struct SpanRows {
-    first: Singles,
-    last: Singles,
-    left: Singles,
-    right: Singles,
-    b: [Singles; 2],
-    pivot: Singles,
-    offset: Singles,
-    nearest: Singles,
+    rows: SpanRow<Singles>,
     /// First column of each row in the raster, as a number.
     from: [f64; MOST_LANES],
     /// Last column of each row in the raster, as a number.
@@ -366,7 +359,7 @@ impl SpanRows {
         let nearest = nearest.max(splat(span.outline.nearest));
         let is_doubtful =
             squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask();
-        SpanRows {
+        let rows = SpanRow {
             first: store_narrow::<S>(first),
             last: store_narrow::<S>(last),
             left: store_narrow::<S>(left),
@@ -375,6 +368,9 @@ impl SpanRows {
             pivot: store_narrow::<S>(pivot),
             offset,
             nearest: store_narrow::<S>(nearest),
+        };
+        SpanRows {
+            rows,
             from: store::<S>(from),
             to: store::<S>(to),
             is_drawn: is_sure.to_bitmask() & is_there,
@@ -385,16 +381,7 @@ impl SpanRows {
     /// Returns one of the rows.
     #[inline(always)]
     pub(crate) fn row(&self, lane: usize) -> SpanRow {
-        SpanRow {
-            first: self.first[lane],
-            last: self.last[lane],
-            left: self.left[lane],
-            right: self.right[lane],
-            b: self.b.map(|b| b[lane]),
-            pivot: self.pivot[lane],
-            offset: self.offset[lane],
-            nearest: self.nearest[lane],
-        }
+        self.rows.map(|x| x[lane])
     }
 
     /// Returns a row's first and last column in the raster.
@@ -437,36 +424,47 @@ impl<S: Simd> RowEnds<S> {
 
 /// The values that a row's pixels share. Column numbers are whole, so that their differences are exact.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SpanRow {
+pub(crate) struct SpanRow<T = f32> {
     /// First column that the sphere covers, even beyond the image.
-    pub(crate) first: f32,
+    pub(crate) first: T,
     /// Last column that the sphere covers, even beyond the image.
-    pub(crate) last: f32,
+    pub(crate) last: T,
     /// Distance from the outline's left end to the first column, in columns.
-    pub(crate) left: f32,
+    pub(crate) left: T,
     /// Distance from the last column to the outline's right end, in columns.
-    pub(crate) right: f32,
+    pub(crate) right: T,
     /// b at the pivot, in two parts.
-    pub(crate) b: [f32; 2],
+    pub(crate) b: [T; 2],
     /// The column at which b is given: the middle or, if the root is corrected, the end at which b is
     /// larger.
-    pub(crate) pivot: f32,
+    pub(crate) pivot: T,
     /// `left right`, if the root is corrected.
-    pub(crate) offset: f32,
+    pub(crate) offset: T,
     /// Lower bound of `t` of all hits.
-    pub(crate) nearest: f32,
+    pub(crate) nearest: T,
+}
+
+impl<T> SpanRow<T> {
+    /// Converts each of the values.
+    #[inline(always)]
+    fn map<U>(&self, convert: impl Fn(&T) -> U) -> SpanRow<U> {
+        SpanRow {
+            first: convert(&self.first),
+            last: convert(&self.last),
+            left: convert(&self.left),
+            right: convert(&self.right),
+            b: [convert(&self.b[0]), convert(&self.b[1])],
+            pivot: convert(&self.pivot),
+            offset: convert(&self.offset),
+            nearest: convert(&self.nearest),
+        }
+    }
 }
 
 /// The values of a [`Span`] and a [`SpanRow`], copied to all lanes.
 #[derive(Clone, Copy)]
 pub(crate) struct SpanLanes<S: Simd> {
-    first: SingleLanes<S>,
-    last: SingleLanes<S>,
-    left: SingleLanes<S>,
-    right: SingleLanes<S>,
-    b: [SingleLanes<S>; 2],
-    pivot: SingleLanes<S>,
-    offset: SingleLanes<S>,
+    row: SpanRow<SingleLanes<S>>,
     numerator: [SingleLanes<S>; 2],
     b_column: [SingleLanes<S>; 2],
 }
@@ -476,13 +474,7 @@ impl<S: Simd> SpanLanes<S> {
     pub(crate) fn new(simd: S, span: &Span, row: &SpanRow) -> Self {
         let splat = |x| SingleLanes::splat(simd, x);
         SpanLanes {
-            first: splat(row.first),
-            last: splat(row.last),
-            left: splat(row.left),
-            right: splat(row.right),
-            b: row.b.map(splat),
-            pivot: splat(row.pivot),
-            offset: splat(row.offset),
+            row: row.map(|x| splat(*x)),
             numerator: span.numerator.map(splat),
             b_column: span.b_column.map(splat),
         }
@@ -508,13 +500,13 @@ impl<S: Simd> SpanLanes<S> {
     #[inline(always)]
     fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
-        let (from_first, to_last) = (columns - self.first, self.last - columns);
-        let square = (from_first + self.left) * (to_last + self.right);
+        let (from_first, to_last) = (columns - self.row.first, self.row.last - columns);
+        let square = (from_first + self.row.left) * (to_last + self.row.right);
         let root = square.sqrt();
-        let moved = (columns - self.pivot) * self.b_column[0] + self.b[1];
+        let moved = (columns - self.row.pivot) * self.b_column[0] + self.row.b[1];
         let added = moved + root;
-        let sum = self.b[0] + added;
-        let rest = added - (sum - self.b[0]);
+        let sum = self.row.b[0] + added;
+        let rest = added - (sum - self.row.b[0]);
         let one = SingleLanes(S::f32s::splat(columns.0.token(), 1.0));
         let reciprocal = one / sum;
         let quotient = self.numerator[0] * reciprocal;
@@ -542,20 +534,20 @@ impl<S: Simd> SpanLanes<S> {
     #[inline(always)]
     fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
-        let (from_first, to_last) = (columns - self.first, self.last - columns);
+        let (from_first, to_last) = (columns - self.row.first, self.row.last - columns);
         let whole = from_first * to_last;
-        let part = from_first * self.right + (to_last * self.left + self.offset);
+        let part = from_first * self.row.right + (to_last * self.row.left + self.row.offset);
         let square = whole + part;
         let square_rest = part - (square - whole);
         let root = square.sqrt();
         let root_residual = square.residual(root, root) + square_rest;
 
         // Exact: the product of two 12-bit numbers.
-        let from_pivot = columns - self.pivot;
+        let from_pivot = columns - self.row.pivot;
         let moved = from_pivot * self.b_column[0];
-        let b = self.b[0] + moved;
-        let b_low = self.b[1] + from_pivot * self.b_column[1];
-        let b_rest = (moved - (b - self.b[0])) + b_low;
+        let b = self.row.b[0] + moved;
+        let b_low = self.row.b[1] + from_pivot * self.b_column[1];
+        let b_rest = (moved - (b - self.row.b[0])) + b_low;
         let sum = b + root;
         let sum_rest = root - (sum - b);
 

@@ -13,15 +13,23 @@ use super::{
 };
 use crate::common::seed::config;
 
+fn eye_dragged(camera: &Camera, point: DVec3, keep: Keep) -> Result<Steered, SteerError> {
+    camera.led_to(camera.with_eye(point, keep), keep)
+}
+
+fn at_dragged(camera: &Camera, point: DVec3) -> Result<Steered, SteerError> {
+    camera.led_to(camera.with_at(point), Keep::At)
+}
+
 /// The eye (about at) or at (about the eye), put to a position so many lengths of the way between them
 /// off.
 fn dragged(camera: &Camera, offset: DVec3, is_eye: bool) -> Result<Steered, SteerError> {
     let pivot = camera.pivot().unwrap();
     let offset = offset * camera.eye.distance(pivot);
     if is_eye {
-        camera.with_eye_at(camera.eye + offset, Keep::At)
+        eye_dragged(camera, camera.eye + offset, Keep::At)
     } else {
-        camera.with_at(pivot + offset)
+        at_dragged(camera, pivot + offset)
     }
 }
 
@@ -53,7 +61,7 @@ fn an_eye_dragged_over_the_top_takes_up_along_and_does_not_flip() {
         let start = camera;
         for step in 1..=1200 {
             let eye = eye_over_the_top(60.0 - 0.1 * f64::from(step), beside);
-            let next = camera.with_eye_at(eye, Keep::At).unwrap();
+            let next = eye_dragged(&camera, eye, Keep::At).unwrap();
             let turn = view_turn(&camera, &next.camera);
             let most = if next.up_went_along { turn + 1e-12 } else { turn / CONE.sin() };
             // The step that enters or leaves the cone does both.
@@ -77,12 +85,12 @@ fn an_eye_dragged_over_the_top_takes_up_along_and_does_not_flip() {
 #[test]
 fn in_one_go_or_in_many_steps_straight_over_the_top() {
     let start = over_the_top(60.0, 0.0);
-    let at_once = start.with_eye_at(eye_over_the_top(-60.0, 0.0), Keep::At).unwrap();
+    let at_once = eye_dragged(&start, eye_over_the_top(-60.0, 0.0), Keep::At).unwrap();
     assert!(at_once.up_went_along);
     let mut camera = start;
     for degrees in (-60..60).rev() {
         let eye = eye_over_the_top(f64::from(degrees), 0.0);
-        camera = camera.with_eye_at(eye, Keep::At).unwrap().camera;
+        camera = eye_dragged(&camera, eye, Keep::At).unwrap().camera;
     }
     assert!(v_turn(&camera, &at_once.camera) < 1e-12);
     let (one, other) = (given_up(&camera).unwrap(), given_up(&at_once.camera).unwrap());
@@ -97,24 +105,25 @@ fn in_one_go_or_in_many_steps_straight_over_the_top() {
 fn a_camera_within_the_cone_gets_out_again() {
     let start = over_the_top(1.0, 0.0);
     for beside in [0.0, 20.0, -20.0] {
-        let out = start.with_eye_at(eye_over_the_top(40.0, beside), Keep::At).unwrap();
+        let out = eye_dragged(&start, eye_over_the_top(40.0, beside), Keep::At).unwrap();
         assert!(out.up_went_along);
         assert!(pole_gap(&out.camera) > 30_f64.to_radians());
     }
     // Straight away from the pole, up stays but for rounding.
-    let away = start.with_eye_at(eye_over_the_top(40.0, 0.0), Keep::At).unwrap().camera;
+    let away = eye_dragged(&start, eye_over_the_top(40.0, 0.0), Keep::At).unwrap().camera;
     assert!(given_up(&away).unwrap().distance(3.0 * DVec3::Y) < 1e-12);
-    assert_eq!(away.with_eye_at(away.eye, Keep::At).unwrap().camera, away);
+    assert_eq!(eye_dragged(&away, away.eye, Keep::At).unwrap().camera, away);
 }
 
 #[test]
 fn straight_through_at_it_turns_round_and_stays_upright() {
     let camera = Camera { eye: DVec3::Z, ..over_the_top(0.0, 0.0) };
-    let turned = camera.with_eye_at(DVec3::NEG_Z, Keep::At).unwrap();
+    let turned = eye_dragged(&camera, DVec3::NEG_Z, Keep::At).unwrap();
     assert!(!turned.up_went_along);
     assert_eq!(turned.camera.basis().unwrap().v, DVec3::Y);
     let by_hand = camera.given_by(OrientationKind::Basis).unwrap();
-    let turned = by_hand.with_at(vec3(0.0, 0.0, 5.0)).unwrap().camera;
+    let pivot = by_hand.pivot().unwrap();
+    let turned = eye_dragged(&by_hand, pivot - 5.0 * DVec3::Z, Keep::At).unwrap().camera;
     assert_eq!(turned.basis().unwrap().v, DVec3::Y);
     assert!((turned.basis().unwrap().w - DVec3::NEG_Z).length() < 1e-15);
 }
@@ -122,12 +131,13 @@ fn straight_through_at_it_turns_round_and_stays_upright() {
 #[test]
 fn a_basis_by_hand_turns_by_the_least_turn() {
     let by_hand = Camera { orientation: Orientation::Basis(Basis::CANONICAL), ..Camera::CANONICAL };
-    let up = by_hand.with_at(vec3(0.0, 2.0, 0.0)).unwrap();
+    // Straight up from two units below the pivot.
+    let up = eye_dragged(&by_hand, vec3(0.0, -2.0, -1.0), Keep::At).unwrap();
     assert!(!up.up_went_along);
     let Basis { u, v, w } = up.camera.basis().unwrap();
     assert_eq!(u, DVec3::X);
     assert!((v - DVec3::Z).length() < 1e-15 && (w - DVec3::NEG_Y).length() < 1e-15);
-    let pivoted = by_hand.with_eye_at(vec3(1.0, 0.0, -1.0), Keep::At).unwrap().camera;
+    let pivoted = eye_dragged(&by_hand, vec3(1.0, 0.0, -1.0), Keep::At).unwrap().camera;
     assert!((pivoted.view() - DVec3::NEG_X).length() < 1e-15);
     assert!((pivoted.pivot().unwrap() - by_hand.pivot().unwrap()).length() < 1e-15);
 }
@@ -135,14 +145,18 @@ fn a_basis_by_hand_turns_by_the_least_turn() {
 #[test]
 fn eye_on_at_is_an_error_with_its_numbers() {
     let camera = over_the_top(60.0, 0.0);
-    let error = camera.with_eye_at(DVec3::ZERO, Keep::At).unwrap_err();
+    let error = eye_dragged(&camera, DVec3::ZERO, Keep::At).unwrap_err();
     assert_eq!(error.to_string(), "eye and at are the same point (0, 0, 0): move one of them");
-    assert_eq!(camera.with_at(camera.eye), Err(BasisError::EyeIsAt { point: camera.eye }.into()));
+    assert_eq!(
+        at_dragged(&camera, camera.eye),
+        Err(BasisError::EyeIsAt { point: camera.eye }.into())
+    );
     for kind in [OrientationKind::View, OrientationKind::Basis] {
         let canonical = Camera::CANONICAL.given_by(kind).unwrap();
-        assert!(canonical.with_eye_at(DVec3::NEG_Z, Keep::At).is_err());
-        assert!(canonical.with_at(canonical.eye).is_err());
-        assert!(canonical.with_at(vec3(f64::NAN, 0.0, 0.0)).is_err());
+        assert!(eye_dragged(&canonical, DVec3::NEG_Z, Keep::At).is_err());
+        let is_by_hand = kind == OrientationKind::Basis;
+        assert_eq!(at_dragged(&canonical, canonical.eye).is_ok(), is_by_hand);
+        assert_eq!(at_dragged(&canonical, vec3(f64::NAN, 0.0, 0.0)).is_ok(), is_by_hand);
     }
 }
 
@@ -152,15 +166,15 @@ fn a_camera_without_a_basis_is_led_out_of_it() {
     assert!(collapsed.basis().is_err());
     let eye = vec3(1.0, 2.0, 3.0);
     for keep in [Keep::At, Keep::View] {
-        let led = collapsed.with_eye_at(eye, keep);
+        let led = eye_dragged(&collapsed, eye, keep);
         assert_eq!(led.is_ok(), keep == Keep::At);
     }
-    let led = collapsed.with_eye_at(eye, Keep::At).unwrap();
+    let led = eye_dragged(&collapsed, eye, Keep::At).unwrap();
     assert_eq!((led.camera, led.up_went_along), (Camera { eye, ..collapsed }, false));
     let parallel = over_the_top(0.0, 0.0);
     assert!(parallel.basis().is_err());
-    assert!(parallel.with_at(DVec3::X).is_ok());
-    assert!(parallel.with_at(vec3(0.0, -7.0, 0.0)).is_err());
+    assert!(at_dragged(&parallel, DVec3::X).is_ok());
+    assert!(at_dragged(&parallel, vec3(0.0, -7.0, 0.0)).is_err());
 }
 
 /// One drag of any kind, and the most that it may turn v, but for rounding.
@@ -173,7 +187,7 @@ fn one_drag(camera: &Camera, kind: usize, offset: DVec3) -> Result<(Camera, f64)
         2 => (camera.dollied(yaw)?, 0.0),
         3 => {
             let reach = camera.eye.distance(camera.pivot()?);
-            (camera.with_eye_at(camera.eye + reach * offset, Keep::View)?.camera, 0.0)
+            (eye_dragged(camera, camera.eye + reach * offset, Keep::View)?.camera, 0.0)
         }
         _ => {
             let after = dragged(camera, offset, kind == 4)?.camera;
@@ -275,9 +289,9 @@ proptest! {
             return Ok(());
         }
         let back = match (is_eye, camera.orientation) {
-            (true, _) => steered.camera.with_eye_at(camera.eye, Keep::At),
-            (false, Orientation::At { at, .. }) => steered.camera.with_at(at),
-            (false, _) => steered.camera.with_at(camera.eye + camera.view()),
+            (true, _) => eye_dragged(&steered.camera, camera.eye, Keep::At),
+            (false, Orientation::At { at, .. }) => at_dragged(&steered.camera, at),
+            (false, _) => at_dragged(&steered.camera, camera.eye + camera.view()),
         }
         .unwrap();
         prop_assert!(!back.up_went_along);
@@ -290,7 +304,7 @@ proptest! {
         let reach = camera.eye.distance(camera.pivot().unwrap());
         let eye = camera.eye + reach * offset;
         let Steered { camera: after, up_went_along, .. } =
-            camera.with_eye_at(eye, Keep::View).unwrap();
+            eye_dragged(&camera, eye, Keep::View).unwrap();
         prop_assert!(!up_went_along);
         prop_assert_eq!(after.eye, eye);
         prop_assert!(v_turn(&camera, &after) < 1e-10);
