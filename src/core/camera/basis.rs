@@ -29,7 +29,7 @@ pub struct Basis {
 /// The angle between up and the view direction, and the conditioning of the basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpAngle {
-    /// Angle between up and view in radians, between 0 and pi; 0 or pi only by rounding.
+    /// Angle between up and view in radians, between 0 and pi. It is 0 or pi only by rounding.
     pub angle: f64,
     /// `1 / sin(angle)`: degrees of roll for each degree that up is tipped sideways.
     pub conditioning: f64,
@@ -95,7 +95,7 @@ pub enum BasisError {
 }
 
 impl Basis {
-    /// Returns the distance of u, v and w from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
+    /// Returns how far u, v and w are from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
     pub(crate) fn defect(&self) -> f64 {
         let Basis { u, v, w } = *self;
         let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
@@ -106,8 +106,8 @@ impl Basis {
     /// The canonical camera's basis: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 
-    /// Makes a basis from vectors given by hand, unchanged to the bit. They must be unit and orthogonal
-    /// within [`ORTHONORMAL_TOLERANCE`], and right-handed.
+    /// Makes a basis of vectors given by hand, which are not changed. They must be of length 1 and
+    /// orthogonal within [`ORTHONORMAL_TOLERANCE`], and right-handed.
     ///
     /// # Errors
     /// Returns an error that names the vector that is not finite or not of length 1, or the two vectors
@@ -151,8 +151,9 @@ pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), Basi
 /// length 1.
 const ROUNDING: f64 = 1e-15;
 
-/// Returns whether `| |v| - 1 | <= tolerance`, with tolerance [`ORTHONORMAL_TOLERANCE`], decided
-/// exactly: where rounding could matter, by `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
+/// Returns whether `| |v| - 1 |` is at most [`ORTHONORMAL_TOLERANCE`]. The decision is exact: where
+/// rounding could change it, `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2` is decided in exact
+/// numbers.
 pub fn is_unit(v: DVec3) -> bool {
     let off = (length(v) - 1.0).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
@@ -166,7 +167,7 @@ pub fn is_unit(v: DVec3) -> bool {
     above.sign().is_ge() && below.sign().is_ge()
 }
 
-/// Returns whether `|a . b| <= tolerance`, with tolerance [`ORTHONORMAL_TOLERANCE`], decided exactly.
+/// Returns whether `|a . b|` is at most [`ORTHONORMAL_TOLERANCE`]. The decision is exact.
 pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
     let off = a.dot(b).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
@@ -178,8 +179,8 @@ pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
 }
 
 impl Basis {
-    /// Returns the basis to which a quaternion `[w, x, y, z]` of any length turns x, y, z; `None` if the
-    /// quaternion is zero or not finite.
+    /// Returns the basis into which a quaternion `[w, x, y, z]` of any length turns the world's
+    /// axes. Returns `None` if the quaternion is zero or not finite.
     pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {
         let q = DQuat::from_xyzw(x, y, z, w);
         let length = q.length();
@@ -190,8 +191,8 @@ impl Basis {
         Some(Basis { u: turn.x_axis, v: turn.y_axis, w: turn.z_axis })
     }
 
-    /// Returns the distance of three vectors from orthonormal: the largest of `| |a| - 1 |` and
-    /// `|a . b|`.
+    /// Returns how far three vectors are from orthonormal: the largest of `| |a| - 1 |` and `|a .
+    /// b|`.
     pub fn error_of(u: DVec3, v: DVec3, w: DVec3) -> f64 {
         let lengths = [u, v, w].map(|a| (a.length() - 1.0).abs());
         let angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);

@@ -19,7 +19,8 @@ pub(crate) struct FineBasis {
     pub(crate) doubt: f64,
 }
 
-/// A view direction, as the inputs give it: `at - eye` has digits that no `f64` holds.
+/// A view direction in the form in which it was given, because `at - eye` may have more digits than
+/// `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewGiven {
     /// The direction `to - from`.
@@ -38,7 +39,7 @@ impl ViewGiven {
         (std::array::from_fn(|i| DoubleDouble { hi: view[i], lo: rest[i] }), k)
     }
 
-    /// Returns the direction rounded to `f64`; a quarter of it where it would overflow.
+    /// Returns the direction rounded to `f64`, or a quarter of it if the direction overflows.
     pub(crate) fn rounded(&self) -> DVec3 {
         DVec3::from_array(self.fine().0.map(DoubleDouble::near))
     }
@@ -73,17 +74,18 @@ impl BigBasis {
     }
 }
 
-/// The sine of the least angle between view and up that double-double is enough for: 2^-20, about
-/// 1e-6 rad. There, R still has 9 digits more than rounding it to `f64` needs, and exact numbers would
-/// cost microseconds.
+/// The sine of the smallest angle between view and up at which double-double suffices: 2^-20, about
+/// 1e-6 rad. At that angle, `R = f x up` still has 9 digits more than rounding it to `f64` needs.
+/// Exact numbers take microseconds.
 const LEAST_SINE: f64 = 1.0 / (1 << 20) as f64;
 
 impl FineBasis {
-    /// Computes the basis from a view direction and up, neither of them zero; `None` where up is
-    /// exactly parallel to the view.
+    /// Computes the basis from a view direction and up, neither of which is zero. Returns `None` if
+    /// up is exactly parallel to the view.
     ///
-    /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is much shorter than
-    /// `|f| |up|` the exact numbers take over, so that no angle costs accuracy.
+    /// With f the view, `R = f x up` in double-double has an error of up to `CROSS |f| |up|`. If R
+    /// is much shorter than `|f| |up|`, exact numbers are used instead, so that the result is as
+    /// accurate at every angle.
     pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
@@ -114,7 +116,8 @@ impl FineBasis {
         if is_sure { Some(basis) } else { FineBasis::from_exact(view, up) }
     }
 
-    /// Computes the basis from exact numbers: each coordinate is off by `3 u^2` at most.
+    /// Computes the basis from exact numbers. The error of each coordinate is at most `3 u^2`.
+    /// Returns `None` if up is parallel to the view.
     pub(crate) fn from_exact(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let BigBasis { view, right, upward, radicands } = BigBasis::new(view, up);
         if radicands.b.is_zero() {
@@ -134,18 +137,19 @@ impl FineBasis {
         FineBasis { u: exactly(u), v: exactly(v), w: exactly(w), doubt: 0.0 }
     }
 
-    /// Returns the basis in `f64`: each coordinate rounded once, so that a vector is off by at most
-    /// 1e-16.
+    /// Returns the basis in `f64`. Each coordinate is rounded once, so the error of a vector is at
+    /// most 1e-16.
     pub(crate) fn rounded(&self) -> Basis {
         // Added to 0, a negative zero is 0, which readers expect to see.
         let near = |v: Vector<DoubleDouble>| DVec3::from_array(v.map(|x| x.hi + 0.0));
         Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
     }
 
-    /// Returns the error bound of the direction `x u + y v + z w`, relative to its length: with
-    /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
+    /// Returns a bound of the error of a direction `x u + y v + z w`, relative to its length. Since
+    /// `|x| + |y| + |z|` is at most `sqrt 3` times the length, the bound is `sqrt 3` times the sum
+    /// of a vector's error and that of a dot product.
     pub(crate) fn direction_doubt(&self) -> f64 {
-        // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
+        // A basis given by hand is orthonormal only within 1e-9, for which 1.74 leaves room.
         1.74 * (self.doubt + DoubleDouble::DOT)
     }
 
@@ -155,14 +159,16 @@ impl FineBasis {
     }
 }
 
-/// Returns which coordinates of a cross product are 0 because both of their products are: level cameras
-/// have some, and a coordinate that was rounded to 0 cannot be distinguished from an exact 0.
+/// Returns which coordinates of `a x b` are exactly 0 because both of their products are, given
+/// which coordinates of a and b are 0. Level cameras have such coordinates, and the rounded value 0
+/// does not show that a coordinate is exactly 0.
 fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
     [[1, 2], [2, 0], [0, 1]].map(|[j, k]| (a[j] || b[k]) && (a[k] || b[j]))
 }
 
-/// Returns `(|view x up|, view . up, |view| |up|)` in units of one power of two: the terms of the angle
-/// between view and up. `|view x up|` keeps its digits however small it is.
+/// Returns `(|view x up|, view . up, |view| |up|)`, from which the angle between view and up
+/// follows; all three are in units of the same power of two. `|view x up|` is accurate however
+/// small it is.
 pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =

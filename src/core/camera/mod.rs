@@ -27,14 +27,14 @@ pub enum Orientation {
     At {
         /// The point in the middle of the image.
         at: DVec3,
-        /// A hint that keeps the camera level; not v.
+        /// The vector that keeps the camera level. It need not be at right angles to the view, as v is.
         up: DVec3,
     },
     /// Looks along `view`, level with respect to `up`.
     View {
         /// The direction the camera looks along, of any length.
         view: DVec3,
-        /// A hint that keeps the camera level; not v.
+        /// The vector that keeps the camera level. It need not be at right angles to the view, as v is.
         up: DVec3,
     },
     /// u, v, w set by hand, used as given.
@@ -52,7 +52,8 @@ pub enum OrientationKind {
     Basis,
 }
 
-/// A camera as given. The same type serves the edited camera and the observer of the world view.
+/// A camera as it is given. Both the camera that is edited and the observer of the world view are
+/// of this type.
 ///
 /// The fields may have any values while they are edited; [`Camera::resolve`] checks them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -165,17 +166,17 @@ impl Camera {
 
     /// Returns the same camera with its orientation given in another way.
     ///
-    /// The eye does not move and up stays; from a basis, up is v. From `view` or a basis, `at` is
-    /// `eye + view` or `eye - w`, and where that sum rounds the direction away (an eye at 1e12) the
-    /// nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it: the direction turns by at most
-    /// [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by that times the conditioning.
+    /// The eye and up stay; the up of a basis is v. The new `at` is `eye + view`, or `eye - w` for
+    /// a basis. If rounding that sum would change the direction (for example, with the eye at
+    /// 1e12), `at` is the nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it. The
+    /// direction turns by at most [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by
+    /// that times the conditioning.
     ///
     /// A camera without a basis is converted too, and has no basis afterwards.
     ///
-    /// # Errors
-    /// Returns an error when converting a camera without a basis to a basis, and when converting to `at`
-    /// from an eye so far out that no `f64` beyond it keeps the direction: there, eye and at are the same
-    /// point.
+    /// # Errors Returns an error if a camera without a basis is converted to a basis, or if the eye
+    /// is so far from the origin that no point in the direction of the view can be distinguished
+    /// from it.
     pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
         let orientation = match (kind, self.orientation) {
             (kind, orientation) if kind == orientation.kind() => orientation,
@@ -193,7 +194,8 @@ impl Camera {
     pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 }
 
-/// Returns `eye + 2^k view` with the smallest `k >= 0` that keeps the direction.
+/// Returns `eye + 2^k view` with the smallest `k >= 0` at which rounding turns the direction by no
+/// more than [`Camera::TURN_TOLERANCE`].
 fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
     let has_direction = |v: DVec3| v.is_finite() && v != DVec3::ZERO;
     if !(has_direction(view) && eye.is_finite()) {

@@ -100,8 +100,8 @@ impl Ray {
 ///   between is rounded, neither the basis nor (u, v) nor the direction
 ///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
-/// The intersection code treats the two kinds alike: as a direction in double-double with a bound of its
-/// error and, where that does not suffice, as exact numbers.
+/// The intersection code treats the two kinds alike: it uses the direction in double-double with a
+/// bound of its error and, where that does not suffice, the direction in exact numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRay<'a> {
     origin: DVec3,
@@ -116,7 +116,7 @@ pub struct ExactRay<'a> {
     pub(crate) stretch: f64,
 }
 
-/// The inputs that the exact numbers are made of.
+/// The inputs from which a ray's exact numbers are computed.
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
@@ -175,7 +175,7 @@ impl<'a> ExactRay<'a> {
         let rounded = near(d);
         let length = length(rounded);
         let fine = DirectionTerms { d, length, doubt };
-        // Of a given ray no digit is lost.
+        // A given direction is not rounded.
         let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
         let rough = DirectionTerms { d: rounded, length, doubt: doubt + rounding };
         ExactRay { origin, source, fine, rough, scale, stretch }
@@ -194,7 +194,7 @@ impl<'a> ExactRay<'a> {
         }
     }
 
-    /// Returns the direction if the ray was given as such; `None` for a camera's view ray.
+    /// Returns the direction of a ray that was given by one; `None` for a camera's view ray.
     pub(crate) fn given_direction(&self) -> Option<DVec3> {
         match self.source {
             Source::Given(direction) => Some(direction),

@@ -45,8 +45,8 @@ pub struct Projection {
     /// The position where the line through eye and point meets the viewport's plane. Not finite where
     /// the line is parallel to it (depth 0).
     pub uv: DVec2,
-    /// Distance of the point in front of the eye, along -w, in world units; negative behind,
-    /// infinite where it overflows.
+    /// Distance of the point in front of the eye, along -w, in world units. It is negative for a
+    /// point behind the eye, and infinite if it overflows.
     pub depth: f64,
 }
 
@@ -172,12 +172,13 @@ impl ResolvedCamera {
         self.ray(self.uv_of_pixel(pixel))
     }
 
-    /// Returns the basis with all its digits.
+    /// Returns the basis in double-double.
     pub(crate) fn fine_basis(&self) -> &FineBasis {
         &self.fine_basis
     }
 
-    /// Returns `(u, v, distance)` times the point's stretch, as three pairs whose products are exact.
+    /// Returns u, v and distance times the point's [stretch](Selection::stretch), each as a pair of
+    /// numbers whose product is the exact value.
     fn coordinates(&self, point: Selection) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
         match point {
@@ -194,10 +195,10 @@ impl ResolvedCamera {
         }
     }
 
-    /// Returns the view ray's direction times the point's stretch, in units of `2^k`.
+    /// Returns the view ray's direction times the point's stretch, in units of `2^k`, and k.
     pub(crate) fn fine_direction(&self, point: Selection) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
-        // By the products, not the measures: at the picture's centre width and height drop out.
+        // The products count, not the width and height, which drop out at the picture's centre.
         let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
         let largest = coordinates.iter().map(size).fold(0.0, f64::max);
         let (_, k) =

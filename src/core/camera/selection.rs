@@ -16,7 +16,7 @@ pub enum Selection {
 }
 
 impl Default for Selection {
-    /// Returns the ray of the lecture's warm-up.
+    /// Returns (u, v) = (0.2, -0.1), the ray of the lecture's warm-up.
     fn default() -> Self {
         Selection::Uv(DVec2::new(0.2, -0.1))
     }
@@ -109,7 +109,7 @@ impl Selection {
             Selection::Uv(uv) => {
                 let Some(PixelOfUv { pixel, .. }) = camera.pixel_of_uv(uv) else { return self };
                 let off = camera.uv_of_pixel(pixel) - uv;
-                // A step towards the own pixel's centre stops there.
+                // A step towards the centre of the pixel itself stops there.
                 let beyond = |steps: i64, centre_is_ahead: bool| {
                     if centre_is_ahead { steps - steps.signum() } else { steps }
                 };

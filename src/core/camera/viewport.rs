@@ -73,7 +73,7 @@ impl Viewport {
     }
 }
 
-/// Returns `x * new / old`; `x` where that is no positive, finite number.
+/// Returns `x * new / old`, or `x` if that is not a positive, finite number.
 fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
     // x / old first: a square stays a square to the bit.
     let ratio = x / old;
@@ -81,8 +81,9 @@ fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
     if scaled.is_finite() && scaled > 0.0 { scaled } else { x }
 }
 
-/// Returns `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width or
-/// height of the viewport. In `(0, pi)` but for rounding where both are positive.
+/// Returns `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width
+/// or height of the viewport. If both arguments are positive, the angle lies in `(0, pi)`, apart
+/// from rounding.
 pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
     2.0 * (0.5 * extent).atan2(distance)
 }
@@ -90,7 +91,8 @@ pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
 /// Returns `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
 /// under the angle `fov`, in radians, in `(0, pi)`.
 ///
-/// For any other `fov` no viewport is right, and the result is 0, which [`Viewport::check`] refuses.
+/// For any other `fov` there is no viewport. The result is then 0, which [`Viewport::check`]
+/// refuses.
 pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
     let is_angle = fov > 0.0 && fov <= std::f64::consts::PI;
     if is_angle { 2.0 * (distance * (0.5 * fov).tan()) } else { 0.0 }
@@ -135,9 +137,9 @@ impl ImageSize {
         ImageSize::within(ImageSize::MAX, width, height)
     }
 
-    /// Makes the size of an image of which only some rows and columns are ever traced, at most
-    /// [`ImageSize::MAX`] of each: width and height may be up to four times as large. The margins of
-    /// [`crate::render::outline::extent`] allow for such sizes.
+    /// Makes the size of an image of which at most [`ImageSize::MAX`] rows and columns are ever
+    /// traced. Its width and height may be up to four times as large as that; the margins of
+    /// `render/outline` allow for such sizes.
     #[doc(hidden)]
     pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         ImageSize::within(4 * ImageSize::MAX, width, height)

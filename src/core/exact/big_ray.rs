@@ -32,7 +32,7 @@ pub(crate) struct BigRoot {
     pub(crate) y: Option<Surd>,
 }
 
-/// A sphere's quadratic `a t^2 - 2 b t + c = 0`.
+/// A sphere's quadratic `a t^2 - 2 b t + c = 0`, where a is the ray's own.
 #[derive(Clone, Debug)]
 pub(crate) struct BigQuadratic {
     pub(crate) b: Surd,
@@ -62,8 +62,8 @@ impl BigRay {
         &(&terms[0] + &terms[1]) + &terms[2]
     }
 
-    /// Returns `value / unit` for a unit greater than 0, relative error at most `2^-100`; 0 exactly
-    /// where it is.
+    /// Returns `value / unit`, for a unit greater than 0, with a relative error of at most
+    /// `2^-100`. The result is 0 only if the value is exactly 0.
     pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {
         if value.sign(&self.radicands) == Ordering::Equal {
             return Precise::ZERO;
@@ -90,7 +90,7 @@ impl BigRay {
         sign_with_roots(&numerators, (one.sign, &p), (other.sign.reverse(), &q), radicands)
     }
 
-    /// Returns `t` of a root that is not 0: relative error at most `2^-100`.
+    /// Returns `t` of a root that is not 0, with a relative error of at most `2^-100`.
     pub(crate) fn t(&self, root: &BigRoot) -> Precise {
         let (numerator, n) = self.digits(|places| self.numerator(root, places));
         let (denominator, m) =
@@ -133,14 +133,15 @@ impl BigRay {
         if root.sign == Ordering::Equal {
             return x;
         }
-        // Off by less than 4 below the root, which makes at most 2 above it.
+        // The error of less than 4 under the root becomes at most 2.
         let square = root.radicand.fixed(2 * places, &self.radicands);
         let swing = BigInt::from(square.magnitude().sqrt());
         if root.sign == Ordering::Less { x - swing } else { x + swing }
     }
 
-    /// Returns a fixed-point number with enough places that 128 bits are right, and the number of
-    /// places. The number that `fixed` gives, with an error below 8, must not be 0.
+    /// Returns a fixed-point number with so many binary places that 128 bits are right, and the
+    /// number of places. For a number of places, `fixed` returns the same number, which must not be
+    /// 0, times `2^places`, with an error below 8.
     fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
         let mut places = 160 - self.a.log2_bound(&self.radicands) / 2;
         loop {

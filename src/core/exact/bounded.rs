@@ -125,19 +125,19 @@ pub(crate) fn near<T: Number>(v: Vector<T>) -> Vector<f64> {
     v.map(T::near)
 }
 
-/// Returns the Euclidean length, to a few roundings.
+/// Returns the Euclidean length, with the errors of a few roundings.
 #[inline(always)]
 pub(crate) fn length(v: Vector<f64>) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// Range of the largest coordinate in which a vector needs no scaling: see
-/// [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+/// Range in which a vector's largest coordinate may lie without any need for scaling, see
+/// [`UNDERFLOW`].
 pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
 
-/// Returns `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What
-/// coordinates 2^900 times smaller than the largest lose is below
-/// [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+/// Splits a vector into `(m, k)`, where the vector is `m * 2^k` and the largest coordinate of m
+/// lies in [`PLAIN`]. A coordinate that is 2^900 times smaller than the largest may lose digits, by
+/// less than [`UNDERFLOW`].
 pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
     let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
     if PLAIN.contains(&largest) || largest == 0.0 {

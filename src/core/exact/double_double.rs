@@ -149,8 +149,8 @@ impl From<f64> for DoubleDouble {
 
 /// One `f64`, or a SIMD vector of them, all rounded to nearest.
 ///
-/// The same operations give the same bits whatever the width, because none of them fuses a product
-/// with a sum but where the result is exact.
+/// The same operations give the same bits for any width, because a product is fused with a sum only
+/// where the result is exact.
 pub(crate) trait Lane: Arithmetic {
     /// Returns the rounded square root.
     fn sqrt(self) -> Self;
@@ -162,7 +162,7 @@ pub(crate) trait Lane: Arithmetic {
     /// Returns `x / 2`.
     fn half(self) -> Self;
 
-    /// Returns the number, or 0 where it is negative.
+    /// Returns the number, or 0 if it is negative.
     fn not_negative(self) -> Self;
 
     /// Returns `(2^27 + 1) * self`.
@@ -237,8 +237,8 @@ impl Lane for f64 {
     }
 }
 
-/// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless
-/// the difference overflows.
+/// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` exactly, for finite vectors. d is the
+/// difference rounded to `f64`, and k is 0 unless the difference overflows.
 pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
     let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
     let (a, b) = (shrink * a, shrink * b);

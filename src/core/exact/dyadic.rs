@@ -59,7 +59,7 @@ impl Dyadic {
         (&self.mantissa, self.exponent)
     }
 
-    /// Returns the mantissa that goes with a smaller exponent.
+    /// Returns the mantissa for an exponent that is at most the number's own.
     fn aligned(&self, exponent: i32) -> BigInt {
         &self.mantissa << (self.exponent - exponent) as u32
     }
@@ -77,7 +77,7 @@ impl Dyadic {
         self.mantissa.bits() as i32 - 1 + self.exponent
     }
 
-    /// Returns `floor(self * 2^places)`, towards 0 for negative numbers' magnitudes.
+    /// Returns `self * 2^places`, rounded towards 0.
     pub(crate) fn fixed(&self, places: i32) -> BigInt {
         shifted(&self.mantissa, self.exponent + places)
     }
@@ -89,7 +89,8 @@ impl Dyadic {
         BigInt::from(square.magnitude().sqrt())
     }
 
-    /// Returns the nearest double-double times `2^k`, with a relative error of at most `2^-105`.
+    /// Returns a double-double and an exponent k. The number is the double-double times `2^k`, with
+    /// a relative error of at most `2^-105`.
     pub(crate) fn to_double_double(&self) -> (DoubleDouble, i32) {
         ratio(&self.mantissa, &BigInt::from(1), self.exponent)
     }
@@ -100,7 +101,7 @@ impl Dyadic {
     }
 }
 
-/// Returns `floor(|m| * 2^k)` with the sign of m.
+/// Returns `m * 2^k`, rounded towards 0.
 pub(crate) fn shifted(m: &BigInt, k: i32) -> BigInt {
     if k >= 0 {
         return m << k as u32;
@@ -133,8 +134,8 @@ fn round(m: &BigInt, k: i32) -> f64 {
     if sign == Sign::Minus { -x } else { x }
 }
 
-/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits, the lowest of which stands for
-/// everything below it.
+/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits. Its lowest bit is 1 if any
+/// digit below it was dropped.
 fn round_to_odd(m: u64, k: i32) -> f64 {
     if m == 0 {
         return 0.0;
@@ -183,8 +184,9 @@ pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     ldexp(quotient.scaled(odd).square_root().hi, (k - odd) / 2)
 }
 
-/// Returns `numerator / denominator * 2^k` as a double-double times a power of two: relative error at
-/// most `2^-105`. The high part is in `[1/2, 2]`.
+/// Returns `numerator / denominator * 2^k` as a double-double and the exponent of a power of two by
+/// which it is multiplied, with a relative error of at most `2^-105`. The high part lies in `[1/2,
+/// 2]`.
 pub(crate) fn ratio(numerator: &BigInt, denominator: &BigInt, k: i32) -> (DoubleDouble, i32) {
     const DIGITS: i32 = 128;
     if numerator.sign() == Sign::NoSign {
@@ -251,7 +253,7 @@ impl Mul for &Dyadic {
 /// A vector of exact numbers.
 pub type Exact3 = [Dyadic; 3];
 
-/// Returns the vector as given.
+/// Converts a finite vector, exactly.
 pub fn exact3(v: DVec3) -> Exact3 {
     v.to_array().map(Dyadic::from)
 }

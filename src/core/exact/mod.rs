@@ -1,9 +1,10 @@
 //! Numbers on which decisions can rest: known rounding errors, numbers with error bounds, and exact
 //! numbers. This folder has no objects and no cameras, only vectors and numbers.
 //!
-//! From the ground up: [`error_free`] sums and products, in one number or several side by side
-//! ([`lanes`]); [`double_double`]; [`quadratic`], a ray and a sphere with a bound of the error;
-//! [`dyadic`] numbers of any length, [`surd`]s with square roots, and [`big_ray`], which is exact.
+//! From the ground up: [`double_double`], with the error-free sums and products that it is made of,
+//! for one number or several side by side ([`lanes`]); [`quadratic`], the equation of a ray and a
+//! sphere with a bound of its error; [`dyadic`] numbers of any length, [`surd`]s with square roots,
+//! and [`big_ray`], a ray in exact numbers.
 
 pub(crate) mod big_ray;
 pub(crate) mod bounded;

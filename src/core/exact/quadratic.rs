@@ -7,10 +7,12 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot}
 /// bound leaves out, is covered by [`SECOND_ORDER`].
 pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
 
-/// The form of the discriminant that loses the least, by the origin's distance from the centre.
+/// A formula for the discriminant D. Which one loses fewer digits depends on the origin's distance
+/// from the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `b^2 - a c`: inside the sphere it is a sum; just outside, both terms are small.
+    /// `b^2 - a c`, for origins inside the sphere, where it is a sum, and just outside, where both
+    /// terms are small.
     Near,
     /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`: grazing rays
     /// and distant spheres.
@@ -123,14 +125,14 @@ impl<T: Number> Quadratic<T> {
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
     }
 
-    /// Returns whether [`Quadratic::root`] is `c / z`, not `z / a`.
+    /// Returns whether [`Quadratic::root`] computes a root as `c / z`, not as `z / a`.
     #[inline(always)]
     pub(crate) fn is_of_c(&self, far: bool) -> bool {
         far != (self.b.near() >= 0.0)
     }
 }
 
-/// Returns `(t d - q) / r` made a unit vector: the outward normal of a sphere at `t`. Zero where
+/// Returns the outward unit normal of a sphere at `t`: `t d - q`, scaled to length 1. It is zero if
 /// rounding has left no direction.
 pub(crate) fn sphere_normal<T: Number>(
     q: Vector<T>,

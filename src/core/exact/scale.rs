@@ -7,8 +7,8 @@ use glam::DVec3;
 /// underflow.
 pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
-/// Returns whether the direction's squared length is so far from 0 and infinity that intersections
-/// need no scaling.
+/// Returns whether the direction's squared length is so far from 0 and infinity that an
+/// intersection neither overflows nor underflows.
 pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
     (1e-120..1e120).contains(&direction.length_squared())
 }
@@ -59,7 +59,7 @@ pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
     (ldexp3(v, -k), k)
 }
 
-/// Returns `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
+/// Returns `v / |v|` for any finite, non-zero `v`, however long or short.
 pub fn unit(v: DVec3) -> DVec3 {
     if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
         // The same bits as below: powers of two cancel in the quotient.

@@ -114,7 +114,7 @@ impl Surd {
         })
     }
 
-    /// Returns the number times `2^places`, as an integer that is off by less than 4.
+    /// Returns the number times `2^places`, as an integer with an error of less than 4.
     pub(crate) fn fixed(&self, places: i32, radicands: &Radicands) -> BigInt {
         let mut sum = self.0[0].fixed(places);
         for (coefficient, radicand) in
@@ -143,8 +143,8 @@ impl Surd {
     }
 }
 
-/// Returns the sign of `x + y` from theirs; where they differ, that of x if `x^2 > y^2`, which `squares`
-/// compares.
+/// Returns the sign of `x + y`, given the signs of x and y. If they differ, the result is the sign
+/// of x if `x^2 > y^2`, otherwise that of y; `squares` compares the two squares.
 pub(crate) fn larger_of(x: Ordering, y: Ordering, squares: impl FnOnce() -> Ordering) -> Ordering {
     match (x, y) {
         (Ordering::Equal, y) => y,

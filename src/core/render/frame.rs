@@ -221,13 +221,13 @@ impl<T: Copy> Frame<T> {
     }
 }
 
-/// Makes a frame with room for the requested outputs.
+/// Makes a frame with buffers for the requested outputs.
 pub(crate) fn empty_frame<T: Depth>(
     camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
-    // Zeroed memory costs nothing until a band's thread fills it.
+    // Zeroed memory takes no time until a band's thread fills it.
     let pixels = |asked: bool| if asked { raster.len() } else { 0 };
     Frame {
         camera: *camera,
@@ -384,5 +384,6 @@ impl Depth for f64 {
     fill!();
 }
 
-/// A callback for rows of a band, called as soon as they are traced, with the rows, `t` and the objects.
+/// A callback that is called with the rows of a band as soon as they are traced, with `t` and with
+/// the objects of their pixels.
 pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);

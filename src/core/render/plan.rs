@@ -20,7 +20,7 @@ use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereSlots;
 
-/// The parts that all bands of a frame share.
+/// The data that all bands of a frame share.
 pub(crate) struct Plan<'a> {
     pub(crate) level: Level,
     pub(crate) scene: &'a Scene,
@@ -36,7 +36,7 @@ pub(crate) struct Plan<'a> {
     pub(crate) left_out: u64,
     /// True if there are so few spheres that pixels are not cleared before they are drawn.
     pub(crate) is_written_once: bool,
-    /// True if the frame is finished before another thread would have started.
+    /// True if one thread finishes the frame before another one would have started.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// The planes; `None` for a plane that an earlier one hides completely.
@@ -127,8 +127,8 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Returns the planes, with `None` for a plane that is the same set of points as an earlier one, which
-/// is seen in its place.
+/// Returns the planes, with `None` for a plane that is the same set of points as an earlier one,
+/// which hides it.
 fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
     planes.iter().enumerate().map(|(index, plane)| {
         let is_hidden = planes[..index].iter().any(|earlier| earlier.is_same(plane));
@@ -149,7 +149,7 @@ pub(crate) struct Classified {
     pub(crate) left_out: u64,
 }
 
-/// The parts of a frame that are needed to classify spheres.
+/// The data that is needed to classify spheres.
 pub(crate) struct Classifier<'a> {
     pub(crate) level: Level,
     /// `None` if every sphere is tested pixel by pixel.

@@ -40,7 +40,7 @@ pub struct AlongRay<'a> {
 /// The lowest point of a sphere's parabola: there, the ray's line is nearest to the centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParabolaVertex {
-    /// `-b / a`, where the derivative is 0.
+    /// The `t` of the vertex, `-b / a`, where the derivative is 0.
     pub t: f64,
     /// f at the vertex, `-D / a`: negative where the line crosses the sphere, 0 where it touches it. In
     /// squared world units, at least `-r^2`.
@@ -51,7 +51,7 @@ pub struct ParabolaVertex {
 /// of an ulp.
 const ENOUGH: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// Times at which double-double neither overflows nor loses digits to underflow.
+/// Scaled values of `t` for which double-double neither overflows nor loses digits to underflow.
 const PLAIN_TIMES: std::ops::Range<f64> = 1e-90..1e90;
 
 impl<'a> AlongRay<'a> {
@@ -92,7 +92,7 @@ impl<'a> AlongRay<'a> {
     pub fn slope(&self, t: f64) -> f64 {
         let seen = match &self.seen {
             ObjectFromOrigin::Plane(seen) => return seen.rate_given(&self.ray),
-            // Its limit has the sign of t, and is infinite.
+            // The limit is infinite, with the sign of t.
             ObjectFromOrigin::Sphere(_) if !t.is_finite() => return t,
             ObjectFromOrigin::Sphere(seen) => seen,
         };

@@ -29,7 +29,7 @@ use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 
-/// The certainty with which a ray's first hit, or a miss, is decided.
+/// The certainty with which the first hit of a ray, or that there is none, is decided.
 ///
 /// A decision is the sign of a value that the step computed within a bound of its error. Its margin
 /// is
@@ -116,7 +116,7 @@ impl Certificate {
         })
     }
 
-    /// Returns the certificate of a decision that only integers could make.
+    /// Returns the certificate of a decision for which exact integers are needed.
     fn exact(question: Question, object: u32, bound: f64) -> Certificate {
         let hardest = Some(Hardest { question, object, bound });
         Certificate { step: Step::Exact, margin: 0.0, hardest }
@@ -147,10 +147,9 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
 /// Pairs `(s, bits)`: a line that passes a sphere at more than `s` times the sphere's distance misses it
 /// with a margin of at least that many bits.
 ///
-/// With m the distance of the line from the centre, `m - r > 2 s |q|` for a sphere passed at a greater
-/// distance. Then `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`; and D's bound is below
-/// `26 u |d|^2 |q| m` in either form, where d is known to little more than u.
-/// `26 u |d|^2 |q| m` in either form, where d is known to little more than u.
+/// Let m be the distance of the line from the centre. Then `m - r > 2 s |q|` for a sphere that is
+/// passed at a greater distance, so `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`. The error
+/// bound of D is below `26 u |d|^2 |q| m` in either form, if the error of d is little more than u.
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
 impl Scene {
@@ -249,16 +248,17 @@ fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } =
         Quadratic::new(&parts, &ray.rough);
     let factor = if than.step > Step::F64 { 1.0 } else { than.margin.exp2() };
-    // The side of an eye this far out is surer than the largest margin that is reported.
+    // An eye this far away is outside with more than the largest margin that is reported.
     discriminant < -factor * discriminant_doubt || b < -factor * b_doubt
 }
 
-/// Certifies that the ray hits the object.
+/// Returns the certificate of the statement that the ray hits the object.
 fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
     let index = hit.index;
     let side = side_of(index, &hit.object);
     match hit.object.as_ref() {
-        // From inside, every ray hits it; of an eye on it, nothing is surer than the side.
+        // From inside, every ray hits the sphere. If the eye is on it, the side is the hardest
+        // decision.
         ObjectFromOrigin::Sphere(sphere) if sphere.side != Ordering::Greater => side,
         ObjectFromOrigin::Sphere(sphere) => {
             let rough = Signs::new(&Quadratic::new(&sphere.rough, &ray.rough), &sphere.rough);
@@ -278,7 +278,8 @@ fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
     }
 }
 
-/// Certifies that the ray does not hit the object before its first hit.
+/// Returns the certificate of the statement that the ray does not hit the object before its first
+/// hit.
 fn is_not_first(
     index: u32,
     object: Cow<'_, ObjectFromOrigin>,
@@ -304,7 +305,8 @@ fn is_not_first(
     }
 }
 
-/// Certifies that a sphere is not hit before the ray's first hit, if its hit may surely be later.
+/// Returns the certificate of the statement that a sphere is not hit before the ray's first hit.
+/// `later` is the certificate that its hit comes later, if `f64` can decide that.
 fn sphere_is_not_first(
     hit: &Hit,
     sphere: &SphereFromOrigin,
@@ -360,7 +362,7 @@ impl Signs {
     }
 }
 
-/// Certifies on which side of the object the eye is.
+/// Returns the certificate of the decision on which side of the object the eye is.
 fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
     let (value, unit, [rough, fine]) = match seen {
         ObjectFromOrigin::Sphere(sphere) => {
@@ -378,8 +380,8 @@ fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
     decided.unwrap_or_else(|| Certificate::exact(question, index, fine))
 }
 
-/// Certifies whether the ray goes along a plane's normal or against it; also returns the sign if a step
-/// with an error bound decides it.
+/// Returns the certificate of the decision whether the ray goes along a plane's normal or against
+/// it, and the sign if a step with an error bound decides it.
 fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate, Option<Ordering>) {
     fn bounded<T: Number>(
         plane: &PlaneFromOrigin,
@@ -401,8 +403,8 @@ fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate,
     }
 }
 
-/// Certifies that the line meets the object after the first hit or not at all; `None` if `f64` cannot
-/// decide it.
+/// Returns the certificate of the statement that the line meets the object after the first hit or
+/// not at all; `None` if `f64` cannot decide it.
 fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     let (t, share) = rough_t(hit, ray)?;
     let (first_t, first_share) = rough_t(first, ray)?;
@@ -412,8 +414,8 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     Certificate::decided(Step::F64, hit.index, &bounded).filter(|_| t > first_t)
 }
 
-/// Returns `t` in `f64` and its relative error; `None` where it is out of range. If the line may or may
-/// not meet a sphere, the roots, if they exist, are near `b / a`:
+/// Returns `t` in `f64` and its relative error; `None` if it is out of range. If `f64` cannot
+/// decide whether the line meets a sphere, the roots, if they exist, are near `b / a`:
 ///
 /// ```text
 /// |t - b / a| <= sqrt(D + bound of D) / a
@@ -434,7 +436,7 @@ fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
 }
 
-/// Certifies the order of two hits where `f64` cannot decide it.
+/// Returns the certificate of the order of two hits that `f64` cannot decide.
 fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
     let Some(first) = first else { return Certificate::SURE };
     let (t, first_t) = (hit.object.t(ray, hit.root), first.object.t(ray, first.root));

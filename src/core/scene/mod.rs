@@ -104,11 +104,11 @@ impl Scene {
         self.spheres.index()
     }
 
-    /// Returns the spheres that strictly contain a point, in ascending order, decided exactly. If an
-    /// index exists, only spheres near the point are examined.
+    /// Returns the spheres that strictly contain a point, in ascending order. The decisions are
+    /// exact. If there is an index, only spheres near the point are examined.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
         let position = point.to_array();
-        // Rounding keeps order: a rounded difference above `half` is of a true one above it.
+        // Rounding keeps order: if a rounded difference is above `half`, so is the exact one.
         let mut around = self.spheres_where(|middle, half| {
             (0..3).all(|axis| (position[axis] - middle[axis]).abs() <= half[axis])
         });
@@ -193,8 +193,9 @@ impl Scene {
         ranked
     }
 
-    /// Returns the first hit: the root with the smallest `t > 0`; of equal ones, the object listed
-    /// first. Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
+    /// Returns the first hit: the root with the smallest `t > 0`; among equal ones, that of the
+    /// object listed first. The decision is exact for the numbers as given. A ray that does not
+    /// pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
         self.first_hit_of(&ExactRay::from_ray(ray).ok()?)
     }
@@ -211,8 +212,9 @@ impl Scene {
         Some(objects.first_hit(ray, steps)?.root(ray))
     }
 
-    /// Returns the object that is hit first and its `t`, without point and normal; `None` if nothing is
-    /// hit. Adds the decisions made to `steps`, and the step that `t` took to `steps_of_t`.
+    /// Returns the object that is hit first and its `t`, without point and normal; `None` if
+    /// nothing is hit. Adds the decisions made to `steps`, and the step that computed `t` to
+    /// `steps_of_t`.
     pub fn first_t_counting(
         &self,
         ray: &ExactRay,

@@ -1,4 +1,5 @@
-//! Objects as the rays of one origin see them, and the order in which a ray meets them.
+//! Objects with the numbers that all rays from one origin share, and the order in which a ray meets
+//! the objects.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -22,7 +23,7 @@ use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 
-/// An object as the rays of one origin see it.
+/// An object with the numbers that all rays from one origin share.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromOrigin {
     Sphere(SphereFromOrigin),
@@ -55,7 +56,8 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns the root at which every ray that hits the object hits it first.
+    /// Returns the root at which every ray that hits the object hits it first; it depends only on
+    /// the origin.
     pub(crate) fn root_of_hit(&self) -> RootSide {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.root_of_hit(),
@@ -117,7 +119,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns `t` at a root in `f64` and its relative error; `None` where it is out of range.
+    /// Returns `t` at a root in `f64` and its relative error; `None` if it is out of range.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
             ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
@@ -146,7 +148,8 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns whether two objects are the same one given twice, which every ray meets at the same `t`.
+    /// Returns whether two objects are the same set of points, which every ray meets at the same
+    /// `t`.
     pub(crate) fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
             (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
@@ -188,7 +191,7 @@ impl ObjectFromOrigin {
 /// Returns `origin + t direction`, each coordinate rounded once.
 fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
     let coordinate = |i: usize| {
-        // A given coordinate has its own scale, in which it loses no digit.
+        // A given coordinate is scaled by itself, so that it loses no digit.
         let (d, k) = match ray.given_direction() {
             Some(direction) if direction[i] != 0.0 => {
                 let k = exponent(direction[i]);
@@ -261,7 +264,7 @@ impl Hit<'_> {
         let t = self.object.t(ray, self.root);
         let length = dot(ray.fine.d, ray.fine.d).square_root() / DoubleDouble::from(ray.stretch);
         let distance = Precise::new(t.value * length, t.scale + ray.scale);
-        // The length is off by some 2^-100 of itself.
+        // The relative error of the length is about 2^-100.
         let [low, high] = distance.nearest(1.1 * T_DOUBT);
         if low == high {
             return low;

@@ -1,5 +1,5 @@
-//! A scene's objects as the rays of one origin see them, and the first of them that a ray hits. Objects
-//! whose boxes the ray's line surely misses are skipped.
+//! A scene's objects with the numbers that all rays from one origin share, and the first object
+//! that a ray hits. Objects whose boxes the ray's line surely misses are skipped.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -14,25 +14,25 @@ use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// A scene's objects as the rays of one origin see them. Each object is prepared when it is needed or,
-/// if there are many rays, once in advance.
+/// A scene's objects with the numbers that all rays from one origin share. The numbers of an object
+/// are computed when they are needed or, if there are many rays, once in advance.
 pub(crate) struct ObjectsFromOrigin<'a> {
     pub(crate) scene: &'a Scene,
     origin: DVec3,
-    /// The objects prepared in advance: the first ones of the scene.
+    /// The first objects of the scene, whose numbers were computed in advance.
     made: Vec<ObjectFromOrigin>,
 }
 
-/// Maximum number of objects prepared in advance; they take some megabytes.
+/// Maximum number of objects whose numbers are computed in advance; they take some megabytes.
 const MOST_MADE: usize = 10_000;
 
 impl<'a> ObjectsFromOrigin<'a> {
-    /// Returns the objects as one ray sees them.
+    /// Prepares the objects for a single ray.
     pub(crate) fn for_one_ray(scene: &'a Scene, ray: &ExactRay) -> ObjectsFromOrigin<'a> {
         ObjectsFromOrigin { scene, origin: ray.origin(), made: Vec::new() }
     }
 
-    /// Returns the objects as many rays from one origin see them.
+    /// Prepares the objects for many rays from one origin.
     pub(crate) fn for_many_rays(scene: &'a Scene, origin: DVec3) -> ObjectsFromOrigin<'a> {
         let indices = 0..scene.len().min(MOST_MADE) as u32;
         let objects = indices.filter_map(|index| scene.object(index));
@@ -49,12 +49,12 @@ impl<'a> ObjectsFromOrigin<'a> {
         Some(Cow::Owned(ObjectFromOrigin::new(&object, self.origin)))
     }
 
-    /// Finds the hit with the smallest `t > 0`; of equal ones, that of the object listed first. Adds the
-    /// decisions made to `steps`. Returns `None` if nothing is hit.
+    /// Finds the hit with the smallest `t > 0`; among equal ones, that of the object listed first.
+    /// Adds the decisions made to `steps`. Returns `None` if nothing is hit.
     pub(crate) fn first_hit(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Hit<'_>> {
         let scene = self.scene;
         let mut first: Option<Hit> = None;
-        // At least the first hit's t, as far as it is known.
+        // An upper bound of the first hit's t so far.
         let mut nearest = f64::INFINITY;
         let line = Line::from_ray(ray);
         let near = scene.index().map(|index| index.spheres_where(|m, h| line.may_meet(m, h)));
@@ -93,8 +93,8 @@ pub(crate) struct Line {
     origin: [f64; 3],
     /// The direction, scaled to a length near neither 0 nor infinity.
     direction: Vector<f64>,
-    /// Error bound of a cross product of the direction and another vector, relative to the size of the
-    /// other.
+    /// Error bound of the cross product of the direction and another vector, relative to the size
+    /// of that vector.
     doubt: f64,
 }
 
@@ -105,7 +105,7 @@ impl Line {
         Line { origin: ray.origin().to_array(), direction: rough.d, doubt }
     }
 
-    /// Returns whether the line may meet the box `middle +- half`; always true if it does.
+    /// Returns false if the line surely misses the box `middle +- half`, otherwise true.
     ///
     /// With q from the line's origin to the middle, the box seen along the line is a hexagon whose
     /// sides have the normals `e_i x d`. It lies to one side of the line where, on one of them,
@@ -131,6 +131,6 @@ impl Line {
         !(0..3).any(is_beside)
     }
 
-    /// Error, relative to `|d| (|q|_1 + |h|_1)`, within which a box counts as met.
+    /// Allowance for errors, relative to `|d| (|q|_1 + |h|_1)`: a box within it counts as met.
     const DOUBT: f64 = 1e-12;
 }

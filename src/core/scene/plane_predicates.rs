@@ -1,5 +1,5 @@
-//! A plane as the rays of one origin see it: the ladder's decisions and root, and which of two planes a
-//! ray hits first.
+//! A plane with the numbers that all rays from one origin share: the ladder's decisions, the root,
+//! and which of two planes a ray hits first.
 
 use std::cmp::Ordering;
 
@@ -17,12 +17,13 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
-/// The numbers of a plane that all rays of one origin share: `t = offset / (normal . direction)`.
+/// The numbers of a plane that all rays from one origin share. For each ray, `t = offset / (normal
+/// . direction)`.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneFromOrigin {
     pub(crate) plane: Plane,
     origin: DVec3,
-    /// The normal in units of `2^normal_scale`; what the scaling may lose is negligible.
+    /// The normal in units of `2^normal_scale`. The digits that scaling may lose are negligible.
     pub(crate) normal: Vector<f64>,
     pub(crate) normal_length: f64,
     pub(crate) normal_scale: i32,
@@ -34,12 +35,13 @@ pub(crate) struct PlaneFromOrigin {
     pub(crate) offset_doubt: f64,
     /// The power of two of the offset's unit; 0 except at extreme distances.
     pub(crate) scale: i32,
-    /// The side of the origin on which the plane lies: the exact sign of the offset.
+    /// The exact sign of the offset: `Greater` if the normal points from the origin's side of the
+    /// plane to the other, `Equal` if the origin lies in the plane.
     pub(crate) side: Ordering,
     pub(crate) side_step: Step,
 }
 
-/// `normal . direction` with its exact sign.
+/// The value of `normal . direction` for a ray, and a bound of its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rate<T> {
     pub(crate) value: T,
@@ -47,7 +49,7 @@ pub(crate) struct Rate<T> {
 }
 
 impl<T: Number> Rate<T> {
-    /// Computes the dot product and its bound, from the error of the product and of the direction.
+    /// Computes the dot product and the bound, which includes the error of the direction.
     fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionTerms<T>) -> Rate<T> {
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
@@ -103,16 +105,16 @@ impl PlaneFromOrigin {
         seen
     }
 
-    /// Recomputes the offset from the exact number, where double-double loses its digits.
+    /// Recomputes the offset in exact numbers, because double-double has lost its digits.
     fn set_exact(&mut self) {
         let exact = big_offset(&self.plane, &exact3(self.origin));
         self.side = exact.sign();
-        // The offset may need the exact number where its sign does not.
+        // The sign may be certain even if the offset has to be recomputed.
         if !(self.offset_doubt < 0.5 && self.offset.hi.abs() > 1e-200) {
             self.side_step = Step::Exact;
         }
         let (value, k) = exact.to_double_double();
-        // A scale of its own, so that nothing underflows.
+        // The offset gets its own scale, so that nothing underflows.
         self.scale = k - self.normal_scale;
         self.offset = value;
         self.offset_doubt = 2.0 * U2;
@@ -169,8 +171,8 @@ impl PlaneFromOrigin {
         (ray.big().t(&self.big_root(ray)), Step::Exact)
     }
 
-    /// Returns `t` in `f64` and its relative error, in units of `2^(scale - scale of the ray) /
-    /// stretch`.
+    /// Returns `t` in `f64`, in units of `2^(scale - scale of the ray) / stretch`, and its relative
+    /// error. Returns `None` if the line may be parallel to the plane.
     pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
         let rate = self.rate_of(direction);
         rate.sign()?;
@@ -209,7 +211,7 @@ impl Plane {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;
         }
-        // Subtracted from 0, not negated: on the plane it is 0, not -0.
+        // Subtracting from 0, unlike negating, gives 0 on the plane, not -0.
         0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
@@ -229,7 +231,8 @@ impl Plane {
         if self.check().is_err() || other.check().is_err() {
             return false;
         }
-        // Most planes differ by far more than rounding: the exact numbers are for those that do not.
+        // Most planes differ by far more than rounding errors; only for the others, exact numbers
+        // are needed.
         let (n, m) = (unit(self.normal), unit(other.normal));
         if n.cross(m).length_squared() > 1e-20 {
             return false;
@@ -242,15 +245,15 @@ impl Plane {
     }
 }
 
-/// Two planes as the rays of one origin see them. With offsets o and o', both not 0, and normals n and
-/// n', a ray along d that hits both meets the first one before the other where
+/// The order in which rays from one origin hit two planes. With offsets o and o', both not 0, and
+/// normals n and n', a ray along d that hits both planes hits the first one before the other if
 ///
 /// ```text
 /// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n)
 /// ```
 ///
-/// and s and s' the signs of o and o', which are those of n.d and n'.d at a hit. e is exact and then
-/// rounded, so that planes that nearly coincide are distinguished as surely as others.
+/// where s and s' are the signs of o and o', which n.d and n'.d have, too, at a hit. e is computed
+/// exactly and then rounded, so that even planes that nearly coincide are distinguished.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaneOrder {
     /// e, its largest coordinate near 1.

@@ -14,7 +14,7 @@ use crate::scene::sphere::Sphere;
 /// The id of an empty slot.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
-/// A column view of spheres for SIMD: x, y and z of the centres, and the radii.
+/// Several spheres as columns for SIMD: x, y and z of the centres, and the radii.
 pub(crate) type SphereSlots<'a> = [&'a [f64]; 4];
 
 fn columns_of(sphere: &Sphere) -> [f64; 4] {
@@ -42,8 +42,8 @@ pub(crate) struct SphereIndex {
 }
 
 impl SphereIndex {
-    /// Makes the index of spheres, each of which passes [`Sphere::check`], in O(n log n), two halves of
-    /// the spheres at a time. The result is the same for any number of threads.
+    /// Makes the index of n spheres, each of which passes [`Sphere::check`], in O(n log n), in
+    /// parallel. The result is the same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
         let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
@@ -187,7 +187,8 @@ impl Bound {
     pub(crate) const EMPTY: Bound =
         Bound { middle: [0.0; 3], half: [0.0; 3], area: 0.0, radius: 0.0, count: 0 };
 
-    /// Returns the box of a sphere, not rounded outward: for [`Bound::around`].
+    /// Returns the box of a sphere, not rounded outward, from which [`Bound::around`] makes a
+    /// larger one.
     pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
         let Sphere { center, radius } = *sphere;
         let (middle, half) = (center.to_array(), [radius; 3]);
@@ -209,7 +210,7 @@ impl Bound {
         }
         if all.count > 0 {
             for axis in 0..3 {
-                // Each was rounded once: the next number beyond is outside.
+                // Each end was rounded once, so the next number beyond it lies outside.
                 let ends = (low[axis].next_down(), high[axis].next_up());
                 (all.middle[axis], all.half[axis]) = middle_and_half(ends);
             }
@@ -225,7 +226,7 @@ fn middle_and_half((low, high): (f64, f64)) -> (f64, f64) {
     (middle, (high - middle).max(middle - low).next_up())
 }
 
-/// Least number of spheres that get an index: fewer are examined one by one as fast.
+/// Minimum number of spheres that get an index. Fewer spheres are examined one by one as fast.
 pub(crate) const INDEX_FROM: usize = 256;
 
 /// Checked spheres, with an index that is made when first needed and kept. The index is derived from the
@@ -275,7 +276,7 @@ pub(crate) const BLOCK: usize = 16;
 /// Maximum number of blocks in a group.
 pub(crate) const GROUP: usize = 64;
 
-/// A sphere's centre and index: the data moved while ordering.
+/// A sphere's centre and index, which are moved while the spheres are put in order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
     pub(crate) center: [f64; 3],
@@ -295,9 +296,10 @@ fn class_of(radius: f64) -> usize {
 
 /// Returns all spheres in the order of the index, and the ranges of the size classes.
 ///
-/// Within a class, halves by the median along the longest axis of the centres; each cut lies at a
-/// whole number of groups, within a group at a whole number of blocks, so that only the last block
-/// of a class is not full. The order depends on the spheres alone, not on the number of threads.
+/// Each class is halved at the median along the axis on which its centres are spread the widest,
+/// and so is each half. Cuts lie at whole numbers of groups, and within a group at whole numbers of
+/// blocks, so that only the last block of a class may not be full. The order depends on the spheres
+/// alone, not on the number of threads.
 pub(crate) fn ordered(spheres: &[Sphere]) -> (Vec<Key>, Vec<Range<usize>>) {
     let mut counts = [0; CLASSES];
     for sphere in spheres {

@@ -1,5 +1,5 @@
-//! A sphere as the rays of one origin see it: the ladder's decisions and roots, and the power of the
-//! origin, `|q|^2 - r^2`, with its exact sign.
+//! A sphere with the numbers that all rays from one origin share: the ladder's decisions and roots,
+//! and the power of the origin, `|q|^2 - r^2`, with its exact sign.
 
 use std::cmp::Ordering;
 
@@ -36,13 +36,13 @@ impl RootSide {
     }
 }
 
-/// The numbers of a sphere that all rays of one origin share; lengths are in units of `2^scale`.
+/// The numbers of a sphere that all rays from one origin share. Lengths are in units of `2^scale`.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereFromOrigin {
     pub(crate) sphere: Sphere,
     pub(crate) fine: SphereTerms<DoubleDouble>,
     pub(crate) rough: SphereTerms<f64>,
-    /// c in units of `2^(2 scale)`; `Some` if [`PointPower::tiny`] is.
+    /// c in units of `2^(2 scale)`, see [`PointPower::tiny`].
     tiny_c: Option<Precise>,
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
@@ -85,8 +85,8 @@ impl SphereFromOrigin {
         SphereFromOrigin { sphere: *sphere, fine, rough, tiny_c: c.tiny, scale, side, side_step }
     }
 
-    /// Returns the terms in `f64` of a sphere that is seen from well outside, at ordinary lengths;
-    /// `None` for any other sphere.
+    /// Returns the terms in `f64` of a sphere for an origin well outside, if all lengths are
+    /// ordinary; otherwise `None`.
     pub(crate) fn rough_terms(sphere: &Sphere, origin: DVec3) -> Option<SphereTerms<f64>> {
         let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
@@ -141,7 +141,8 @@ impl SphereFromOrigin {
         big.quadratic(&self.sphere).discriminant.sign(&big.radicands)
     }
 
-    /// Returns the sign of b, for a line that meets the sphere: whether the centre lies ahead.
+    /// Returns the sign of b, for a line that meets the sphere: `Greater` if the centre lies ahead
+    /// of the origin.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
         let rough = Quadratic::new(&self.rough, &ray.rough);
@@ -253,7 +254,8 @@ impl SphereFromOrigin {
     /// Returns the outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16
     /// rad.
     pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        // t d is off by this share of its length, about |q|; a radius small against that needs more.
+        // This is the error of t d, relative to its length, about |q|. If the radius is small
+        // compared with that length, the error must be smaller.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
             (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
@@ -292,7 +294,8 @@ fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
 }
 
-/// Returns q and r in units of a common `2^k`, and k, which is 0 except at extreme lengths.
+/// Scales q and r by a common power of two; returns them in units of `2^k`, and k, which is 0
+/// unless lengths are extreme.
 fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) {
     let largest = q.iter().map(|x| x.hi.abs()).fold(radius, f64::max);
     if PLAIN.contains(&largest) {
@@ -327,7 +330,7 @@ impl Sphere {
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
-        // What underflows keeps its sign.
+        // A value that underflows keeps its sign.
         let least = if discriminant == 0.0 { 0.0 } else { f64::from_bits(1) };
         SphereQuadratic {
             a: ldexp(a / stretch / stretch, 2 * k),
@@ -349,8 +352,8 @@ pub(crate) struct PointPower {
     pub(crate) value: DoubleDouble,
     /// Relative error.
     pub(crate) doubt: f64,
-    /// All digits of a value so small that its sums and products would lose digits to underflow;
-    /// otherwise `None`.
+    /// The value with its own exponent, if it is so small that its sums and products would lose
+    /// digits to underflow; otherwise `None`.
     pub(crate) tiny: Option<Precise>,
     pub(crate) sign: Ordering,
     /// The step that decided the sign.
@@ -389,7 +392,7 @@ impl PointPower {
             };
         }
         let exact = big_c(sphere, &exact3(origin));
-        // c may need the exact number where its sign does not.
+        // The sign may be certain even if c has to be computed exactly.
         let step = if doubt < 0.5 && value.hi.abs() > TINY { step } else { Step::Exact };
         let sign = exact.sign();
         let (mantissa, k) = exact.to_double_double();
@@ -398,7 +401,7 @@ impl PointPower {
         if sign == Ordering::Equal || value.hi.abs() > TINY {
             return PointPower { value, doubt: 2.0 * U2, tiny: None, sign, step };
         }
-        // D has room for an error of all of it.
+        // D is accurate enough even if c has an error of its own size.
         PointPower { value, doubt: 1.0, tiny: Some(Precise::new(mantissa, k)), sign, step }
     }
 }

@@ -1,4 +1,4 @@
-//! Placing eye or at at a point of the world; up turns with the view where the view comes close to up.
+//! Drags of eye and at to a point of the world. Where the view comes close to up, up turns with it.
 
 use std::f64::consts::PI;
 
@@ -116,7 +116,7 @@ impl Camera {
     }
 }
 
-/// Tolerance within which a camera outside the cone counts as on the cone, because of rounding.
+/// Distance from the cone, in radians, within which a camera counts as on it, because of rounding.
 const SLACK: f64 = 1e-9;
 
 /// The path of a view from one direction to another along the great circle between them, as the view turns

@@ -1,5 +1,5 @@
-//! Steers a camera: functions from one camera to the next for a drag, a turn of the wheel, or a key. A
-//! camera stays given in the same way (by at, by view, by hand).
+//! Steers a camera: functions that return the camera after a drag, a turn of the wheel, or a key.
+//! The camera remains given in the same way (by at, by view, or by a basis).
 //!
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u, by the angles
 //!   of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and

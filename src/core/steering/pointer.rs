@@ -1,5 +1,5 @@
-//! Drags: from the pointer in the observer's picture to a point of the world, with coordinates that are
-//! snapped to a step or rounded to the resolution of a pixel.
+//! Drags: converts the pointer's position in the observer's picture to a point of the world, and
+//! snaps or rounds numbers to what a pixel can resolve.
 
 use glam::{DVec2, DVec3};
 
@@ -16,7 +16,8 @@ pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// the horizon of the axis or plane, the size of a pixel grows without bound.
 pub const FARTHEST: f64 = 1000.0;
 
-/// The line or plane of a drag. Vectors are directions in the world, of any length.
+/// The line or plane along which a point is dragged. Vectors are directions in the world, of any
+/// length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DragAlong {
     /// The plane through the anchor that is parallel to the observer's picture.

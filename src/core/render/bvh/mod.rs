@@ -1,5 +1,5 @@
-//! Draws many spheres: the visible groups and blocks of spheres, near to far, without the spheres that
-//! nearer ones hide.
+//! Draws many spheres by their index: the visible groups and blocks of spheres, near to far,
+//! without the spheres that nearer ones hide.
 
 use std::ops::Range;
 
@@ -59,7 +59,7 @@ pub(crate) fn draw_visible<S: Simd>(
             if own_rows(target, &block.extent.rows()).is_empty() {
                 continue;
             }
-            // Where spheres overlap little, testing each block costs more than it saves.
+            // If spheres overlap little, testing each block takes more time than it saves.
             if visible.is_crowded && drawing.is_hidden(target, block) {
                 continue;
             }
@@ -92,7 +92,8 @@ fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
     block.extent.rows().start >= target.rows.start
 }
 
-/// Returns the given rows of the raster that lie in the target, as rows of the target.
+/// Returns those of the given rows of the raster that lie in the target, counted from the target's
+/// first row.
 #[inline(always)]
 fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
     let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
@@ -139,7 +140,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// Draws the small spheres among those from a slot on; returns a mask of the remaining spheres.
+    /// Draws the small ones of a vector of spheres, which starts at a slot; returns a mask of the
+    /// remaining spheres.
     #[inline(always)]
     fn small_spheres<S: Simd>(
         &mut self,
@@ -194,7 +196,7 @@ impl Drawing<'_> {
         there & !unseen & !small
     }
 
-    /// Draws the spheres from a slot on whose bits are set.
+    /// Draws the spheres whose bits are set, counted from a slot on.
     #[inline(always)]
     fn other_spheres<S: Simd>(
         &mut self,
@@ -237,7 +239,7 @@ impl Drawing<'_> {
         id: u32,
     ) {
         let span = Span::new(id, &outlines.one(lane));
-        // Where spheres overlap little, a test costs more than it saves.
+        // If spheres overlap little, a test takes more time than it saves.
         if !self.visible.is_crowded {
             let (rows, columns) = (span.rows_in(target), 0..target.axes.width);
             return span.draw(simd, target, rows, &columns);
@@ -279,7 +281,7 @@ fn rows_meet<S: Simd>(
 fn extent(target: &SpanTarget, outlines: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
     let Outline { column, middle_row, row, shear, first_row, last_row, .. } = &outlines.lanes;
     let rows = target.axes.rows_between(first_row[lane], last_row[lane]);
-    // The middle moves by the shear; the half width is at most that of the widest row.
+    // The middle of a row moves by the shear; its half width is at most that of the widest row.
     let row = middle_row + row[lane];
     let (above, below) = (row - first_row[lane], last_row[lane] - row);
     let reach = outlines.size[lane].sqrt() + shear[lane].abs() * (above.max(below) + 1.0) + 1.0;

@@ -1,4 +1,5 @@
-//! Occlusion: an upper bound of the farthest hit in each small rectangle of a band.
+//! Upper bounds of the farthest hit in each small rectangle of a band, which show what nearer
+//! spheres hide.
 
 use std::ops::Range;
 

@@ -34,7 +34,7 @@ pub(crate) struct VisibleSpheres<'a> {
     pub(crate) groups: Vec<VisibleGroup>,
     /// True if spheres overlap so much that it pays to test each sphere for being hidden.
     pub(crate) is_crowded: bool,
-    /// Spheres that are not drawn by rows, of the groups that may contain such spheres.
+    /// The spheres that are not drawn by rows, in the groups that may contain such spheres.
     pub(crate) others: Vec<(u32, Extent)>,
     /// Number of spheres in groups and blocks that cannot be seen.
     pub(crate) left_out: u64,
@@ -81,7 +81,7 @@ impl<'a> VisibleSpheres<'a> {
         visible
     }
 
-    /// Returns the spheres that are not drawn by rows, of the groups that may contain such spheres.
+    /// Finds the spheres that are not drawn by rows, in the groups that may contain such spheres.
     #[inline(always)]
     fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
         let (mut small, mut outlines) = (SmallOutlines::default(), Outlines::default());
@@ -142,9 +142,9 @@ fn seen_blocks<S: Simd>(
 
 /// Returns whether a group may contain a sphere so near or so large that it is not drawn by rows.
 fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -> bool {
-    /// Fraction of the eye's distance.
+    /// Largest distance of a near group from the eye, in radii.
     const NEAR: f64 = 0.1;
-    /// Radius, in columns or rows.
+    /// Radius from which a sphere counts as large, in columns or rows.
     const LARGE: f64 = 400.0;
     let (near, radius) =
         (f64::from(bounds.nearest) * space.distance, groups[bounds.id as usize].radius);

@@ -16,8 +16,8 @@ use crate::scene::sphere_index::SphereSlots;
 pub(crate) mod raster_axes;
 pub(crate) mod small_outlines;
 
-/// Distance from an outline's end, in columns, beyond which a pixel is not in doubt: far more than the
-/// error of the end, and so small that hardly any pixel lies within it.
+/// Distance from an outline's end, in columns, beyond which a pixel is not in doubt. It is far more
+/// than the error of the end, and so small that hardly any pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
 /// The number of `f64` lanes in the widest vector of any level.
@@ -303,11 +303,11 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// The kinds of rows by which spheres are drawn. The least b is kept as its square, so that only one
-/// root is needed, in `f32`, rounded up.
+/// The kinds of rows by which the spheres of a vector are drawn. The least b is kept as its square,
+/// so that only one root is needed, in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
-    /// Lanes in which the kernel that corrects the root is exact enough.
+    /// Lanes in which the kernel that corrects the root is accurate enough.
     can_correct_root: <S::f64s as SimdBase<S>>::Mask,
     /// The square root of the `w^2` below which a row is thin.
     thin: S::f64s,
@@ -341,7 +341,8 @@ impl<S: Simd> Kinds<S> {
         Kinds { corrects_root, can_correct_root, thin, least }
     }
 
-    /// Finds the lanes in which rows of the kind are exact enough, and whose numbers `f32` can hold.
+    /// Returns the lanes in which rows of the kind are accurate enough, and whose numbers `f32` can
+    /// hold.
     #[inline(always)]
     fn is_plain(
         &self,
@@ -389,19 +390,19 @@ pub(crate) struct Extents<'a> {
     raster: &'a Raster,
     /// See [`Extents::new`].
     doubt: f64,
-    /// Pixels per unit of `u / distance`.
+    /// Number of columns per unit of `u / distance`.
     columns_per_slope: f64,
     rows_per_slope: f64,
 }
 
 impl<'a> Extents<'a> {
-    /// The rays are exact; the bounds are computed in `f64` from the rounded basis and the rounded
-    /// way to the centre. With respect to that basis, taken as orthonormal, a ray is off by the
-    /// basis' rounding (or, by hand, by its tolerance), and the centre by the rounding of its
-    /// coordinates: all together by less than `doubt` times their length, a share of the length, not
-    /// of each coordinate, which on a viewport of extreme aspect is the difference between a margin
-    /// and none. So a ray that meets the sphere is, in these coordinates, one that meets a sphere
-    /// larger by `doubt * (|oc| + r)`.
+    /// Derives `doubt`. The rays are exact, but the bounds are computed in `f64` from the rounded
+    /// basis, as if it were orthonormal, and from the rounded vector oc to the centre. In these
+    /// coordinates, the error of a ray comes from rounding the basis (or from its tolerance, if it
+    /// is given by hand), and that of the centre from rounding its coordinates. Together they are
+    /// less than `doubt` times the length of the vector, not of each coordinate, which matters on a
+    /// viewport of extreme aspect. So a ray that meets the sphere meets, in these coordinates, a
+    /// sphere that is larger by `doubt * (|oc| + r)`.
     pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let (viewport, image) = (camera.viewport(), camera.image());
@@ -468,7 +469,7 @@ fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
 
 /// Returns the cells whose centres can lie between two slopes; `count` cells span the viewport.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
-    /// Fraction of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
+    /// Allowance for the rounding of cell centres, in cells (below 1e-10 with 65536 cells).
     const MARGIN: f64 = 1e-6;
     /// Allowance for the rounding of slopes. If one tangent is steep and the other is not, the rounding
     /// of the steep one affects both slopes.

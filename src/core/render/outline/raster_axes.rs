@@ -1,5 +1,5 @@
-//! The axes of a camera and the rows and columns of its raster, as numbers from which vectors can be
-//! made.
+//! The rows and columns of a raster, and the camera's axes, as numbers that vectors of lanes can
+//! load.
 
 use std::ops::Range;
 
@@ -93,8 +93,8 @@ impl RasterAxes {
         (from < end).then(|| (from, end - 1))
     }
 
-    /// Finds, for a vector of rows, the raster's first and last columns with numbers from `first` to
-    /// `last`, all whole, and the lanes in which there is such a column.
+    /// Returns, for a vector of rows, the raster's first and last columns with numbers from `first`
+    /// to `last`, which are whole, and a mask of the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip<S: Simd>(
         &self,
@@ -121,8 +121,9 @@ impl RasterAxes {
         (from, to, is_there)
     }
 
-    /// Does what [`RasterAxes::clip`] does for twice as many lanes. Returns the numbers of the first and
-    /// last columns, their indices, and the lanes in which there is such a column.
+    /// Does what [`RasterAxes::clip`] does for twice as many lanes. Returns the numbers of the
+    /// first and last columns, their indices, and a mask of the lanes in which there is such a
+    /// column.
     #[inline(always)]
     pub(crate) fn clip_singles<S: Simd>(
         &self,
@@ -186,18 +187,19 @@ pub(crate) struct CameraSpace {
     pub(crate) border_lengths: [f64; 2],
     /// See [`CameraSpace::new`].
     pub(crate) doubt: f64,
-    /// True if lengths and slopes are so ordinary that no product of a few of them overflows, and the
-    /// basis is so close to orthonormal that `doubt` is small.
+    /// True if no product of a few lengths and slopes overflows, and the basis is so close to
+    /// orthonormal that `doubt` is small.
     pub(crate) is_plain: bool,
 }
 
 impl CameraSpace {
-    /// The rays are exact; here they are taken from the rounded basis, as if that were orthonormal.
-    /// With `u = 2^-53`, `q = center - eye` is off by `u |q|`, its three dot products by `3 u |q|`
-    /// each, the basis by its rounding (or, by hand, by its defect) and the slopes by `3 u`: together
-    /// by less than 12 u and the defect. So a ray that meets a sphere is one that, here, meets a
-    /// sphere of the computed centre that is larger by `doubt (|q| + r)`, and one that meets a sphere
-    /// smaller by as much meets the true one.
+    /// Derives `doubt`. The rays are exact, but here they are computed from the rounded basis, as
+    /// if it were orthonormal. With `u = 2^-53`, the error of `q = center - eye` is `u |q|`, that
+    /// of its three dot products `3 u |q|` each, that of the basis its rounding (or its defect, if
+    /// it is given by hand), and that of the slopes `3 u`: together less than 12 u and the defect.
+    /// So a ray that meets a sphere meets, in these numbers, a sphere around the computed centre
+    /// that is larger by `doubt (|q| + r)`; and a ray that meets a sphere smaller by as much meets
+    /// the true one.
     pub(crate) fn new(camera: &ResolvedCamera) -> CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();

@@ -16,8 +16,9 @@ pub(crate) type Singles = [f32; MOST_SINGLE_LANES];
 /// One number for each sphere, in `f64`, in two vectors.
 pub(crate) type Halves = [[f64; MOST_LANES]; 2];
 
-/// The largest `w^2`: `f32` can hold the whole columns from a row's first one on, and the fractions
-/// added to them, as [`Runs::t`](crate::render::rows::small_spheres::Runs::t) requires.
+/// The largest `w^2` at which `f32` can hold column numbers, counted from a row's first one, and
+/// the fractions that are added to them, as
+/// [`Runs::t`](crate::render::rows::small_spheres::Runs::t) requires.
 const MOST_SIZE: f32 = 4_194_304.0;
 
 /// Factor that turns the result of a few rounded `f32` operations into an upper bound.
@@ -159,13 +160,13 @@ struct Bounds<S: Simd> {
     of_root: S::f32s,
     /// Upper bound of the part of |e| that varies with row and column.
     of_position: S::f32s,
-    /// The relative error of `t` in units of `2^-24`, without the last rounding.
+    /// The relative error of `t`, in units of `2^-24`, before the last rounding.
     error: S::f32s,
 }
 
 impl<S: Simd> Bounds<S> {
-    /// All operations are rounded by less than `UP` together leaves room for. For the error of t, see
-    /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
+    /// Computes the bounds. `UP` leaves more room than all roundings together need. For the error
+    /// of t, see [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
     ///
     /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds here,
     /// too. Each coefficient is the result of at most 64 roundings in none of which anything cancels, as

@@ -1,5 +1,4 @@
-//! A sphere's outline in the image, from its quadratic as a polynomial in whole steps of rows and
-//! columns.
+//! The quadratic of a sphere and the view rays, as polynomials in whole steps of rows and columns.
 
 use std::cmp::Ordering;
 
@@ -35,12 +34,12 @@ pub(crate) struct ConicRow {
 /// Thresholds beyond which a pixel is not in doubt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thresholds {
-    /// D of at least this value is a hit, whose `t` is exact enough.
+    /// If D is at least this value, the pixel is a hit, whose `t` is accurate enough.
     pub(crate) hit: f64,
-    /// D below this value is a miss.
+    /// If D is below this value, the pixel is a miss.
     pub(crate) miss: f64,
-    /// b above this value means that the hit is in front of the eye; b below its negative, behind the
-    /// eye.
+    /// If b is above this value, the hit is in front of the eye; if b is below its negative, behind
+    /// the eye.
     pub(crate) ahead: f64,
 }
 
@@ -149,7 +148,7 @@ impl Conic {
         t_doubt: f64,
     ) -> Thresholds {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
-        // The kernels' own operations are half a dozen roundings.
+        // The operations of the kernels themselves are half a dozen roundings.
         let operations = 5.0 * f64::QUOTIENT + 2.0 * f64::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;
@@ -165,7 +164,7 @@ impl Conic {
         let hit = if left > 0.0 && root.is_finite() {
             (32.0 * doubt).max(root * root)
         } else {
-            // No tolerance is left: every pixel goes up the ladder by itself.
+            // No error of `t` is small enough: every pixel goes up the ladder by itself.
             f64::INFINITY
         };
         Thresholds { hit, miss: -doubt, ahead: b_doubt }

@@ -24,7 +24,7 @@ pub(crate) struct FrameRays<'a> {
     pub(crate) n: Vec<f64>,
     /// l of each row of the raster.
     pub(crate) l: Vec<f64>,
-    /// `n e` of each column, in `f64`.
+    /// The term `n e` of each column, in `f64`.
     column_terms: Vec<Vector<f64>>,
     /// Upper bound of the length of every direction.
     longest: f64,
@@ -93,14 +93,14 @@ impl<'a> FrameRays<'a> {
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
     }
 
-    /// Returns whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
-    /// common scale.
+    /// Returns whether e, g and z have ordinary lengths, so that scaling them by the same power of
+    /// two has lost no digits.
     pub(crate) fn is_plain(&self) -> bool {
         let Steppers { e, g, z, .. } = &self.steppers;
         [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
-    /// Returns a pixel's direction in `f64`. For the direction's length, a bound is enough.
+    /// Returns a pixel's direction in `f64`. Its length is an upper bound.
     #[inline(always)]
     pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionTerms<f64> {
         let Steppers { g, z, .. } = &self.steppers;

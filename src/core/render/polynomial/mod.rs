@@ -20,14 +20,15 @@ pub(crate) const DOUBT: f64 = f64::NAN;
 /// ulp of `f32`, and rounding to `f32` adds half an ulp.
 pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
 
-/// The range of `t` in a frame, so far within the range of `f32` that the numbers computed from `t` stay
-/// within it, too.
+/// The range of `t` in a frame. It is so much smaller than the range of `f32` that numbers computed
+/// from `t` stay within that range, too.
 pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
 
 /// Relative difference below which rounding may have put two `t` in the wrong order.
 const TIE: f32 = 4.0 * f32::EPSILON;
 
-/// Returns the nearest `f32`; infinity, or the smallest positive number, if it is beyond the range.
+/// Returns the nearest `f32`: infinity if `t` is too large, and the smallest positive number if it
+/// is too small.
 #[inline(always)]
 pub(crate) fn to_single(t: f64) -> f32 {
     (t as f32).max(f32::from_bits(1))
@@ -67,13 +68,13 @@ pub(crate) fn blend<S: Simd>(
     any
 }
 
-/// Returns whether a blended pixel is in doubt: the kernel could not give its `t`, or `t` is near the
-/// ends of the range, or `t` is closer to the known hit than the rounding of the two.
+/// Returns whether a blended pixel is in doubt: the kernel could not compute its `t`, or `t` is
+/// near an end of the range, or `t` and the known hit differ by no more than their rounding errors.
 #[inline(always)]
 pub(crate) fn is_in_doubt(found: f64, t: f32, object: u32, index: u32) -> bool {
     let x = found as f32;
     let is_plain = (x > RANGE.0) & (x < RANGE.1);
-    // A miss is already infinite in f64; a number that only the narrowing makes infinite is not a miss.
+    // A miss is infinite even in f64; a number that becomes infinite only in f32 is not a miss.
     let is_sure = (found == MISS) | (is_plain & ((x - t).abs() > TIE * x));
     // Pixels that were just written hold this t itself.
     !is_sure && object != index
@@ -108,8 +109,8 @@ fn blend_vector<S: Simd>(
     (!is_sure).any_true()
 }
 
-/// Returns `t` where a ray surely hits a sphere, seen from outside, before the known hit; infinity where it
-/// surely does not; NaN if in doubt.
+/// Returns `t` if a ray from outside surely hits the sphere before the known hit, infinity if it
+/// surely does not, and NaN if in doubt.
 #[inline(always)]
 pub(crate) fn pixel_hit(
     quadratic: &Quadratic<f64>,

@@ -1,5 +1,5 @@
-//! An object's polynomials over a patch of pixels. They give `t` of several pixels of a row at a time,
-//! wherever it is not in doubt.
+//! An object's polynomials over a patch of pixels, from which `t` of several pixels of a row is
+//! computed at a time, unless it is in doubt.
 
 use std::cmp::Ordering;
 
@@ -156,8 +156,8 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Moves a column by two to one side, and by more if the number is so large that its error may be
-/// larger.
+/// Moves a bound of m to one side by 4, which is two columns, and by more if the number is so large
+/// that its error may be larger.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
 }
@@ -167,7 +167,7 @@ pub(crate) struct PlaneKernel {
     /// The offset, in the units of `t`.
     offset: f64,
     rate: [f64; 3],
-    /// A rate beyond this value, with the offset's sign, is a hit, whose `t` is exact enough.
+    /// A rate beyond this value, with the offset's sign, is a hit, whose `t` is accurate enough.
     hit: f64,
     /// A rate beyond this value, with the other sign, is a miss.
     miss: f64,

@@ -1,5 +1,5 @@
-//! Pixels that go up the ladder one by one, with objects and pairs of planes cached from pixel to pixel;
-//! and `t` in `f64` and normals of hits that are already known.
+//! Pixels that go up the ladder one by one, while the numbers of objects and of pairs of planes are
+//! cached; and `t` in `f64` and the normals of hits whose objects are known.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -31,7 +31,7 @@ const MANY: usize = 1024;
 /// Number of parts into which the rows of a band are split.
 const SHARES: usize = 4;
 
-/// The question whether a pixel shows an object.
+/// A pixel and an object that it may show.
 #[derive(Clone, Copy)]
 pub(crate) struct PixelQuery<'a> {
     pub(crate) index: u32,
@@ -57,7 +57,7 @@ pub(crate) struct PixelLadder<'a> {
 }
 
 impl RowBand<'_> {
-    /// Returns an object as the eye sees it.
+    /// Returns a sphere with the numbers that all rays from the eye share.
     pub(crate) fn seen(&self, index: u32) -> ObjectFromOrigin {
         seen_sphere(self.plan, index)
     }
@@ -157,7 +157,7 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
-        // Most hits are farther, which their power alone shows.
+        // Most hits are farther than the known one, which the power of the known hit shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
             && let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == known)
@@ -273,7 +273,7 @@ impl PixelLadder<'_> {
         {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
             let known_seen = self.known_objects.get(known, make);
-            // The object that a pixel shows is hit.
+            // The ray hits the object that the pixel shows.
             let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
             let known_hit = Hit { index: known, object, root };
             let order = hit.compare(&known_hit, &ray, self.steps);
@@ -287,7 +287,8 @@ impl PixelLadder<'_> {
     }
 }
 
-/// Cached objects as the eye sees them, by the last digits of their index, and pairs of planes.
+/// A cache of objects with the numbers that all rays from the eye share, by the last bits of their
+/// index, and of pairs of planes.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
@@ -301,7 +302,8 @@ impl KnownObjects {
     /// Maximum number of pairs of planes in the cache.
     const PAIRS: usize = 4096;
 
-    /// Returns an object as the eye sees it, from the cache or newly made.
+    /// Returns an object with the numbers that all rays from the eye share, from the cache or newly
+    /// computed.
     pub(crate) fn get(
         &mut self,
         index: u32,
@@ -315,7 +317,7 @@ impl KnownObjects {
         &slot.get_or_insert_with(|| (index, make())).1
     }
 
-    /// Returns the order of two planes, from the cache or newly made.
+    /// Returns the order of two planes, from the cache or newly computed.
     pub(crate) fn plane_order(
         &mut self,
         indices: [u32; 2],

@@ -31,8 +31,9 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// The number of lanes of the widest vector: rows are padded to whole vectors.
 const LANES: usize = 8;
 
-/// Rows of a frame with their part of the buffers. Objects may be added in any order. Where two objects
-/// are too close to call, the ladder finds the first; of equal objects, the one listed first is taken.
+/// Rows of a frame with their part of the buffers. Objects may be added in any order. If two hits
+/// are too close to call, the ladder finds the first; among equal ones, that of the object listed
+/// first is taken.
 pub(crate) struct RowBand<'a> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
@@ -58,13 +59,17 @@ pub(crate) struct RowBand<'a> {
     found: Vec<f64>,
 }
 
-/// Number of pixels up to which a sphere's polynomials cost more than asking each pixel.
+/// Number of pixels up to which making a sphere's polynomials costs more than intersecting each
+/// pixel's ray.
 const FEW_PIXELS: usize = 64;
 
-/// A kernel's answers for one row: columns from the middle, row's l, answers.
+/// A function that computes an object's answers in one row, see [`SphereKernel::answer`]. Its
+/// arguments are the columns and the row, counted from the patch's middle, and the buffer for the
+/// answers.
 type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
 
-/// The range of m, columns from the middle, in which a row can have a hit.
+/// A function that returns the range of columns, counted from the patch's middle, in which the
+/// given row can have a hit; `None` if it has none.
 type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
 
 impl<'a> RowBand<'a> {
@@ -100,7 +105,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws the near or large ones of many spheres, which hide many of the others.
+    /// Draws the spheres that are near or large, if there are many spheres, because they hide many
+    /// of the others.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
         for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
@@ -236,8 +242,8 @@ impl<'a> RowBand<'a> {
         self.add(index, rows, columns, &patch, (row, reach), None);
     }
 
-    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is intersected
-    /// with it in `f64`.
+    /// Adds a sphere that covers so few pixels that polynomials would cost more: each pixel's ray
+    /// is intersected with it in `f64`.
     fn add_per_pixel(
         &mut self,
         index: u32,

@@ -1,5 +1,5 @@
-//! Pixels in doubt that are decided in `f64`. The hit of the sphere that a pixel shows is cached, so
-//! that each further sphere costs one comparison.
+//! Decisions in `f64` on pixels in doubt. The hit of the sphere that a pixel shows is kept, so that
+//! each further sphere costs one comparison.
 
 use std::cmp::Ordering;
 
@@ -30,7 +30,7 @@ pub(crate) struct RoughHit {
     half_chord: f64,
 }
 
-/// The answer of `f64` about a pixel's ray and a sphere.
+/// The result of intersecting a pixel's ray with a sphere in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Rough {
     Miss,
@@ -38,7 +38,7 @@ pub(crate) enum Rough {
     Doubt,
 }
 
-/// Lengths with which no computation here overflows or underflows.
+/// Range of lengths with which nothing here overflows or underflows.
 const LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
 
 impl Rough {
@@ -112,9 +112,10 @@ impl RoughHit {
         ((t - other_t).abs() > doubt).then(|| t.total_cmp(&other_t))
     }
 
-    /// Compares `t` with that of another sphere which the ray surely hits, by the power of this hit with
-    /// respect to it; `None` in doubt. On this sphere's surface, at `o` from its centre, the quadratic
-    /// terms cancel; with `e` from this centre to the other one,
+    /// Compares `t` with that of another sphere that the ray surely hits, by the power of this hit
+    /// with respect to the other sphere; returns `None` if in doubt. With o the vector from this
+    /// sphere's centre to the hit, and e the vector from this centre to the other one, the
+    /// quadratic terms of the power cancel:
     ///
     /// ```text
     /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)

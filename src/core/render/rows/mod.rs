@@ -19,12 +19,12 @@ pub(crate) struct RowBuffers<'a> {
     pub(crate) is_written: &'a mut [bool],
 }
 
-/// Relative difference below which rounding may have put two `t` in the wrong order: each `t` is off by
-/// an ulp at most.
+/// Relative difference below which rounding may have put two `t` in the wrong order. The error of
+/// each `t` is at most an ulp.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
-/// The blocks of a band that have been written. A block is written for the first time without being read;
-/// the blocks that no sphere covers are cleared at the end.
+/// The blocks of a band, with a flag for each that has been written. The first time, a block is
+/// written without being read; the blocks that no sphere covers are cleared at the end.
 ///
 /// A block is a vector of neighbouring pixels of a row. The last pixels of a row that do not fill a block
 /// are cleared at the start.
@@ -35,7 +35,7 @@ pub(crate) struct WrittenBlocks {
 }
 
 impl WrittenBlocks {
-    /// Returns blocks for rows of this many columns, none of them written.
+    /// Makes the blocks of rows of this many columns; none of them has been written.
     #[inline(always)]
     pub(crate) fn new<S: Simd>(
         _simd: S,

@@ -17,8 +17,9 @@ const PIXELS: usize = 8;
 /// Maximum number of rows that are found before they are drawn: the number of bits in a mask.
 const RUNS: usize = 64;
 
-/// The rows that the spheres of a vector have in the target. If neither rows nor columns have a gap,
-/// each sphere's steps start at its own first row; otherwise all start at the first row of any sphere.
+/// The rows of the target that the spheres of a vector cover. The spheres are drawn in steps of one
+/// row each. If neither rows nor columns have a gap, each sphere's steps start at its own first
+/// row; otherwise all start at the first row of any of the spheres.
 struct OwnRows {
     /// Number of the first row.
     first: Singles,
@@ -56,7 +57,7 @@ pub(crate) struct Runs {
     left: [f32; RUNS],
     /// Distance of the last column from the outline's right end.
     right: [f32; RUNS],
-    /// e without S, at the first column; see [`Runs::t`].
+    /// The part of e that does not depend on S, at the first column; see [`Runs::t`].
     moved: [f32; RUNS],
     /// The first pixel in the target.
     offset: [i32; RUNS],
@@ -398,8 +399,9 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
     doubtful
 }
 
-/// Leaves the pixels whose bits are set, counted from a position, to the ladder, because they are too
-/// close to the known hit. The ladder counts these pixels. Returns their number.
+/// Adds to the doubts the pixels whose bits are set, counted from a position on, because the sphere
+/// is too close to the known hit there. Returns the number of these pixels, which the ladder
+/// counts.
 #[cold]
 #[inline(never)]
 fn note_ties(

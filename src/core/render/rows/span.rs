@@ -26,8 +26,8 @@ pub(crate) struct Span {
     b_column: [f32; 2],
 }
 
-/// A pixel that a sphere's row could not decide: whether the sphere covers it at all or, if its `t` is
-/// known, whether the sphere is nearer than another.
+/// A pixel that is in doubt: whether a sphere covers it or, if `t` is known, whether the sphere is
+/// nearer than another one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Doubt {
     pub(crate) index: u32,
@@ -105,8 +105,8 @@ impl SpanTarget<'_> {
         self.is_all_reached = !self.is_reached.contains(&false);
     }
 
-    /// Adds pixels of a row of the raster to the doubts, for the ladder to decide whether the sphere covers
-    /// them.
+    /// Adds pixels of a row of the raster to the doubts: the ladder decides whether the sphere
+    /// covers them.
     pub(crate) fn doubt(&mut self, index: u32, row: usize, columns: Range<usize>) {
         let row = row as u32;
         let doubt = |column| Doubt { index, row, column: column as u32, t: None };
@@ -211,7 +211,7 @@ impl Span {
         }
     }
 
-    /// Adds the pixels of a row that are too close to the known hit to the doubts.
+    /// Adds to the doubts the pixels of a row in which the sphere is too close to the known hit.
     #[cold]
     #[inline(never)]
     fn find_doubts<S: Simd>(
@@ -392,7 +392,7 @@ impl SpanRows {
     }
 }
 
-/// The ends of a vector of rows, found from `w^2` and the column of each row's middle; see
+/// The ends of a vector of rows, computed from `w^2` and the column of each row's middle; see
 /// [`Outlines`](crate::render::outline::Outlines).
 pub(crate) struct RowEnds<S: Simd> {
     /// The outline's left end.
@@ -514,8 +514,8 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// Computes `t` as [`SpanLanes::narrow`] does, for a sphere whose S is not small compared with b.
-    /// With whole numbers m and n of columns from the first and to the last pixel,
+    /// Computes `t` as [`SpanLanes::narrow`] does, for a sphere whose S is not small compared with
+    /// b. Let m and n be the numbers of columns from the first and to the last pixel. Then
     ///
     /// ```text
     /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))

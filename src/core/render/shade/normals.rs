@@ -1,5 +1,5 @@
-//! Outward normals of hits, in `f64`, for one ray or several side by side, computed without `t` where
-//! possible: as exact as colours need.
+//! Outward normals of hits, for one ray or several side by side, in `f64` and as accurate as
+//! colours need. Where possible, they are computed without `t`.
 //!
 //! The vector code has no closures: the compiler does not always inline a closure's body into the loop
 //! around it, and the loop then costs ten times as much.
@@ -22,7 +22,7 @@ pub(crate) struct Normals<'a> {
     of_planes: Vec<DVec3>,
 }
 
-/// An object, with the data that its normals need.
+/// An object with the data that its normals are computed from.
 pub(crate) enum Surface<'a> {
     Sphere(&'a Sphere),
     /// A plane's unit normal.
@@ -35,7 +35,7 @@ impl<'a> Normals<'a> {
         Normals { spheres: scene.spheres(), of_planes }
     }
 
-    /// Returns the object; `None` if the scene does not have it.
+    /// Returns the object of this index; `None` if the scene has none.
     #[inline(always)]
     pub(crate) fn surface(&self, object: u32) -> Option<Surface<'a>> {
         let index = object as usize;
@@ -107,7 +107,7 @@ const FAR: f64 = 1e6;
 /// The range of `t` that keeps its digits in `f32`, too.
 pub(crate) const PLAIN_T: std::ops::Range<f64> = 1e-37..1e38;
 
-/// The eye and a sphere, with sizes that need no scaling.
+/// The numbers of a sphere and the eye, if they need no scaling.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
     /// The vector from the centre to the eye.
@@ -118,7 +118,8 @@ pub(crate) struct Ball {
 }
 
 impl Ball {
-    /// Returns `None` if the sphere is too far away for its size, or has extreme sizes.
+    /// Computes the numbers. Returns `None` if the sphere is too far away for its size, or its size
+    /// is extreme.
     #[inline(always)]
     pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> Option<Ball> {
         let (q, radius) = (eye - sphere.center, sphere.radius);

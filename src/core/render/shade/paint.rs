@@ -61,8 +61,8 @@ pub struct Paint<C, F> {
 pub(crate) struct Srgb {
     /// Byte to linear light, in [parts](PARTS).
     linear: [f32; 256],
-    /// Linear light in parts to the byte nearest in linear light. Where the curve is steepest, at 0, a
-    /// byte has 20 parts.
+    /// Linear light, in parts, to the byte whose light is nearest. At 0, where the curve is
+    /// steepest, a byte spans 20 parts.
     bytes: Vec<u8>,
 }
 

@@ -41,7 +41,7 @@ pub(crate) struct Run {
     pub(crate) color: Rgb,
 }
 
-/// The rays of one row: each direction is the sum of a term of the column and a term of the row.
+/// The rays of one row. Each direction is the sum of a term of the column and a term of the row.
 #[derive(Clone, Copy)]
 pub(crate) struct RowRays<'a> {
     pub(crate) eye: DVec3,
@@ -257,7 +257,7 @@ fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     ]
 }
 
-/// A lit surface, in vectors, without closures; see [`surface`](crate::render::shade::surface).
+/// A lit surface in vectors. It is not a closure, for the reason that `normals.rs` gives.
 trait Lit<S: Simd> {
     /// Returns `|n.d| / |d|`.
     fn cosine(&self, d: [Lanes<S>; 3]) -> Lanes<S>;
