@@ -142,7 +142,7 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     if context.session.presenting.is_some() {
         if context.session.settings.presents_numbers {
-            readouts::strip(ui, derived, document, style, true);
+            readouts::strip(ui, derived, document, style);
         }
         return;
     }
@@ -156,7 +156,7 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
         });
         readouts::ui(ui, derived, document, style);
     } else {
-        readouts::strip(ui, derived, document, style, false);
+        readouts::strip(ui, derived, document, style);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             switched = ui.button("All numbers").clicked();
             if !context.has_lesson {
@@ -201,11 +201,7 @@ fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
 const PLOT: Page = Page {
     follows_pointer: true,
     areas: |divider| divider.both_above(Split::Plot),
-    rest: |ui, context| {
-        let Session { ray_point_t, settings, .. } = &mut *context.session;
-        let compressed = &mut settings.plot_compressed;
-        plot::ui(ui, ray_point_t, compressed, context.derived, context.style.digits);
-    },
+    rest: |ui, context| plot::ui(ui, context.session, context.derived),
     hovered: |ctx, _, derived| plot::hovered(ctx, derived),
     ..Page::VIEWS
 };
@@ -221,11 +217,7 @@ const LINES: Page = Page {
 
 const TRANSLATOR: Page = Page {
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
-    rest: |ui, context| {
-        let document = &context.open.document;
-        let Session { translator, selection, settings, .. } = &mut *context.session;
-        translator::ui(ui, document, translator, *selection, settings.digits);
-    },
+    rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
     ..Page::VIEWS
 };
 
@@ -259,8 +251,7 @@ const MISTAKES: Page = Page {
     areas: |divider| divider.three_above(Split::Mistakes),
     second: Some(SecondPicture::WrongCamera),
     rest: |ui, context| {
-        let view = &mut context.session.mistakes_view;
-        mistakes::ui(ui, context.derived, &context.open.document, view, context.style);
+        mistakes::ui(ui, context.derived, &context.open.document, context.session);
     },
     figure: FigureSubject::Camera,
     ..Page::VIEWS
@@ -275,8 +266,7 @@ const COMPARE: Page = Page {
     },
     second: Some(SecondPicture::Ghost),
     rest: |ui, context| {
-        let (document, ghost) = (&context.open.document, context.session.ghost.as_ref());
-        compare::ui(ui, context.derived, document, ghost, context.style);
+        compare::ui(ui, context.derived, &context.open.document, context.session);
     },
     ..Page::VIEWS
 };

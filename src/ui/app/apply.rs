@@ -7,17 +7,15 @@ use egui::{Context, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
 use pinhole_exchange::scenes::SceneSource;
 
-use crate::figures::derivation_of;
 use crate::model::files::title_of;
 use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
-    Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
-    LessonAction, LookAction, PlayAction,
+    Action, ExchangeAction, FileAction, GhostAction, HistoryAction, Leave, LessonAction,
+    LookAction, PlayAction,
 };
-use crate::ui::app::files::ScreenContents;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
@@ -67,7 +65,7 @@ impl App {
             Action::File(action) => return self.file(ctx, action),
             Action::Lesson(action) => return self.lesson_action(ctx, action),
             Action::History(action) => self.undo_or_redo(ctx, action),
-            Action::Figure(action) => return self.figure(ctx, action),
+            Action::Figure(action) => return self.figure_action(ctx, action),
             Action::Exchange(action) => return self.exchange(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
@@ -292,35 +290,6 @@ impl App {
             self.scene.show_all();
         }
         dialog
-    }
-
-    fn figure(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
-        let (scene, derived) = (&self.scene, &self.views.derived);
-        let screen = ScreenContents { ctx, scene, derived, derivation: &self.tools.derivation };
-        match action {
-            FigureAction::Ask => Some(screen.ask_export()),
-            FigureAction::Export { order, path } => screen.export(&order, &path),
-            FigureAction::AskAnimation => {
-                let player = self.playback.player.as_mut()?;
-                player.running = false;
-                Some(screen.ask_export_animation(player.kind))
-            }
-            FigureAction::ExportAnimation { order, frames, path } => {
-                self.export_animation(order, frames, path)
-            }
-            FigureAction::Copy => {
-                let problem = screen.copy();
-                if problem.is_none() {
-                    self.say("The figure is on the clipboard".to_owned(), Vec::new());
-                }
-                problem
-            }
-            FigureAction::CopyDerivation(markup) => {
-                let derivation = derivation_of(&scene.open.document, &scene.session);
-                ctx.copy_text(derivation.written_in(markup));
-                None
-            }
-        }
     }
 
     fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {

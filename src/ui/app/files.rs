@@ -12,20 +12,18 @@ use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{answers, atomic, limits};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
-use crate::model::play::Kind;
 use crate::model::practice::{AnswersFile, StudentAnswers};
 use crate::model::session::{Session, ViewLayout};
 use crate::model::translator::with;
-use crate::ui::action::{Action, AnswersAction, ExchangeAction, Leave};
+use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave};
+use crate::ui::app::App;
 use crate::ui::app::scene::OpenScene;
-use crate::ui::derivation::DerivationPanel;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::ray::lines;
 use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
-use crate::view::derive::Derived;
 use crate::view::overlay::Style;
 
 /// Returns the text that was pasted while no text field had the focus.
@@ -156,32 +154,42 @@ const VIEW: f32 = 960.0;
 const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
-/// The contents of the screen in the last pass, from which figures are made.
-pub(super) struct ScreenContents<'a> {
-    pub(super) ctx: &'a Context,
-    pub(super) scene: &'a OpenScene,
-    pub(super) derived: &'a Derived,
-    pub(super) derivation: &'a DerivationPanel,
-}
-
-impl ScreenContents<'_> {
-    /// Returns the export dialog with the layout's subject chosen.
-    pub(super) fn ask_export(&self) -> Dialog {
-        let first = self.layout_subject();
-        let mut subjects = FigureSubject::ALL.to_vec();
-        subjects.sort_by_key(|subject| *subject != first);
-        Dialog::Export(self.form(&subjects))
+impl App {
+    /// Applies the action. Returns a dialog if the user must answer a question or read a message.
+    pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
+        match action {
+            FigureAction::Ask => {
+                let first = self.layout_subject();
+                let mut subjects = FigureSubject::ALL.to_vec();
+                subjects.sort_by_key(|subject| *subject != first);
+                Some(Dialog::Export(self.export_form(ctx, &subjects)))
+            }
+            FigureAction::Export { order, path } => {
+                let problem = self.export(&order, &path).err()?;
+                Some(Dialog::message("The figure was not exported", problem))
+            }
+            FigureAction::AskAnimation => {
+                let player = self.playback.player.as_mut()?;
+                player.running = false;
+                let kind = player.kind;
+                let subjects = [FigureSubject::World, FigureSubject::Camera];
+                Some(Dialog::Export(self.export_form(ctx, &subjects).animated(kind)))
+            }
+            FigureAction::ExportAnimation { order, frames, path } => {
+                self.export_animation(order, frames, path)
+            }
+            FigureAction::Copy => self.copy_figure(ctx),
+            FigureAction::CopyDerivation(markup) => {
+                let derivation = derivation_of(self.document(), self.session());
+                ctx.copy_text(derivation.written_in(markup));
+                None
+            }
+        }
     }
 
-    /// Returns the export dialog for an animation, with the world view selected.
-    pub(super) fn ask_export_animation(&self, kind: Kind) -> Dialog {
-        let subjects = [FigureSubject::World, FigureSubject::Camera];
-        Dialog::Export(self.form(&subjects).animated(kind))
-    }
-
-    fn form(&self, subjects: &[FigureSubject]) -> ExportForm {
-        let subjects = subjects.iter().map(|subject| self.on_screen(*subject)).collect();
-        ExportForm::new(self.scene.open.file(), subjects, self.style())
+    fn export_form(&self, ctx: &Context, subjects: &[FigureSubject]) -> ExportForm {
+        let subjects = subjects.iter().map(|subject| self.on_screen(ctx, *subject)).collect();
+        ExportForm::new(self.scene.open.file(), subjects, self.figure_style(ctx))
     }
 
     /// Returns the subject of the open layout's figure.
@@ -189,19 +197,18 @@ impl ScreenContents<'_> {
         page(self.scene.session.settings.layout).figure
     }
 
-    fn style(&self) -> Style {
-        let is_dark = self.ctx.theme() == egui::Theme::Dark;
-        Style::new(self.scene.session.settings.scheme, is_dark)
+    fn figure_style(&self, ctx: &Context) -> Style {
+        Style::new(self.scene.session.settings.scheme, ctx.theme() == egui::Theme::Dark)
     }
 
-    /// Copies the layout's figure to the clipboard at its size on the screen. Returns a message if that
-    /// fails.
-    pub(super) fn copy(&self) -> Option<Dialog> {
-        let shown = self.on_screen(self.layout_subject());
-        let order = shown.order(shown.dots(), self.style(), false);
+    /// Copies the layout's figure to the clipboard at its size on the screen.
+    fn copy_figure(&mut self, ctx: &Context) -> Option<Dialog> {
+        let shown = self.on_screen(ctx, self.layout_subject());
+        let order = shown.order(shown.dots(), self.figure_style(ctx), false);
         match self.figure(&order) {
             Ok(figure) => {
-                self.ctx.copy_image(ColorImage::new(figure.size, figure.to_pixels()));
+                ctx.copy_image(ColorImage::new(figure.size, figure.to_pixels()));
+                self.say("The figure is on the clipboard".to_owned(), Vec::new());
                 None
             }
             Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
@@ -209,49 +216,45 @@ impl ScreenContents<'_> {
     }
 
     fn figure(&self, order: &Order) -> Result<Figure, String> {
-        let is_folded = |section: &_| self.derivation.is_folded(section);
-        order.figure(&self.scene.open.document, &self.session(), is_folded)
+        let is_folded = |section: &_| self.tools.derivation.is_folded(section);
+        order.figure(self.document(), &self.figure_session(), is_folded)
     }
 
     /// Returns the session without the hovered concept, which figures do not show.
-    fn session(&self) -> Session {
+    fn figure_session(&self) -> Session {
         Session { hovered: None, ..self.scene.session.clone() }
     }
 
-    fn on_screen(&self, subject: FigureSubject) -> OnScreen {
-        let scale = self.ctx.pixels_per_point();
+    /// Returns a figure's subject with its size on the screen, or with a default size if it is not shown.
+    fn on_screen(&self, ctx: &Context, subject: FigureSubject) -> OnScreen {
+        let (scale, derived) = (ctx.pixels_per_point(), &self.views.derived);
         let view = match subject {
-            FigureSubject::World => &self.derived.world_view,
-            _ => &self.derived.camera_view,
+            FigureSubject::World => &derived.world_view,
+            _ => &derived.camera_view,
         };
         let seen = view.as_ref().map(|shown| shown.image.size.map(|dots| dots as f32 / scale));
-        let aspect = self.scene.open.document.camera.image.aspect() as f32;
+        let aspect = self.document().camera.image.aspect() as f32;
         let points = match subject {
             FigureSubject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             FigureSubject::Camera => {
                 seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)])
             }
             FigureSubject::Derivation => {
-                let width = self.derivation.width().map(|width| width + 2.0 * MARGIN);
+                let width = self.tools.derivation.width().map(|width| width + 2.0 * MARGIN);
                 [width.unwrap_or(DERIVATION[0]), DERIVATION[1]]
             }
-            FigureSubject::Lines => lines::size(self.ctx).unwrap_or(LINES),
+            FigureSubject::Lines => lines::size(ctx).unwrap_or(LINES),
         };
         OnScreen { subject, points, scale }
     }
 
-    /// Writes a figure to a file. Returns a message if that fails.
-    pub(super) fn export(&self, order: &Order, path: &Path) -> Option<Dialog> {
-        let exported = self.exported(order, path);
-        exported.err().map(|problem| Dialog::message("The figure was not exported", problem))
-    }
-
-    fn exported(&self, order: &Order, path: &Path) -> Result<(), String> {
+    /// Writes a figure to a file.
+    fn export(&self, order: &Order, path: &Path) -> Result<(), String> {
         self.scene.open.check_output(path)?;
         let bytes = match Content::for_path(order.subject, path)? {
             Content::Text(markup) => {
-                let document = &self.scene.open.document;
-                derivation_of(document, &self.session()).written_in(markup).into_bytes()
+                let derivation = derivation_of(self.document(), &self.figure_session());
+                derivation.written_in(markup).into_bytes()
             }
             Content::Figure(format) => self.figure(order)?.to_file(format)?,
         };

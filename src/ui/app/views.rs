@@ -8,7 +8,6 @@ use pinhole_core::Selection;
 use super::App;
 use crate::model::fault::Fault;
 use crate::model::observer::ViewSize;
-use crate::model::readings::NumberStyle;
 use crate::model::symbols::typeset_message;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::view_rects::ViewRects;
@@ -110,8 +109,7 @@ impl App {
         // Only one of the two labels is shown at a time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
-            let style = NumberStyle::new(&session.settings);
-            views::show_pointed(ui, session, derived, document, style);
+            views::show_pointed(ui, session, derived, document);
         }
         let mark = accuracy::method_label(derived, session.settings.method);
         if let (Some(rect), Some(text)) = (picture, mark) {

@@ -269,20 +269,11 @@ impl Keys {
 
 fn name(key: Key) -> &'static str {
     match key {
-        Key::ArrowUp => "Up",
-        Key::ArrowDown => "Down",
-        Key::ArrowLeft => "Left",
-        Key::ArrowRight => "Right",
+        Key::ArrowUp | Key::ArrowDown | Key::ArrowLeft | Key::ArrowRight => key.name(),
+        Key::Comma | Key::Period => key.name(),
         Key::PageUp => "Page Up",
         Key::PageDown => "Page Down",
-        Key::Questionmark => "?",
-        Key::Slash => "/",
-        Key::Plus => "+",
-        Key::Equals => "=",
-        Key::Minus => "−",
-        Key::OpenBracket => "[",
-        Key::CloseBracket => "]",
-        other => other.name(),
+        _ => key.symbol_or_name(),
     }
 }
 

@@ -5,6 +5,7 @@ use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollAr
 use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 use crate::ui::dialogs::Dialog;
+use crate::ui::widgets::cell;
 
 /// Minimum and maximum size of the text, in points; the largest size at which the text fits is used.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
@@ -89,15 +90,12 @@ fn group(ui: &mut Ui, (group, entries): &Entries, text: f32) {
     let width = ui.available_width();
     for (keys, name) in entries {
         ui.horizontal_top(|ui| {
-            let mut cell = |share: f32, words: RichText| {
-                let size = vec2(share * (width - 12.0), 0.0);
-                ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
-                    ui.set_width(size.x);
-                    ui.add(egui::Label::new(words).wrap());
-                });
-            };
-            cell(KEYS, RichText::new(keys).size(text).strong());
-            cell(1.0 - KEYS, RichText::new(name).size(text));
+            for (share, words) in
+                [(KEYS, RichText::new(keys).strong()), (1.0 - KEYS, RichText::new(name))]
+            {
+                let words = egui::Label::new(words.size(text)).wrap();
+                cell(ui, share * (width - 12.0), |ui| ui.add(words));
+            }
         });
     }
 }

@@ -152,10 +152,7 @@ impl PathField {
             self.list(folder);
             self.ask_by_list();
         }
-        match self.question.writes {
-            Some(ending) => self.check_overwriting(ui, chosen, ending),
-            None => chosen,
-        }
+        self.check_overwriting(ui, chosen)
     }
 
     fn list_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
@@ -242,13 +239,10 @@ impl PathField {
         chosen
     }
 
-    /// Returns the path with its extension once it is safe or confirmed to write to it.
-    fn check_overwriting(
-        &mut self,
-        ui: &mut Ui,
-        chosen: Option<PathBuf>,
-        ending: &str,
-    ) -> Option<PathBuf> {
+    /// Returns the path of a file to read, or the path of a file to write, with its extension, once it is safe
+    /// or confirmed to write to it.
+    fn check_overwriting(&mut self, ui: &mut Ui, chosen: Option<PathBuf>) -> Option<PathBuf> {
+        let Some(ending) = self.question.writes else { return chosen };
         let chosen = chosen.and_then(|mut path| {
             if path.extension().is_none() {
                 path.set_extension(ending);

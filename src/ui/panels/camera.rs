@@ -262,10 +262,22 @@ pub(crate) fn selected_ray(
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
+        let height = ui.spacing().interact_size.y;
+        // The field has a dash if the ray passes outside the image or between pixels.
+        let written = |index: f64| if known { index.to_string() } else { "–".to_owned() };
+        let field = |ui: &mut Ui, name: &str, index: &mut u32, count: u32| {
+            ui.label(name);
+            let mut shown = *index + from;
+            let field = egui::DragValue::new(&mut shown).range(from..=count - 1 + from).speed(0.2);
+            let field = field.update_while_editing(false).min_size(egui::vec2(78.0, height));
+            let response = ui.add(field.custom_formatter(|index, _| written(index))).named(name);
+            *index = shown - from;
+            response.changed()
+        };
         let mut pixel = selection.pixel(resolved).unwrap_or(Pixel { row: 0, column: 0 });
         let image = resolved.image();
-        let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
-        let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
+        let row = field(ui, "row", &mut pixel.row, image.height());
+        let column = field(ui, "column", &mut pixel.column, image.width());
         ui.end_row();
         if row || column {
             *selection = Selection::Pixel(pixel);
@@ -280,27 +292,4 @@ pub(crate) fn selected_ray(
             *selection = Selection::Uv(typed);
         }
     });
-}
-
-/// Shows a field for a row or column. The field has a dash if the ray passes outside the image or between
-/// pixels. Returns true if the number changed.
-fn index_field(
-    ui: &mut Ui,
-    name: &str,
-    index: &mut u32,
-    count: u32,
-    from: u32,
-    known: bool,
-) -> bool {
-    ui.label(name);
-    let mut shown = *index + from;
-    let field = egui::DragValue::new(&mut shown)
-        .range(from..=count - 1 + from)
-        .speed(0.2)
-        .update_while_editing(false)
-        .custom_formatter(|index, _| if known { index.to_string() } else { "–".to_owned() });
-    let response =
-        ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y))).named(name);
-    *index = shown - from;
-    response.changed()
 }

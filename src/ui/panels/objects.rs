@@ -162,14 +162,16 @@ fn edit<S: Clone + PartialEq>(
     items: &mut SharedList<Item<S>>,
     index: usize,
     colors: [Rgb; 2],
-    fields: fn(&mut Ui, &mut S),
+    fields: fn(&mut Ui, &mut S) -> Result<(), ObjectError>,
 ) -> bool {
     let mut item = items[index].clone();
     if heading(ui, &mut item, colors) {
         items.remove(index);
         return true;
     }
-    fields(ui, &mut item.shape);
+    if let Err(fault) = fields(ui, &mut item.shape) {
+        ui.label(fault_text(ui, fault));
+    }
     if items[index] != item {
         items[index] = item;
     }
@@ -197,21 +199,23 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     .inner
 }
 
-fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
-    let fault = sphere.check().err();
+/// Shows a sphere's fields. Returns its error from before the edit.
+fn sphere(ui: &mut Ui, sphere: &mut Sphere) -> Result<(), ObjectError> {
+    let valid = sphere.check();
     vector(ui, "centre", &mut sphere.center);
     ui.horizontal(|ui| {
         ui.label("radius");
         NumberField::new("radius", &mut sphere.radius).show(ui);
     });
-    reason(ui, fault);
+    valid
 }
 
-fn plane(ui: &mut Ui, plane: &mut Plane) {
-    let fault = plane.check().err();
+/// Shows a plane's fields. Returns its error from before the edit.
+fn plane(ui: &mut Ui, plane: &mut Plane) -> Result<(), ObjectError> {
+    let valid = plane.check();
     vector(ui, "point", &mut plane.point);
     vector(ui, "normal", &mut plane.normal);
-    reason(ui, fault);
+    valid
 }
 
 fn vector(ui: &mut Ui, name: &str, value: &mut DVec3) {
@@ -219,10 +223,4 @@ fn vector(ui: &mut Ui, name: &str, value: &mut DVec3) {
         ui.label(name);
         vector_row(ui, name, value);
     });
-}
-
-fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
-    if let Some(fault) = fault {
-        ui.label(fault_text(ui, fault));
-    }
 }

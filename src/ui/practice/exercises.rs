@@ -335,7 +335,19 @@ impl QuestionScene {
     /// Shows the world view. Returns the session with which the view was derived.
     fn world(&mut self, ui: &Ui, rect: Rect, session: &Session, document: &Document) -> Session {
         let response = views::view(ui, rect, views::WORLD);
-        let observer = self.observer(&session.exercises, document, views::size_of(rect));
+        let (size, exercises) = (views::size_of(rect), &session.exercises);
+        let question = (exercises.question().exercise, exercises.seed());
+        // The observer sees the whole scene until the user moves it.
+        let is_valid = |seen: &QuestionObserver| {
+            let is_moved = seen.observer != seen.framed.0;
+            seen.question == question && (is_moved || seen.framed.1 == size)
+        };
+        let seen = self.seen.take().filter(is_valid).unwrap_or_else(|| {
+            let scene = document.scene().unwrap_or_default();
+            let observer = Observer::frame_all(&document.camera, &scene, size);
+            QuestionObserver { question, observer, framed: (observer, size) }
+        });
+        let observer = &mut self.seen.insert(seen).observer;
         views::observe(ui, &response, observer);
         let observer = *observer;
         let hovered = self.solution.hovered(ui.ctx()).filter(|_| session.exercises.is_solved);
@@ -354,26 +366,6 @@ impl QuestionScene {
         let marks = &self.derived.answer_marks;
         views::speak(ui, views::WORLD, &answer_marks::spoken(marks));
         own
-    }
-
-    /// Returns the observer of this question, which sees the whole scene until the user moves it.
-    fn observer(
-        &mut self,
-        exercises: &Exercises,
-        document: &Document,
-        size: ViewSize,
-    ) -> &mut Observer {
-        let question = (exercises.question().exercise, exercises.seed());
-        let is_valid = |seen: &QuestionObserver| {
-            let is_moved = seen.observer != seen.framed.0;
-            seen.question == question && (is_moved || seen.framed.1 == size)
-        };
-        let seen = self.seen.take().filter(is_valid).unwrap_or_else(|| {
-            let scene = document.scene().unwrap_or_default();
-            let observer = Observer::frame_all(&document.camera, &scene, size);
-            QuestionObserver { question, observer, framed: (observer, size) }
-        });
-        &mut self.seen.insert(seen).observer
     }
 }
 

@@ -3,7 +3,6 @@
 
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
-    vec2,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
@@ -11,11 +10,12 @@ use pinhole_lecture::numbers::percent;
 
 use crate::model::practice::MistakesView;
 use crate::model::readings::NumberStyle;
+use crate::model::session::Session;
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::{self, ResponseExt as _, sign};
+use crate::ui::widgets::{self, ResponseExt as _, cell, sign};
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 
@@ -98,13 +98,9 @@ fn seen(wrong: &ComparedCamera) -> Option<String> {
 }
 
 /// Shows the gallery, the explanation and the checks side by side, or the vote instead of them.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    mistakes_view: &mut MistakesView,
-    style: NumberStyle,
-) {
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &mut Session) {
+    let style = NumberStyle::new(&session.settings);
+    let mistakes_view = &mut session.mistakes_view;
     let seen = derived.resolved.as_ref().zip(derived.scene.as_deref());
     let seen = seen.map(|(resolved, scene)| (&document.camera, resolved, scene));
     if mistakes_view.wants_vote
@@ -219,16 +215,6 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     if right != wrong {
         ui.label(format!("distance {}, taken as {}", style.number(right), style.number(wrong)));
     }
-}
-
-/// Shows a cell of fixed width in a row; its text wraps.
-fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
-    let layout = Layout::top_down(Align::LEFT);
-    let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
-        ui.set_width(width);
-        content(ui)
-    });
-    inner.inner
 }
 
 /// Widths of the verdict and of the formula, in points.

@@ -13,8 +13,8 @@ use pinhole_lecture::numbers::written as number;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::inspection::Inspection;
-use crate::model::session::Heights;
 use crate::model::session::presenting::WRITTEN;
+use crate::model::session::{Heights, Session, Settings};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
@@ -33,13 +33,9 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 const SLIDER: f32 = 72.0;
 
 /// Shows the plot, and the text on its right.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    ray_point_t: &mut Option<f64>,
-    compressed: &mut bool,
-    derived: &Derived,
-    digits: usize,
-) {
+pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
+    let Session { ray_point_t, settings: Settings { plot_compressed, digits, .. }, .. } = session;
+    let digits = *digits;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
         ui.label(fault_text(ui, fault).strong());
@@ -53,10 +49,10 @@ pub(crate) fn ui(
     draw(ui, left, plot, first, ray_point_t);
     inside(ui, right, |ui| {
         if theme::installed(ui.ctx()).presenting {
-            return brief(ui, plot, inspection, first, digits);
+            return brief(ui, plot, inspection, digits);
         }
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
-            walk(ui, ray_point_t, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
+            walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.ray_point_t {
                 text(ui, &point(inspection, *t, digits));
                 ui.label(RichText::new(objects_at(plot, values)).strong());
@@ -67,7 +63,7 @@ pub(crate) fn ui(
             }
             let text = "Compress values beyond ±1 unit";
             let hint = "The axis is then logarithmic there: lines and parabolas are bent";
-            ui.checkbox(compressed, text).on_hover_text(hint);
+            ui.checkbox(plot_compressed, text).on_hover_text(hint);
             match plot.left_out {
                 0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
                 0 => {}
@@ -83,12 +79,7 @@ fn text(ui: &mut Ui, text: &str) {
 }
 
 /// Shows the t of the walking point as a number and as a slider.
-fn walk(
-    ui: &mut Ui,
-    ray_point_t: &mut Option<f64>,
-    range: std::ops::RangeInclusive<f64>,
-    first_hit: f64,
-) {
+fn walk(ui: &mut Ui, ray_point_t: &mut Option<f64>, plot: &Plot, first_hit: f64) {
     ui.horizontal(|ui| {
         let mut walks = ray_point_t.is_some();
         if ui.checkbox(&mut walks, "Walk along the ray").changed() {
@@ -102,7 +93,7 @@ fn walk(
             return;
         }
         ui.spacing_mut().slider_width = ui.available_width() - 12.0;
-        let slider = Slider::new(t, range).show_value(false);
+        let slider = Slider::new(t, plot.range.clone()).show_value(false);
         ui.add(slider.clamping(egui::SliderClamping::Never)).named("walk to t");
     });
 }
@@ -518,19 +509,14 @@ struct Paragraph<'a> {
 }
 
 /// Shows the text for presenting: a paragraph for each curve, at the largest size that fits.
-fn brief(
-    ui: &mut Ui,
-    plot: &Plot,
-    inspection: &Inspection,
-    first: Option<(u32, f64)>,
-    digits: usize,
-) {
+fn brief(ui: &mut Ui, plot: &Plot, inspection: &Inspection, digits: usize) {
+    let first = inspection.first_hit();
     let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
         curve: None,
         text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
     });
     let curves = plot.curves.iter().map(|curve| {
-        let is_hit = first.is_some_and(|(hit, _)| hit == curve.named.object);
+        let is_hit = first.is_some_and(|hit| hit.object == curve.named.object);
         let hit = if is_hit { "the first hit; " } else { "" };
         Paragraph { curve: Some(curve), text: format!(": {hit}{}", curve.description(digits)) }
     });

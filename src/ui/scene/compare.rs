@@ -10,7 +10,7 @@ use super::view_rects::strip_above;
 use super::views;
 use crate::model::inspection::Inspection;
 use crate::model::readings::NumberStyle;
-use crate::model::session::Ghost;
+use crate::model::session::{Ghost, Session};
 use crate::ui::action::GhostAction;
 use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::number::vector_color;
@@ -59,17 +59,12 @@ fn seen(against: &AgainstGhost) -> String {
 }
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    ghost: Option<&Ghost>,
-    style: NumberStyle,
-) {
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
+    let (ghost, style) = (session.ghost.as_ref(), NumberStyle::new(&session.settings));
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let against = derived.against_ghost.as_deref();
     // More digits do not fit side by side.
-    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
+    let style = style.at_most(DIGITS);
     ui.horizontal(|ui| {
         buttons(ui, ghost.is_some());
         if let Some(against) = against {

@@ -52,7 +52,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 if !is_narrow {
                     block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
                 }
-                ui.vertical(|ui| hits(ui, inspection, derived, document, style));
+                ui.vertical(|ui| hits(ui, derived, document, style));
             }
         });
     });
@@ -189,15 +189,10 @@ fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: N
 }
 
 /// Shows the roots, each with its object and its verdict, and the numbers that decide between hit and miss.
-fn hits(
-    ui: &mut Ui,
-    inspection: &Inspection,
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-) {
+fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    let Some(inspection) = derived.inspection.as_deref() else { return };
     let object_of = |index: usize| document.title_of(inspection.roots[index].object as usize);
-    let parts = |style| listed_parts(inspection, derived, document, style);
+    let parts = |style| listed_parts(derived, document, style);
     title(ui, "Hits", || {
         let style = style.for_programs();
         let root = |index: usize| {
@@ -244,13 +239,13 @@ fn hits(
 
 /// Returns the numbers that decide between hit and miss, for each object if there are only a few.
 fn listed_parts(
-    inspection: &Inspection,
     derived: &Derived,
     document: &Document,
     style: NumberStyle,
 ) -> Vec<(String, String)> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let listed = scene.into_iter().flat_map(|_| inspection.terms.iter().enumerate());
+    let inspection = derived.inspection.as_deref().filter(|_| scene.is_some());
+    let listed = inspection.into_iter().flat_map(|found| found.terms.iter().enumerate());
     listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }
 
@@ -297,13 +292,8 @@ fn is_narrow(width: f32) -> bool {
 /// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as fit.
 /// While presenting, the basis and the ray each have their own row, and if there are no numbers, the picture
 /// shows the reason.
-pub(crate) fn strip(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-    presented: bool,
-) {
+pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    let presented = theme::installed(ui.ctx()).presenting;
     if let Some(fault) = derived.fault {
         if !presented {
             ui.label(fault_text(ui, fault).strong());

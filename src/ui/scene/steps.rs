@@ -254,7 +254,14 @@ impl Dragging {
             view.rect.min + vec2(one.spot.x as f32, one.spot.y as f32) / view.scale
         };
         for one in &all {
-            focusable_handle(ui, view, one.handle, spot(one), document, session);
+            // The handle can have the focus, and has a name and a value for screen readers.
+            let rect = Rect::from_center_size(spot(one), Vec2::splat(2.0 * HANDLE_REACH as f32));
+            let sense = Sense::focusable_noninteractive();
+            let response = ui.interact(rect, view.id_of(one.handle), sense);
+            keep_arrows(&response, true, true);
+            let value = value_of(one.handle, usize::MAX, document, session);
+            let name = format!("{} handle", label(one.handle, document));
+            response.with_role(Role::Slider).described(value).named(name);
         }
         let Some(handle) = session.handles.over else { return };
         let is_held = session.handles.drag.is_some();
@@ -354,21 +361,4 @@ fn show_lines(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: 
             ui.label(fault_text(ui, reason).size(REST));
         }
     });
-}
-
-/// Makes a handle focusable, with a name and a value for screen readers.
-fn focusable_handle(
-    ui: &Ui,
-    view: &WorldArea,
-    handle: Handle,
-    at: Pos2,
-    document: &Document,
-    session: &Session,
-) {
-    let rect = Rect::from_center_size(at, Vec2::splat(2.0 * HANDLE_REACH as f32));
-    let response = ui.interact(rect, view.id_of(handle), Sense::focusable_noninteractive());
-    keep_arrows(&response, true, true);
-    let value = value_of(handle, usize::MAX, document, session);
-    let response = response.with_role(Role::Slider).described(value);
-    response.named(format!("{} handle", label(handle, document)));
 }

@@ -286,13 +286,8 @@ pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option
 }
 
 /// Shows a tooltip with the numbers of the ray under the mouse, or else the name of the hovered concept.
-pub(crate) fn show_pointed(
-    ui: &Ui,
-    session: &Session,
-    shown: &Derived,
-    document: &Document,
-    style: NumberStyle,
-) {
+pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document: &Document) {
+    let style = NumberStyle::new(&session.settings);
     let words = match (session.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (
@@ -357,10 +352,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
 /// Shows what the eye keeps when it is moved in the world view, as a button that switches to the other
 /// choice.
 fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
-    let text = match keeps {
-        Keep::At => "Eye orbits at",
-        Keep::View => "Eye travels",
-    };
+    let text = if *keeps == Keep::At { "Eye orbits at" } else { "Eye travels" };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
                 direction. Alt switches while dragging.";
     if ui.small_button(text).on_hover_text(hint).clicked() {
@@ -435,36 +427,30 @@ const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
 /// that is visible from the back row.
 pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
     let id = ui.scope_id().with(PEN);
-    Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false).show(
-        ui.ctx(),
-        |ui| {
-            let (_, response) = ui.allocate_exact_size(area.size(), Sense::drag());
-            let response = response.named(PEN).on_hover_cursor(CursorIcon::Crosshair);
-            let share = |at: Pos2| ((at - area.min) / area.size().max(Vec2::splat(1.0))).into();
-            let at = response.interact_pointer_pos();
-            if let (true, Some(from)) =
-                (response.drag_started(), ui.input(|i| i.pointer.press_origin()))
-            {
-                pen.press(share(from));
+    let layer = Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false);
+    layer.show(ui.ctx(), |ui| {
+        let (_, response) = ui.allocate_exact_size(area.size(), Sense::drag());
+        let response = response.named(PEN).on_hover_cursor(CursorIcon::Crosshair);
+        let share = |at: Pos2| ((at - area.min) / area.size().max(Vec2::splat(1.0))).into();
+        let at = response.interact_pointer_pos();
+        if let (true, Some(from)) =
+            (response.drag_started(), ui.input(|i| i.pointer.press_origin()))
+        {
+            pen.press(share(from));
+        }
+        if let (true, Some(at)) = (response.dragged(), at) {
+            pen.draw_to(share(at));
+        }
+        for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, PEN_INK)] {
+            for line in &pen.lines {
+                let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
+                let points = line.iter().map(at).collect();
+                ui.painter().line(points, PathStroke::new(width, color));
             }
-            if let (true, Some(at)) = (response.dragged(), at) {
-                pen.draw_to(share(at));
-            }
-            for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, PEN_INK)] {
-                for line in &pen.lines {
-                    let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
-                    let points = line.iter().map(at).collect();
-                    ui.painter().line(points, PathStroke::new(width, color));
-                }
-            }
-            if let Some(at) = at.or(response.hover_pos()) {
-                ui.painter().circle(
-                    at,
-                    PEN_POINTER,
-                    PEN_INK,
-                    (PEN_CASING - PEN_LINE, Color32::BLACK),
-                );
-            }
-        },
-    );
+        }
+        if let Some(at) = at.or(response.hover_pos()) {
+            let edge = (PEN_CASING - PEN_LINE, Color32::BLACK);
+            ui.painter().circle(at, PEN_POINTER, PEN_INK, edge);
+        }
+    });
 }

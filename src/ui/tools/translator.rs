@@ -5,21 +5,22 @@ use std::time::Duration;
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Align, Align2, Area, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea, Stroke, Ui,
-    WidgetText, vec2,
+    Align2, Area, FontId, Frame, Id, Label, Order, RichText, ScrollArea, Stroke, Ui, WidgetText,
+    vec2,
 };
-use pinhole_core::{Pixel, Selection};
+use pinhole_core::Pixel;
 use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
 
+use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
 use crate::model::translator::{
     ConventionRow, MOST_OBJECTS, Notice, Translation, Translator, shortened,
 };
 use crate::ui::action::ExchangeAction;
-use crate::ui::widgets::ResponseExt as _;
+use crate::ui::widgets::{ResponseExt as _, cell};
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
@@ -36,16 +37,11 @@ const READING: f64 = 6.0;
 const ABOUT: f32 = 118.0;
 
 /// Shows the translator.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    document: &Document,
-    choice: &mut Translator,
-    selection: Selection,
-    digits: usize,
-) {
+pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
+    let (choice, digits) = (&mut session.translator, session.settings.digits);
     ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let resolved = document.camera.resolve().ok();
-    let pixel = resolved.and_then(|resolved| selection.pixel(&resolved));
+    let pixel = resolved.and_then(|resolved| session.selection.pixel(&resolved));
     let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
     targets(ui, choice);
     // Objects that are not written may be invalid.
@@ -165,12 +161,8 @@ fn table(ui: &mut Ui, rows: &[ConventionRow], label: &str) {
     let line = |ui: &mut Ui, cells: [WidgetText; 3]| {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 8.0;
-            for (cell, width) in cells.into_iter().zip([ABOUT, side, side]) {
-                let layout = Layout::top_down(Align::LEFT);
-                ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
-                    ui.set_width(width);
-                    ui.add(Label::new(cell).wrap());
-                });
+            for (text, width) in cells.into_iter().zip([ABOUT, side, side]) {
+                cell(ui, width, |ui| ui.add(Label::new(text).wrap()));
             }
         });
     };

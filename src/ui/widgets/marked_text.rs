@@ -10,13 +10,6 @@ use crate::model::symbols;
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::theme;
 
-/// A run of letters with the same style.
-#[derive(Clone, Debug, PartialEq)]
-struct StyledRun {
-    text: String,
-    is_vector: bool,
-}
-
 /// Shows the text, wrapped. Screen readers and tests receive it without the marks.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
@@ -31,12 +24,11 @@ pub(crate) fn height(ui: &Ui, text: &str, size: f32) -> f32 {
 }
 
 fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
-    let runs = runs(&unbroken(text));
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
-    for run in &runs {
-        let family = if run.is_vector { theme::bold() } else { FontFamily::Proportional };
-        let own = run.is_vector.then(|| vector_color(ui, &run.text)).flatten();
+    for (run, is_vector) in runs(&unbroken(text)) {
+        let family = if is_vector { theme::bold() } else { FontFamily::Proportional };
+        let own = vector_color(ui, &run).filter(|_| is_vector);
         let format = TextFormat {
             font_id: FontId::new(size, family),
             color: own.unwrap_or(color),
@@ -44,7 +36,7 @@ fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
             line_height: Some(row_height(ui, size)),
             ..TextFormat::default()
         };
-        job.append(&run.text, 0.0, format);
+        job.append(&run, 0.0, format);
     }
     job
 }
@@ -59,8 +51,9 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-fn runs(text: &str) -> Vec<StyledRun> {
-    let mut runs: Vec<StyledRun> = Vec::new();
+/// Returns the runs of letters with the same style; true marks a vector.
+fn runs(text: &str) -> Vec<(String, bool)> {
+    let mut runs: Vec<(String, bool)> = Vec::new();
     let (mut is_vector, mut is_scalar) = (false, false);
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
@@ -74,9 +67,9 @@ fn runs(text: &str) -> Vec<StyledRun> {
             continue;
         }
         let letter = if is_scalar { symbols::italic(letter) } else { letter };
-        match runs.last_mut().filter(|run| run.is_vector == is_vector) {
-            Some(run) => run.text.push(letter),
-            None => runs.push(StyledRun { text: letter.to_string(), is_vector }),
+        match runs.last_mut().filter(|run| run.1 == is_vector) {
+            Some((run, _)) => run.push(letter),
+            None => runs.push((letter.to_string(), is_vector)),
         }
     }
     runs
@@ -89,7 +82,7 @@ mod tests {
     #[test]
     fn vectors_and_scalars_are_told_apart() {
         let text = "*u***u** + *v***v**";
-        let run = |text: &str, is_vector| StyledRun { text: text.to_owned(), is_vector };
+        let run = |text: &str, is_vector| (text.to_owned(), is_vector);
         assert_eq!(
             runs(text),
             [run("𝑢", false), run("u", true), run(" + 𝑣", false), run("v", true)]

@@ -91,6 +91,16 @@ pub(crate) fn clipped(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
     });
 }
 
+/// Shows a cell of fixed width in a row; its text wraps.
+pub(crate) fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = Layout::top_down(Align::LEFT);
+    let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+        ui.set_width(width);
+        content(ui)
+    });
+    inner.inner
+}
+
 /// Shows a menu of choices with this accessible name.
 pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl FnOnce(&mut Ui)) {
     let combo =
