@@ -29,5 +29,5 @@ mod trace;
 pub use camera::{Camera, Orientation, Status, View, basis};
 pub use families::{Draw, Family, FrameCase, Make, RayCase};
 pub use object::Object;
-pub use real::{Real, angle_between, distance_between};
+pub use real::{Real, angle_between};
 pub use trace::{Hit, first_hit, roots};

@@ -179,13 +179,3 @@ pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     let scale = -across.log2().max(along.log2()).unwrap_or(0);
     Real(across.shifted(scale)).to_f64().atan2(Real(along.shifted(scale)).to_f64())
 }
-
-/// Returns the distance between two points, accurate to a few parts in `1e16` however small the
-/// distance is; infinite if `b` is not finite.
-pub fn distance_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
-    if !b.iter().all(|x| x.is_finite()) {
-        return f64::INFINITY;
-    }
-    let offset: Vector = std::array::from_fn(|i| &a[i].0 - &Dyadic::from_f64(b[i]));
-    Real(dot(&offset, &offset).sqrt(120, Toward::Below)).to_f64()
-}

@@ -117,7 +117,7 @@ impl Measurement {
         let start = Instant::now();
         while let Some(case) = self.cases.get_mut(self.current) {
             case.step(self.one_thread.as_ref());
-            if case.is_done() {
+            if case.share() >= 1.0 {
                 case.finish();
                 self.current += 1;
             }

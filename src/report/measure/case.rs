@@ -19,17 +19,18 @@ pub(super) struct CaseRun {
     /// The case; it contains results once the measurement is done.
     case: Case,
     pub(super) limits: Limits,
-    /// The function that prepares the work; `None` once the case has begun.
-    make: Option<MakeWork>,
-    /// The work in progress; `None` before and after it.
-    work: Option<CaseWork>,
+    /// The function that prepares the sets; `None` once the case has begun.
+    make: Option<MakeSets>,
+    /// The rays and methods; empty before and after the work.
+    sets: Vec<Set>,
+    is_timing_next: bool,
     /// A sentence about the rays that are left out, if any.
     pub(super) left_out: Option<String>,
 }
 
-/// A function that prepares the work of a case. It also returns a sentence about the rays that are left out, if
+/// A function that prepares the sets of a case. It also returns a sentence about the rays that are left out, if
 /// any.
-type MakeWork = Box<dyn FnOnce() -> (CaseWork, Option<String>) + Send>;
+type MakeSets = Box<dyn FnOnce() -> (Vec<Set>, Option<String>) + Send>;
 
 /// The amount of work for a case. It is the same on every machine, regardless of load.
 pub(super) struct Limits {
@@ -37,12 +38,6 @@ pub(super) struct Limits {
     pub(super) rounds: usize,
     /// Number of pieces of work that the case counts as.
     pub(super) pieces: usize,
-}
-
-/// The sets of a case, created when its turn comes.
-pub(super) struct CaseWork {
-    sets: Vec<Set>,
-    is_timing_next: bool,
 }
 
 /// Rays and the methods that trace them.
@@ -73,75 +68,57 @@ impl CaseRun {
     pub(super) fn new(
         case: Case,
         limits: Limits,
-        make: impl FnOnce() -> (CaseWork, Option<String>) + Send + 'static,
+        make: impl FnOnce() -> (Vec<Set>, Option<String>) + Send + 'static,
     ) -> CaseRun {
-        CaseRun { case, limits, make: Some(Box::new(make)), work: None, left_out: None }
+        let make: Option<MakeSets> = Some(Box::new(make));
+        CaseRun { case, limits, make, sets: Vec::new(), is_timing_next: false, left_out: None }
     }
 
+    /// Returns the number of pieces of work that are done.
     pub(super) fn done(&self) -> usize {
-        let Limits { rounds, pieces } = self.limits;
-        match &self.work {
-            Some(work) => ((work.share(rounds) * pieces as f64) as usize).min(pieces),
-            None if self.has_begun() => pieces,
-            None => 0,
-        }
+        (self.share() * self.limits.pieces as f64) as usize
     }
 
     pub(super) fn has_begun(&self) -> bool {
         self.make.is_none()
     }
 
-    pub(super) fn is_done(&self) -> bool {
-        let is_over = |work: &CaseWork| work.share(self.limits.rounds) >= 1.0;
-        self.work.as_ref().map_or(self.has_begun(), is_over)
-    }
-
-    /// Does one piece of work.
-    pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
-        if let Some(make) = self.make.take() {
-            let (work, left_out) = make();
-            (self.work, self.left_out) = (Some(work), left_out);
-        } else if let Some(work) = &mut self.work {
-            work.step(self.limits.rounds, one_thread);
+    /// Returns the share of the work that is done, from 0 to 1.
+    pub(super) fn share(&self) -> f64 {
+        let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
+        let all = sum(&|set| set.subject.len() + self.limits.rounds * set.workers.len());
+        let done = sum(&|set| set.decided + set.timings);
+        match all {
+            0 => f64::from(u8::from(self.has_begun())),
+            all => done as f64 / all as f64,
         }
     }
 
     /// Keeps the results and drops everything else.
     pub(super) fn finish(&mut self) {
-        (self.case, self.work) = (self.report(), None);
+        self.case = self.report();
+        self.sets.clear();
     }
 
     pub(super) fn report(&self) -> Case {
-        let Some(work) = &self.work else { return self.case.clone() };
+        if self.sets.is_empty() {
+            return self.case.clone();
+        }
         let rows_of = |set: &Set| {
             let pixels_timed = set.subject.pixels_timed() as u64;
             let row = |w: &Worker| MethodRow { pixels_timed, ..w.tally.row(w.method) };
             set.workers.iter().map(|w| (w.method, row(w))).collect::<Vec<_>>()
         };
-        let mut rows: Vec<_> = work.sets.iter().flat_map(rows_of).collect();
+        let mut rows: Vec<_> = self.sets.iter().flat_map(rows_of).collect();
         let index = |method| Method::of_frames().position(|other| other == method);
         rows.sort_by_key(|(method, _)| index(*method));
         Case {
-            coverage: work.coverage(),
-            condition: work.sets.first().and_then(Set::condition),
-            condition_f32: work.sets.get(1).and_then(Set::condition),
+            coverage: self.coverage(),
+            condition: self.sets.first().and_then(Set::condition),
+            condition_f32: self.sets.get(1).and_then(Set::condition),
             methods: rows.into_iter().map(|(_, row)| row).collect(),
             ..self.case.clone()
         }
-    }
-}
-
-impl CaseWork {
-    pub(super) fn new(sets: Vec<Set>) -> CaseWork {
-        CaseWork { sets, is_timing_next: false }
-    }
-
-    /// Returns the share of the work that is done, from 0 to 1.
-    fn share(&self, rounds: usize) -> f64 {
-        let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
-        let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
-        let done = sum(&|set| set.decided + set.timings);
-        if all == 0 { 1.0 } else { done as f64 / all as f64 }
     }
 
     /// Returns the share of the decided rays that hit.
@@ -151,8 +128,13 @@ impl CaseWork {
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
 
-    /// Decides some rays or times some methods, alternately.
-    fn step(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
+    /// Does one piece of work: prepares the sets, and then decides some rays or times some methods, alternately.
+    pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
+        if let Some(make) = self.make.take() {
+            (self.sets, self.left_out) = make();
+            return;
+        }
+        let rounds = self.limits.rounds;
         let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
         if to_time && (self.is_timing_next || !to_decide) {

@@ -9,7 +9,7 @@ use pinhole_core::{
 };
 use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayCase};
 
-use super::case::{CaseRun, CaseWork, Limits, Set};
+use super::case::{CaseRun, Limits, Set};
 use super::scenes::methods_for;
 use super::subject::{CaseSubject, MeasuredPicture};
 use crate::report::model::Case;
@@ -54,7 +54,7 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 
 /// Creates the sets of a case. The `f64` methods get the family's cases; the `f32` methods get cases whose
 /// numbers are exact in `f32`, so that their own errors are measured and not those of rounding the scene.
-fn make(family: &Family, knob: f64, seed: u64) -> (CaseWork, Option<String>) {
+fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
         let single = precision == Precision::F32;
@@ -80,7 +80,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> (CaseWork, Option<String>) {
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    (CaseWork::new(sets), left_out)
+    (sets, left_out)
 }
 
 /// Returns the precision of a method's input. The ladder's input is `f64`, regardless of the

@@ -1,14 +1,13 @@
 //! The cases of one scene: the whole scene, and separate cases for objects that are handled by
 //! other code.
 
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, Raster, ResolvedCamera, Scene};
 
-use super::case::{CaseRun, CaseWork, Limits, Set};
-use super::subject::{CaseSubject, MeasuredPicture, objects_of};
+use super::case::{CaseRun, Limits, Set};
+use super::subject::{CaseSubject, MeasuredPicture};
 use crate::report::model::Case;
 
 /// Maximum number of pixels per side when comparing with the truth.
@@ -21,72 +20,48 @@ const TIMED_TESTS: usize = 1 << 17;
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// A part of a scene that is measured as a case.
-struct Subset {
-    title: String,
-    part_of: Option<String>,
-    scene: Scene,
-    limits: Limits,
-}
-
-/// Returns the cases, and sentences about omitted measurements.
+/// Returns the cases, and sentences about omitted measurements. The cases are the scene, its planes, and the
+/// spheres around the eye if there are other spheres too.
 pub(super) fn cases(
     name: &str,
     scene: &Scene,
     camera: &Camera,
 ) -> Result<(Vec<CaseRun>, Vec<String>), CameraError> {
-    let resolved = camera.resolve()?;
-    let mut left_out = Vec::new();
-    let subsets = subsets(name, scene, camera, &mut left_out);
-    let camera = *camera;
-    let run = |Subset { title, part_of, scene, limits }| {
+    let (resolved, camera) = (camera.resolve()?, *camera);
+    let run = |title: String, part_of, scene: Scene, pieces| {
         let case = Case { name: title.clone(), part_of, ..Case::default() };
+        let limits = Limits { rounds: 41, pieces };
         CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved))
     };
-    Ok((subsets.into_iter().map(run).collect(), left_out))
-}
-
-/// Returns the scene, its planes, and the spheres around the eye if there are other spheres too.
-fn subsets(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Subset> {
-    let limits = |pieces| Limits { rounds: 41, pieces };
-    let (title, whole) = (name.to_owned(), scene.clone());
-    let mut subsets = vec![Subset { title, part_of: None, scene: whole, limits: limits(400) }];
+    let mut cases = vec![run(name.to_owned(), None, scene.clone(), 400)];
     let (spheres, planes) = (scene.spheres(), scene.planes());
-    let objects = objects_of(scene);
-    let is_inside = |index: &usize| {
-        camera.eye.is_finite() && objects[*index].side_of(camera.eye.to_array()) == Ordering::Less
-    };
-    let around: Vec<_> = (0..spheres.len()).filter(is_inside).map(|i| spheres[i]).collect();
+    let around = scene.spheres_around(camera.eye);
+    let around: Vec<_> = around.into_iter().map(|index| spheres[index as usize]).collect();
     let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
         if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
-            let (title, part_of) = (format!("{name}: {what}"), Some(name.to_owned()));
-            subsets.push(Subset { title, part_of, scene, limits: limits(100) });
+            cases.push(run(format!("{name}: {what}"), Some(name.to_owned()), scene, 100));
         }
     };
-    if !around.is_empty() && around.len() < objects.len() {
+    if !around.is_empty() && around.len() < scene.len() {
         alone("spheres around the eye, alone", &around, &[]);
     }
     if !planes.is_empty() && !spheres.is_empty() {
         alone("planes, alone", &[], planes);
     }
-    let mut leave_out = |what: &str| left_out.push(format!("{name}: {what}"));
-    if objects.is_empty() {
-        leave_out("no sphere rows and no plane rows: the scene is empty");
-    } else if spheres.is_empty() {
-        leave_out(
-            "no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane",
-        );
-    } else if planes.is_empty() {
-        leave_out("no plane rows: the scene has no planes");
-    } else {
-        leave_out(
-            "planes, alone: one row a precision: all methods but the ladder share the textbook's plane",
-        );
-    }
+    let mut left_out = vec![match (spheres, planes) {
+        ([], []) => "no sphere rows and no plane rows: the scene is empty",
+        ([], _) => {
+            "no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane"
+        }
+        (_, []) => "no plane rows: the scene has no planes",
+        _ => {
+            "planes, alone: one row a precision: all methods but the ladder share the textbook's plane"
+        }
+    }];
     if around.is_empty() && !spheres.is_empty() {
-        leave_out("no inside rows: the eye is outside every sphere");
+        left_out.push("no inside rows: the eye is outside every sphere");
     }
-    subsets
+    Ok((cases, left_out.into_iter().map(|what| format!("{name}: {what}")).collect()))
 }
 
 /// Returns all methods; without spheres, returns one method for each way to intersect a plane.
@@ -102,7 +77,7 @@ fn make(
     scene: Scene,
     camera: &Camera,
     resolved: &ResolvedCamera,
-) -> (CaseWork, Option<String>) {
+) -> (Vec<Set>, Option<String>) {
     let image = resolved.image();
     let raster = Raster::shown_on(image, SIDE, SIDE);
     let (all, compared) = (Raster::full(image).len(), raster.len());
@@ -116,8 +91,7 @@ fn make(
     let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
     let timed = (*resolved, timed_raster(resolved, scene.len()));
     let picture = MeasuredPicture::new(scene, camera, resolved, raster, timed);
-    let set = Set::new(CaseSubject::Frames(vec![picture]), methods);
-    (CaseWork::new(vec![set]), left_out)
+    (vec![Set::new(CaseSubject::Frames(vec![picture]), methods)], left_out)
 }
 
 /// Returns the raster for timing: the image, or fewer of its pixels, in rows as long as possible.

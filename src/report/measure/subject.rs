@@ -224,7 +224,7 @@ fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
 }
 
 /// Returns the scene's objects for the reference: spheres, then planes.
-pub(super) fn objects_of(scene: &Scene) -> Vec<Object> {
+fn objects_of(scene: &Scene) -> Vec<Object> {
     let sphere = |s: &Sphere| Object::Sphere { center: s.center.into(), radius: s.radius };
     let plane = |p: &Plane| Object::Plane { point: p.point.into(), normal: p.normal.into() };
     scene.spheres().iter().map(sphere).chain(scene.planes().iter().map(plane)).collect()

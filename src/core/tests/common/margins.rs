@@ -2,17 +2,19 @@
 
 use pinhole_reference::{Object, Real};
 
-type Vector = [Real; 3];
+pub(crate) type Vector = [Real; 3];
 
 fn vector(v: [f64; 3]) -> Vector {
     v.map(Real::from)
 }
 
-fn minus(a: &Vector, b: &Vector) -> Vector {
+/// Returns `a - b`.
+pub(crate) fn minus(a: &Vector, b: &Vector) -> Vector {
     std::array::from_fn(|i| a[i].minus(&b[i]))
 }
 
-fn dot(a: &Vector, b: &Vector) -> Real {
+/// Returns `a . b`.
+pub(crate) fn dot(a: &Vector, b: &Vector) -> Real {
     let [x, y, z] = std::array::from_fn(|i| a[i].times(&b[i]));
     x.plus(&y).plus(&z)
 }

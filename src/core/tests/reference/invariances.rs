@@ -4,10 +4,10 @@ use std::cmp::Ordering;
 
 use pinhole_reference::{
     Camera, Family, FrameCase, Hit, Make, Object, Orientation, RayCase, Real, angle_between, basis,
-    distance_between, first_hit, roots,
+    first_hit, roots,
 };
 
-use crate::common::bases;
+use crate::common::{bases, margins};
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
 
@@ -91,7 +91,7 @@ fn lengths_may_be_in_other_units() {
 }
 
 fn length(v: &[Real; 3]) -> f64 {
-    distance_between(v, [0.0; 3])
+    margins::dot(v, v).over(&Real::from(1.0)).sqrt()
 }
 
 #[test]
@@ -108,7 +108,9 @@ fn a_hit_is_on_its_object() {
                             continue;
                         }
                         // At the distance of the radius from the centre, along the normal.
-                        let off = distance_between(&hit.point, center) / radius;
+                        let outward = margins::minus(&hit.point, &center.map(Real::from));
+                        let radii = Real::from(radius).times(&Real::from(radius));
+                        let off = margins::dot(&outward, &outward).over(&radii).sqrt();
                         assert!((off - 1.0).abs() < 1e-15, "{}: {off}", family.name);
                         let outward = hit.point.clone().map(|x| x.to_f64());
                         let outward: [f64; 3] = std::array::from_fn(|i| outward[i] - center[i]);
