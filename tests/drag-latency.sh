@@ -7,7 +7,7 @@
 # Takes PINHOLE_BINARY, or the release build; what else it needs is in support/display.sh. A line for
 # each scene, layout and renderer, with medians in milliseconds of the frames that answer a move:
 # from the input to the presented picture, and of this: waiting for the display; the program's pass;
-# of the pass: tracing, overlay, readouts, and their sum; and painting, without what it uploads.
+# of the pass: tracing, overlay, readouts, and their sum; and painting, with what it uploads.
 set -euo pipefail
 size=${1:-1920x1080}
 shift || true

@@ -10,7 +10,7 @@ use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
-use super::surface::{MAX_TEXTURE_SIDE, PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed};
+use super::surface::{MAX_TEXTURE_SIDE, PATIENCE, WindowFrame, WindowSurface};
 use crate::view::painter::{Canvas, PixelRect, SoftwarePainter};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
@@ -99,9 +99,8 @@ impl WindowSurface for Cpu {
         Some(MAX_TEXTURE_SIDE)
     }
 
-    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
-        let mut changed = Default::default();
-        let upload = timed(frame.is_timed, || changed = self.painter.set_textures(frame.delta));
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String> {
+        let changed = self.painter.set_textures(frame.delta);
         let size = frame.size.map(|n| n as usize);
         let rects = self.canvas.show(
             &self.painter,
@@ -133,7 +132,7 @@ impl WindowSurface for Cpu {
                 frame.window.request_redraw();
             }
         }
-        Ok(PaintTimes { upload, wait: Duration::ZERO })
+        Ok(Duration::ZERO)
     }
 }
 

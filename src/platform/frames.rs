@@ -84,9 +84,8 @@ pub(super) struct FrameTimes {
     pub(super) frame: Duration,
     /// Time for the app's pass, including egui's work around the pass.
     pub(super) ui: Duration,
-    /// Time for uploading new pictures and glyphs.
-    pub(super) upload: Duration,
-    /// Time for tessellating and drawing; with wgpu, for issuing the draw commands.
+    /// Time for uploading new pictures and glyphs, tessellating and drawing; with wgpu, for issuing
+    /// the draw commands.
     pub(super) paint: Duration,
     /// Time for waiting until the display accepts another frame.
     pub(super) wait: Duration,
@@ -112,11 +111,10 @@ impl FrameLog {
     /// frame without a new picture.
     pub(super) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
-        let mut text =
-            "since_input,frame,ui,upload,paint,wait,trace,overlay,readouts,own\n".to_owned();
-        for (FrameTimes { since_input, frame, ui, upload, paint, wait }, work) in &self.frames {
+        let mut text = "since_input,frame,ui,paint,wait,trace,overlay,readouts,own\n".to_owned();
+        for (FrameTimes { since_input, frame, ui, paint, wait }, work) in &self.frames {
             let since = since_input.map(ms).unwrap_or_default();
-            let times = [*frame, *ui, *upload, *paint, *wait].map(ms).join(",");
+            let times = [*frame, *ui, *paint, *wait].map(ms).join(",");
             let work = work.map_or(",,,".to_owned(), |work| {
                 let own = work.trace + work.overlay + work.readouts;
                 [work.trace, work.overlay, work.readouts, own].map(ms).join(",")

@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use egui::ViewportId;
-use egui::epaint::textures::TexturesDelta;
 use egui_wgpu::{
     RendererOptions, SurfaceConfig, SurfaceErrorAction, WgpuConfiguration, WgpuError, WgpuSetup,
     WgpuSetupCreateNew, winit::Painter,
@@ -16,7 +15,7 @@ use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
 use super::display::without_panic;
-use super::surface::{PATIENCE, PaintTimes, WindowFrame, WindowSurface, timed};
+use super::surface::{PATIENCE, WindowFrame, WindowSurface};
 
 /// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [
@@ -92,20 +91,8 @@ impl Gpu {
         Ok((Self { painter, size, failure, took_surface, retries: 0 }, description))
     }
 
-    /// Uploads changed textures ahead of painting, which would otherwise do so, to time the upload
-    /// separately.
-    fn set_textures(&self, delta: &mut TexturesDelta) {
-        let Some(state) = self.painter.render_state() else { return };
-        let mut renderer = state.renderer.write();
-        for (id, changes) in delta.set.drain() {
-            for change in changes {
-                renderer.update_texture(&state.device, &state.queue, id, &change);
-            }
-        }
-    }
-
     /// Draws and presents a frame, or requests another frame on a new surface.
-    fn try_paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
+    fn try_paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);
             if let (Some(width), Some(height)) = (width, height) {
@@ -113,7 +100,6 @@ impl Gpu {
                 self.size = frame.size;
             }
         }
-        let upload = timed(frame.is_timed, || self.set_textures(frame.delta));
         let waited = self.painter.paint_and_update_textures(
             ViewportId::ROOT,
             frame.pixels_per_point,
@@ -139,8 +125,7 @@ impl Gpu {
         } else {
             self.retries = 0;
         }
-        let wait = Duration::try_from_secs_f32(waited).unwrap_or_default();
-        Ok(PaintTimes { upload, wait })
+        Ok(Duration::try_from_secs_f32(waited).unwrap_or_default())
     }
 }
 
@@ -149,7 +134,7 @@ impl WindowSurface for Gpu {
         self.painter.max_texture_side()
     }
 
-    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String> {
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String> {
         // On a lost device, egui's painter panics.
         let painted = without_panic(|| self.try_paint(frame)).flatten();
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();

@@ -20,7 +20,7 @@ use crate::platform::display::{UserEvent, lost, without_panic};
 use crate::platform::file_dialog::{self, FileDialog};
 use crate::platform::frames::{FirstPass, FrameLog, FrameTimes};
 use crate::platform::start::{OpenWindow, pace};
-use crate::platform::surface::{PaintTimes, Textures, WindowFrame, WindowSurface};
+use crate::platform::surface::{Textures, WindowFrame, WindowSurface};
 use crate::ui::app::{App, complain};
 
 /// The open window.
@@ -351,10 +351,9 @@ impl Open {
             delta: &mut self.delta,
             screenshots: take_screenshots(&mut self.actions),
             exposed,
-            is_timed: self.log.is_some(),
         };
-        let PaintTimes { upload, wait } = match surface.paint(frame) {
-            Ok(times) => times,
+        let wait = match surface.paint(frame) {
+            Ok(wait) => wait,
             Err(reason) => return self.go_on_without(event_loop, reason),
         };
         if self.shown.is_none() {
@@ -369,8 +368,8 @@ impl Open {
         let (frame, input) = (now - began, self.input_since.take());
         if let Some(log) = &mut self.log {
             let since_input = input.map(|since| now - since);
-            let paint = frame.saturating_sub(ui).saturating_sub(upload + wait);
-            let times = FrameTimes { since_input, frame, ui, upload, paint, wait };
+            let paint = frame.saturating_sub(ui + wait);
+            let times = FrameTimes { since_input, frame, ui, paint, wait };
             log.frames.push((times, self.app.work_presented()));
         }
         Ok(())

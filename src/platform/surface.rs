@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::epaint::textures::TexturesDelta;
 use egui::epaint::{ClippedPrimitive, ImageDelta, TextureAtlas};
@@ -23,8 +23,11 @@ pub(super) trait WindowSurface {
     /// Returns the maximum side of a texture.
     fn max_texture_side(&self) -> Option<usize>;
 
-    /// Draws a frame and presents it.
-    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<PaintTimes, String>;
+    /// Draws a frame and presents it. Returns the time that it waited for the display.
+    ///
+    /// # Errors
+    /// Returns the reason as a sentence if the renderer has failed.
+    fn paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String>;
 }
 
 /// A frame to draw.
@@ -42,23 +45,6 @@ pub(super) struct WindowFrame<'a> {
     pub(super) screenshots: Vec<ScreenshotCallback>,
     /// True if the display may have lost its picture.
     pub(super) exposed: bool,
-    /// True if the time of the upload is requested.
-    pub(super) is_timed: bool,
-}
-
-/// The parts of the painting time that are not drawing.
-pub(super) struct PaintTimes {
-    /// Time for uploading textures; zero unless the frame is timed.
-    pub(super) upload: Duration,
-    /// Time for waiting for the display.
-    pub(super) wait: Duration,
-}
-
-/// Runs a function and returns its duration, or zero if no time is requested.
-pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
-    let start = is_asked.then(Instant::now);
-    run();
-    start.map_or(Duration::ZERO, |start| start.elapsed())
 }
 
 /// The contents of egui's textures other than the glyph texture. egui sends each change only once.
