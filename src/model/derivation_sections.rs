@@ -13,27 +13,24 @@ pub enum DerivationSection {
 
 impl DerivationSection {
     /// All sections, in order.
-    pub const ALL: [DerivationSection; 3] = {
-        use DerivationSection::*;
-        [Basis, PixelToRay, Objects]
-    };
+    pub const ALL: [DerivationSection; 3] = [Self::Basis, Self::PixelToRay, Self::Objects];
+
+    fn texts(self) -> [&'static str; 2] {
+        match self {
+            DerivationSection::Basis => ["Basis", "basis"],
+            DerivationSection::PixelToRay => ["Pixel to ray", "pixel-to-ray"],
+            DerivationSection::Objects => ["Objects", "objects"],
+        }
+    }
 
     /// Returns the label of the section's checkbox.
     pub fn label(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "Basis",
-            DerivationSection::PixelToRay => "Pixel to ray",
-            DerivationSection::Objects => "Objects",
-        }
+        self.texts()[0]
     }
 
     /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
-        match self {
-            DerivationSection::Basis => "basis",
-            DerivationSection::PixelToRay => "pixel-to-ray",
-            DerivationSection::Objects => "objects",
-        }
+        self.texts()[1]
     }
 }
 

@@ -9,7 +9,6 @@ use pinhole_lecture::numbers::written as number;
 use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting, UnitOrigin};
 
 use crate::model::inspection::Inspection;
-use crate::model::session::Heights;
 
 /// Maximum number of curves, so that their dashes can be distinguished.
 pub const MOST: usize = 8;
@@ -32,8 +31,8 @@ pub struct Plot {
     pub left_out: usize,
     /// The range of t.
     pub range: RangeInclusive<f64>,
-    /// The scale that turns values of f, in their curve's unit, into heights.
-    pub heights: Heights,
+    /// True if heights beyond 1 are compressed; see [`height_of`].
+    pub compressed: bool,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
     /// The t of the point marked on the ray, and each curve's f there.
@@ -112,11 +111,11 @@ pub fn samples(
     scene: &Scene,
     ray: &ExactRay,
     range: &RangeInclusive<f64>,
-    heights: Heights,
+    compressed: bool,
 ) -> Samples {
     let sampled = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
-        along.map_or_else(Vec::new, |along| curve.samples(&along, range, heights))
+        along.map_or_else(Vec::new, |along| curve.samples(&along, range, compressed))
     };
     curves.iter().map(sampled).collect()
 }
@@ -166,8 +165,8 @@ impl Curve {
     }
 
     /// Returns the height of a value of f.
-    pub(crate) fn height(&self, f: f64, heights: Heights) -> f64 {
-        heights.height(f / self.unit.value)
+    pub(crate) fn height(&self, f: f64, compressed: bool) -> f64 {
+        height_of(f / self.unit.value, compressed)
     }
 
     /// Returns samples in ascending order of t, evenly spaced but denser around a parabola's vertex.
@@ -175,7 +174,7 @@ impl Curve {
         &self,
         along: &AlongRay,
         range: &RangeInclusive<f64>,
-        heights: Heights,
+        compressed: bool,
     ) -> Vec<(f64, f64)> {
         let (from, to) = (*range.start(), *range.end());
         let mut ts: Vec<f64> =
@@ -188,7 +187,7 @@ impl Curve {
         ts.extend(self.derivation.roots().map(|root| root.t));
         ts.retain(|t| range.contains(t));
         ts.sort_by(f64::total_cmp);
-        let height = |t: f64| (t, self.height(along.value(t), heights));
+        let height = |t: f64| (t, self.height(along.value(t), compressed));
         ts.into_iter().map(height).filter(|(_, y)| y.is_finite()).collect()
     }
 
@@ -253,17 +252,25 @@ impl Curve {
     }
 }
 
+/// Returns the height, with the same sign, at which a value of f in its curve's unit is drawn: the value itself,
+/// so that a plane's curve is a straight line and a sphere's is a parabola. If `compressed`, a value beyond 1 is
+/// compressed logarithmically: a height larger by 1 means a value e times as large, so that distant values are
+/// visible, too.
+pub(crate) fn height_of(y: f64, compressed: bool) -> f64 {
+    if compressed && y.abs() > 1.0 { (1.0 + y.abs().ln()).copysign(y) } else { y }
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::model::session::Heights;
+    use super::height_of;
 
     #[test]
     fn compression_keeps_sign_and_order() {
         let ys = [-1e9, -3.0, -1.0, -0.2, 0.0, 0.2, 1.0, 3.0, 1e9];
-        let heights = ys.map(|y| Heights::Compressed.height(y));
+        let heights = ys.map(|y| height_of(y, true));
         assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
-        assert_eq!(Heights::Compressed.height(-0.25), -0.25);
-        assert_eq!(Heights::Compressed.height(-5.0), -Heights::Compressed.height(5.0));
-        assert_eq!(ys.map(|y| Heights::Even.height(y)), ys);
+        assert_eq!(height_of(-0.25, true), -0.25);
+        assert_eq!(height_of(-5.0, true), -height_of(5.0, true));
+        assert_eq!(ys.map(|y| height_of(y, false)), ys);
     }
 }

@@ -191,11 +191,6 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Returns the scale of values in the plot of f(p + t d).
-    pub fn plot_heights(&self) -> Heights {
-        if self.plot_compressed { Heights::Compressed } else { Heights::Even }
-    }
-
     /// Returns the settings with every value clamped to its range, because they come from a file
     /// that anyone may have edited.
     #[must_use]
@@ -240,34 +235,12 @@ impl Session {
         self.settings.layout == ViewLayout::Mistakes
             && (view.open_vote.is_some() || view.wants_vote)
     }
-}
 
-impl Session {
     /// Keeps the selected position at the same place in the picture after an edit of the camera.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         self.selection = self.selection.in_another_image(before.image, now.image);
         if self.settings.keep_picture {
             self.selection = self.selection.in_another_viewport(before.viewport, now.viewport);
-        }
-    }
-}
-
-/// A scale that turns a value of f, in its curve's unit, into a height.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Heights {
-    /// The value itself: a plane's curve is a straight line and a sphere's is a parabola.
-    Even,
-    /// The value up to 1, compressed logarithmically beyond: a height larger by 1 means a value e
-    /// times as large, so that distant values are visible, too.
-    Compressed,
-}
-
-impl Heights {
-    /// Returns the height of a value; it has the value's sign.
-    pub(crate) fn height(self, y: f64) -> f64 {
-        match self {
-            Heights::Compressed if y.abs() > 1.0 => (1.0 + y.abs().ln()).copysign(y),
-            _ => y,
         }
     }
 }

@@ -14,13 +14,13 @@ use pinhole_lecture::numbers::written as number;
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::inspection::Inspection;
 use crate::model::session::presenting::WRITTEN;
-use crate::model::session::{Heights, Session, Settings};
+use crate::model::session::{Session, Settings};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
-use crate::view::plot::{Curve, Plot};
+use crate::view::plot::{Curve, Plot, height_of};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::{self, formula, plain, unbroken};
 use crate::view::typesetting::theme;
@@ -203,8 +203,8 @@ fn draw(
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let has_planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if has_planes { BOTTOM.0 } else { BOTTOM.1 };
-    let top = if plot.heights == Heights::Even { TOP.0 } else { TOP.1 };
-    let heights = [bottom, top].map(|value| plot.heights.height(value));
+    let top = if plot.compressed { TOP.1 } else { TOP.0 };
+    let heights = [bottom, top].map(|value| height_of(value, plot.compressed));
     let t = Scale::even([*plot.range.start(), *plot.range.end()], [inner.left(), inner.right()]);
     let height = Scale::even(heights, [inner.bottom(), inner.top()]);
     input(ui, inner, &t, ray_point_t);
@@ -277,20 +277,20 @@ impl PlotDrawing<'_> {
     /// Draws the title, the numbers of t and f, the line f = 0, the grey area behind the eye, and the
     /// lines of the eye and of the viewport.
     fn axes(&self, around: &Painter, outer: Rect) {
-        let (rect, ink, heights) = (self.rect, self.colors.ink, self.plot.heights);
+        let (rect, ink, compressed) = (self.rect, self.colors.ink, self.plot.compressed);
         around.rect_filled(rect, 0.0, self.colors.background);
         let behind = self.at(0.0, 0.0).x.clamp(rect.left(), rect.right());
         around.rect_filled(rect.with_max_x(behind), 0.0, ink.gamma_multiply(0.14));
-        let (title, values): (_, &[f64]) = match heights {
-            Heights::Even => ("f(p + t d) / unit", &[-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0]),
-            Heights::Compressed => (
+        let (title, values): (_, &[f64]) = match compressed {
+            false => ("f(p + t d) / unit", &[-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0]),
+            true => (
                 "f(p + t d) / unit;  beyond ±1 compressed",
                 &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0],
             ),
         };
         let grid = GridInk { line: ink.gamma_multiply(0.2), text: ink, size: DRAWN_TEXT };
         let row = |value: &f64| {
-            let at = self.height.position(heights.height(*value));
+            let at = self.height.position(height_of(*value, compressed));
             Tick { value: *value, at, text: number(*value, 3) }
         };
         let ticks: Vec<Tick> =
@@ -389,7 +389,7 @@ impl PlotDrawing<'_> {
         }
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, self.rect.y_range()));
         for (curve, f) in self.plot.curves.iter().zip(values.iter()) {
-            let at = self.at(*t, curve.height(*f, self.plot.heights));
+            let at = self.at(*t, curve.height(*f, self.plot.compressed));
             if self.rect.contains(at) {
                 let stroke = Stroke::new(2.5, color_of(curve));
                 self.painter.circle(at, 5.5, self.colors.ray, stroke);

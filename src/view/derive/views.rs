@@ -17,7 +17,7 @@ use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
 use crate::model::observer::enclosing;
-use crate::model::session::{Heights, ViewLayout};
+use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
@@ -349,7 +349,7 @@ type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
+    samples: Memo<(u64, [f64; 2], bool), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// Number of times that curves were made; it identifies the current curves.
     made: u64,
@@ -384,16 +384,16 @@ impl Plots {
         });
         let range = range(&curves, session.ray_point_t);
         let ends = [*range.start(), *range.end()];
-        let heights = session.settings.plot_heights();
-        let samples = self.samples.get((self.made, ends, heights), |_| {
-            Arc::new(samples(&curves, scene, &ray, &range, heights))
+        let compressed = session.settings.plot_compressed;
+        let samples = self.samples.get((self.made, ends, compressed), |_| {
+            Arc::new(samples(&curves, scene, &ray, &range, compressed))
         });
         let ray_point_t = session.ray_point_t.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
             (t, self.ray_point_t.get((self.made, t), make))
         });
         let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, heights, samples, ray_point_t })
+        Some(Plot { curves, left_out, range, compressed, samples, ray_point_t })
     }
 }
 
