@@ -173,14 +173,14 @@ impl Stage<'_> {
     /// Returns the position of a point on the observer's screen, in dots; `None` outside the
     /// picture.
     fn spot(&self, at: DVec3) -> Option<DVec2> {
-        let seen = self.observer.project(at);
+        let projected = self.observer.project(at);
         let image = self.observer.image();
         let size = [image.width() as usize, image.height() as usize];
-        let [x, y] = overlay::camera_position_of_uv(self.observer, size, seen.uv);
+        let [x, y] = overlay::camera_position_of_uv(self.observer, size, projected.uv);
         let spot = DVec2::new(x.into(), y.into());
         let extent = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         let inside = spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all();
-        (seen.is_in_front() && inside).then_some(spot)
+        (projected.is_in_front() && inside).then_some(spot)
     }
 }
 
@@ -208,18 +208,15 @@ pub fn label(handle: Handle, document: &Document) -> String {
     name.to_owned()
 }
 
-/// Returns `(1, 0, −2.5)`, rounded to `digits` digits.
-fn vector(v: DVec3, digits: usize) -> String {
-    let [x, y, z] = v.to_array().map(|x| written(x, digits));
-    format!("({x}, {y}, {z})")
-}
-
 /// Returns the text of a handle's value, such as `eye = (1, 0, 0)`. Rows and columns are counted from 1 if
 /// `from_one` is set.
 pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
     let number = |x: f64| written(x, digits);
-    let named = |name: &str, v: DVec3| format!("{name} = {}", vector(v, digits));
+    let named = |name: &str, v: DVec3| {
+        let [x, y, z] = v.to_array().map(number);
+        format!("{name} = ({x}, {y}, {z})")
+    };
     let at = match camera.orientation {
         Orientation::At { at, .. } => named("at", at),
         Orientation::View { view, .. } => named("view", view),

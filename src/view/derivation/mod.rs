@@ -198,12 +198,12 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     if sections.shows(DerivationSection::Basis) {
         add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
     }
-    let seen = inputs.resolved.zip(inputs.inspection).and_then(|(resolved, inspection)| {
+    let selected = inputs.resolved.zip(inputs.inspection).and_then(|(resolved, inspection)| {
         let (exact, derived) = exact_ray(resolved, selection)?;
         Some((resolved, inspection, exact, derived))
     });
     if sections.shows(DerivationSection::PixelToRay) {
-        let lines = match &seen {
+        let lines = match &selected {
             Some((resolved, inspection, _, derived)) => {
                 camera::ray_lines(camera, resolved, derived, inspection, numbers)
             }
@@ -217,7 +217,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
         add(DerivationSection::PixelToRay, lines);
     }
     if sections.shows(DerivationSection::Objects) {
-        match (seen, inputs.scene) {
+        match (selected, inputs.scene) {
             (Some((_, inspection, exact, derived)), Some(scene)) => {
                 let ray = (&exact, derived.ray());
                 add_objects(&mut derivation, inputs, ray, (scene, inspection));

@@ -115,13 +115,13 @@ impl Deriver {
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
         let good = self.last_good.as_ref();
-        let seen = &*derived;
+        let partial = &*derived;
         let (world, (camera_view, (derivation, plot))) = rayon::join(
-            || world_views.get(seen, inputs, objects, good),
+            || world_views.get(partial, inputs, objects, good),
             || {
                 rayon::join(
-                    || camera_views.get(seen, inputs, good?),
-                    || (derivations.get(inputs, seen), plots.get(inputs, seen, generation)),
+                    || camera_views.get(partial, inputs, good?),
+                    || (derivations.get(inputs, partial), plots.get(inputs, partial, generation)),
                 )
             },
         );

@@ -156,22 +156,22 @@ impl Pictures {
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
-        let seen = (resolved, world.generation, subsampling.raster(resolved.image(), size));
+        let trace_key = (resolved, world.generation, subsampling.raster(resolved.image(), size));
         let settings = &session.settings;
         // If a method is too slow for the full picture, it is not used during a drag either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
-        let others = self.other_methods(inputs, &seen, world, too_many);
+        let others = self.other_methods(inputs, &trace_key, world, too_many);
         // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (others.method, seen, settings.shade, world.palette, clear);
+        let key = (others.method, trace_key, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &others, watch);
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
             let (method, (resolved, generation, _), mode, palette, _) = key;
-            let seen = (resolved, generation, Raster::part(rows, columns));
-            let key = (method, seen, mode, palette, false);
+            let trace_key = (resolved, generation, Raster::part(rows, columns));
+            let key = (method, trace_key, mode, palette, false);
             let key = (key, (settings.loupe_pixels, settings.count_from_one));
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.scanned_pixels {
@@ -196,7 +196,7 @@ impl Pictures {
     fn other_methods(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
-        seen: &TraceKey,
+        trace_key: &TraceKey,
         world: &GoodWorld,
         too_many: Option<TooMany>,
     ) -> OtherMethods {
@@ -208,7 +208,7 @@ impl Pictures {
         let method = too_many.map_or(settings.method, |_| Method::Ladder);
         // Only a comparison needs all digits of t.
         let truth = (is_compared && too_many.is_none()).then(|| {
-            self.truth.get(seen.clone(), |(resolved, _, raster)| {
+            self.truth.get(trace_key.clone(), |(resolved, _, raster)| {
                 self.traced += 1;
                 trace_truth(&world.scene, resolved, raster, watch)
             })
@@ -216,7 +216,7 @@ impl Pictures {
         let mut compare = |slot: usize, method| {
             let truth = truth.as_deref()?;
             let memo = &mut self.by[slot];
-            Some(watched(watch, WorkKind::Trace, || compare(memo, method, seen, world, truth)))
+            Some(watched(watch, WorkKind::Trace, || compare(memo, method, trace_key, world, truth)))
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = if with_map { compare(usize::from(other != method), other) } else { None };
@@ -233,14 +233,14 @@ impl Pictures {
     ) -> MadePicture {
         let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (picture, steps, counts) = self.picture.get(key.clone(), |(_, seen, ..)| {
+        let (picture, steps, counts) = self.picture.get(key.clone(), |(_, trace_key, ..)| {
             if let (Some(by), Some(truth)) = (&others.drawn_by, &others.truth) {
                 let pixels = repainted(&by.frame, scene, colors, watch);
                 return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
             }
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
-            let key = (seen.clone(), outputs.t);
+            let key = (trace_key.clone(), outputs.t);
             let spare = self.rough.take_other(&key).and_then(Arc::into_inner);
             let spare = spare.zip(spare_pixels(&mut self.shown));
             let frame = self.rough.get(key, |((resolved, _, raster), _)| {
@@ -294,11 +294,11 @@ fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) 
 fn compare(
     memo: &mut Memo<(Method, TraceKey), Arc<Compared>>,
     method: Method,
-    seen: &TraceKey,
+    trace_key: &TraceKey,
     world: &GoodWorld,
     truth: &Frame,
 ) -> Arc<Compared> {
-    memo.get((method, seen.clone()), |(method, (resolved, _, raster))| {
+    memo.get((method, trace_key.clone()), |(method, (resolved, _, raster))| {
         let traced = trace_by(*method, &world.scene, resolved, raster);
         let comparison = Comparison::new(truth, &traced);
         let mut frame = truth.clone();

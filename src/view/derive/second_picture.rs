@@ -104,7 +104,7 @@ impl SecondPictures {
         let Inputs { session, sizes, watch, .. } = inputs;
         let Some((kind, size)) = sizes.second else { return };
         let items = session.settings.items;
-        let mut view = CameraView { is_apart: false, ..camera_view(inputs, good, size) };
+        let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
         let picture = match kind {
             SecondPicture::ErrorMap => {
                 // A highlighted concept belongs to the current document.
@@ -229,8 +229,9 @@ impl SecondPictures {
         resolved: &ResolvedCamera,
         world: &GoodWorld,
     ) -> Option<Arc<Picture>> {
-        // The document's own colours count, even if the window shows others.
-        let key = (document.clone(), session.answers.clone()?);
+        // The document's own colours count, even if the window shows others; its note does not.
+        let document = Document { note: String::new(), ..document.clone() };
+        let key = (document, session.answers.clone()?);
         // Grading traces many variants of the student's program, so it waits until the drag rests.
         if sizes.under_hand && self.grading.known(|known| *known == key).is_none() {
             return None;

@@ -65,7 +65,7 @@ impl WorldViews {
             scale: sizes.scale,
         };
         let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
-        let is_apart = sizes.purpose != Purpose::Window;
+        let without_marks = sizes.purpose != Purpose::Window;
         let shown = WorldView {
             camera: document.camera,
             resolved: derived.resolved,
@@ -84,8 +84,8 @@ impl WorldViews {
             highlighted: highlighted(inputs),
             handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
             is_clear: sizes.purpose.is_clear(),
-            names_all: session.spoken.is_some() || is_apart,
-            is_apart,
+            names_all: session.spoken.is_some() || without_marks,
+            without_marks,
         };
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
         let view = view.get(shown, |view| {
@@ -147,7 +147,7 @@ pub(super) fn camera_view(
         style: sizes.style,
         highlighted: None,
         loupe: None,
-        is_apart: sizes.purpose != Purpose::Window,
+        without_marks: sizes.purpose != Purpose::Window,
     }
 }
 
@@ -195,11 +195,11 @@ impl WorldPictures {
         let scene = objects.observed(&enclosing)?;
         let color_of = |i: u32| good.colors[i as usize];
         let colors = (Shade::Object, color_of);
-        let seen = (observer, good.generation, enclosing);
-        let subsampling = self.fineness.at_most(seen.clone(), sizes.subsampling);
-        Some(self.picture.get((seen, subsampling, good.palette), |(seen, ..)| {
+        let trace_key = (observer, good.generation, enclosing);
+        let subsampling = self.fineness.at_most(trace_key.clone(), sizes.subsampling);
+        Some(self.picture.get((trace_key, subsampling, good.palette), |(trace_key, ..)| {
             let mut fresh = None;
-            let frame = self.frame.get((seen.clone(), subsampling), |_| {
+            let frame = self.frame.get((trace_key.clone(), subsampling), |_| {
                 self.traced += 1;
                 let image = observer.image();
                 let raster = subsampling.raster(image, [image.width(), image.height()]);
@@ -221,7 +221,7 @@ impl WorldPictures {
                 paint_key_light(&frame, &scene, color_of, &mut pixels);
                 pixels
             });
-            let enclosing = Arc::clone(&seen.2);
+            let enclosing = Arc::clone(&trace_key.2);
             Arc::new(WorldPicture { frame, pixels, enclosing, subsampling })
         }))
     }
@@ -265,8 +265,8 @@ pub(super) fn paint_key_light(
     let toward = camera.basis().to_world_from_camera(TOWARD).normalize();
     pixels.par_chunks_mut(width).enumerate().for_each(|(index, pixels)| {
         let part = index * width..(index + 1) * width;
-        let seen = frame.object[part.clone()].iter().zip(&frame.t[part]).zip(raster.columns());
-        for (pixel, ((object, t), column)) in pixels.iter_mut().zip(seen) {
+        let trace_key = frame.object[part.clone()].iter().zip(&frame.t[part]).zip(raster.columns());
+        for (pixel, ((object, t), column)) in pixels.iter_mut().zip(trace_key) {
             if *object == NO_OBJECT {
                 continue;
             }

@@ -376,7 +376,7 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -
     let mut before: Vec<&[Formula]> = Vec::new();
     for piece in pieces(formula.parts(), Formula::is_relation) {
         if piece.first().is_some_and(Formula::is_relation) {
-            if before.iter().any(|before| are_apart(before, piece)) {
+            if before.iter().any(|before| need_own_lines(before, piece)) {
                 set.end_line();
                 before.clear();
             }
@@ -398,7 +398,7 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -
 
 /// Returns true if two pieces that begin with relations must not share a line. This holds for two forms of a
 /// vector, and for `≈ a = b`: it would say that a equals b, although b equals the left side.
-fn are_apart(before: &[Formula], after: &[Formula]) -> bool {
+fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
     (has_tuple(before) && has_tuple(after))

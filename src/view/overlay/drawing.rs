@@ -247,8 +247,8 @@ impl Drawing {
     /// Returns everything that is painted, in the order of painting.
     pub fn paths(&self) -> impl Iterator<Item = Path> {
         self.marks.iter().flat_map(|mark| {
-            let (halo, own) = paths_of(mark, self.scale);
-            halo.into_iter().chain([own])
+            let (halo, path) = paths_of(mark, self.scale);
+            halo.into_iter().chain([path])
         })
     }
 }

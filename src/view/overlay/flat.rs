@@ -174,8 +174,8 @@ impl Flat {
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
             let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
-            let told_apart = (dots_per_cell * sparse - 1.0).clamp(0.0, 1.0);
-            *line = line.max(near * told_apart);
+            let distinct = (dots_per_cell * sparse - 1.0).clamp(0.0, 1.0);
+            *line = line.max(near * distinct);
         }
     }
 }

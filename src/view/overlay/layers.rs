@@ -158,8 +158,8 @@ impl PlanePatch {
 
     /// Returns the colour of a dot at (a, b) over `below`; grid lines cover a share of `line` of the dot.
     #[inline(always)]
-    fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
-        let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
+    fn paint(&self, [a, b, line]: [f32; 3], is_visible: bool, below: Color32) -> Color32 {
+        let opacity = if is_visible { self.opacity_at(a * a + b * b) } else { 0.0 };
         let base = mix(below, self.color, opacity);
         if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
     }
@@ -323,8 +323,10 @@ impl<'a> Layers<'a> {
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
             if let Some(viewport) = picture {
-                let own = t(&0);
-                if is_nearer(own, traced[column]) && there[1..].iter().all(|layer| t(layer) > own) {
+                let viewport_t = t(&0);
+                if is_nearer(viewport_t, traced[column])
+                    && there[1..].iter().all(|layer| t(layer) > viewport_t)
+                {
                     let spot = layers[0].spot(column - layers[0].span.start);
                     dots[column] = viewport.paint(spot, dots[column]);
                     continue;
@@ -335,17 +337,14 @@ impl<'a> Layers<'a> {
             found.retain(|(t, _)| is_nearer(*t, traced[column]));
             found.sort_by(|a, b| b.0.total_cmp(&a.0));
             for (_, index) in &found {
-                dots[column] = self.layer_over(&layers[*index], *index, column, dots[column]);
+                let (row, below) = (&layers[*index], dots[column]);
+                let spot = row.spot(column - row.span.start);
+                dots[column] = match (index.checked_sub(1), &self.viewport) {
+                    (Some(patch), _) => self.backdrop.patches[patch].paint(spot, true, below),
+                    (None, Some(viewport)) => viewport.paint(spot, below),
+                    (None, None) => below,
+                };
             }
-        }
-    }
-
-    fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
-        let spot = row.spot(column - row.span.start);
-        match (index.checked_sub(1), &self.viewport) {
-            (Some(patch), _) => self.backdrop.patches[patch].paint(spot, true, below),
-            (None, Some(viewport)) => viewport.paint(spot, below),
-            (None, None) => below,
         }
     }
 }

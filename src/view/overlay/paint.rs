@@ -135,13 +135,13 @@ impl StretchedPicture<'_> {
     pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
         let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
         for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
-            let own = self.rows[row];
+            let source_row = self.rows[row];
             // All rows of dots that show the same row of pixels are equal, so the first is copied.
-            if k > 0 && self.rows[row - 1] == own {
+            if k > 0 && self.rows[row - 1] == source_row {
                 dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
                 continue;
             }
-            let source = &self.picture.pixels[own * width..][..width];
+            let source = &self.picture.pixels[source_row * width..][..width];
             for (dot, column) in dots[k * dots_a_row..].iter_mut().zip(&self.columns) {
                 *dot = source[*column];
             }

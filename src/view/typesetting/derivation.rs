@@ -122,16 +122,18 @@ pub(crate) fn draw(
     is_folded: impl Fn(&DerivedSection) -> bool,
 ) -> f32 {
     let (inks, painter) = (Inks::from_ui(ui), ui.painter());
+    let write = |at: Pos2, text: String, size: f32, color: Color32| {
+        let galley = painter.layout(text, FontId::proportional(size), color, column.width());
+        let height = galley.size().y;
+        painter.galley(at, galley, color);
+        height
+    };
     let mut at = column.min;
     let laid = laid_lines(ui, derivation, column.width(), |_, _| Id::NULL);
     for (k, (section, laid)) in derivation.sections.iter().zip(&laid).enumerate() {
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
         let color = ui.visuals().strong_text_color();
-        let title = FontId::proportional(SIZE);
-        let title = painter.layout(section.title.clone(), title, color, column.width());
-        let height = title.size().y;
-        painter.galley(at, title, color);
-        at.y += height + BETWEEN_LINES;
+        at.y += write(at, section.title.clone(), SIZE, color) + BETWEEN_LINES;
         if is_folded(section) {
             continue;
         }
@@ -143,12 +145,7 @@ pub(crate) fn draw(
     }
     if derivation.left_out > 0 {
         at.y += BEFORE_SECTION;
-        let color = ui.visuals().text_color();
-        let note = FontId::proportional(NOTE);
-        let note = painter.layout(left_out(derivation.left_out), note, color, column.width());
-        let height = note.size().y;
-        painter.galley(at, note, color);
-        at.y += height;
+        at.y += write(at, left_out(derivation.left_out), NOTE, ui.visuals().text_color());
     }
     at.y - column.top()
 }

@@ -12,7 +12,7 @@ use crate::view::overlay::drawing::{Shape, dot};
 use crate::view::overlay::screen::{Screen, position_of, unit};
 use crate::view::overlay::style::{Colors, LabelFont, POINT, VECTOR};
 use crate::view::overlay::world_view::highlighted::{
-    ALONG, BESIDE, Highlighted, STRONG, cased, cross_of, dim, first, silhouette,
+    ACCOMPANYING, ALONG, Highlighted, STRONG, cased, cross_of, dim, first, silhouette,
 };
 use crate::view::overlay::world_view::sketch::LineStyle;
 
@@ -48,12 +48,12 @@ impl CameraSketch<'_> {
             self.highlight_sphere(&sphere, pen);
         }
         self.items = shown;
-        let mut own = std::mem::replace(&mut self.drawing.marks, others);
+        let mut marks = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
-        if !own.is_empty() {
+        if !marks.is_empty() {
             dim(&mut self.drawing, &mut self.requests, highlighted);
         }
-        self.drawing.marks.append(&mut own);
+        self.drawing.marks.append(&mut marks);
         self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
@@ -161,8 +161,8 @@ impl CameraSketch<'_> {
             "w" => (1, cross.second.vector, 0),
             _ => (0, cross.first.vector, 1),
         };
-        let beside = LineStyle { width: BESIDE, ..pens[other] };
-        self.arrow(middle, along(self, vector), beside, names[other], POINT);
+        let thin = LineStyle { width: ACCOMPANYING, ..pens[other] };
+        self.arrow(middle, along(self, vector), thin, names[other], POINT);
         let product = cross.sine.unwrap_or_default() * along(self, cross.product);
         self.arrow(middle, product, pens[2], names[2], VECTOR);
         self.along_view(false, pens[w], "w", DVec2::new(-1.0, 1.0), VECTOR);
@@ -176,7 +176,7 @@ impl CameraSketch<'_> {
         match highlighted.concept {
             Concept::Pixel => {
                 for pixel in inspection.touched(&self.view.resolved) {
-                    self.pixel(pixel, LineStyle { width: BESIDE, ..pen });
+                    self.pixel(pixel, LineStyle { width: ACCOMPANYING, ..pen });
                 }
                 self.point(at, pen, "(𝑢, 𝑣)", toward);
             }
@@ -212,7 +212,7 @@ impl CameraSketch<'_> {
         for ((part, text), from, to, color) in
             [(u, middle, corner, color_u), (v, corner, at, color_v)]
         {
-            let width = if part == concept { STRONG } else { BESIDE };
+            let width = if part == concept { STRONG } else { ACCOMPANYING };
             let pen = LineStyle { color, width, ..pen }.about(part);
             self.arrow(from, to - from, pen, text, POINT);
         }

@@ -39,9 +39,9 @@ pub struct Loupe {
 /// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in the
 /// middle pixel, or on the edge between the two middle pixels.
 pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
-    let around = |edge: Option<u32>, own: u32, count: u32| {
+    let around = |edge: Option<u32>, index: u32, count: u32| {
         let half = pixels / 2;
-        let (middle, end) = edge.map_or((own, own + 1), |edge| (edge, edge));
+        let (middle, end) = edge.map_or((index, index + 1), |edge| (edge, edge));
         middle.saturating_sub(half)..(end + half).min(count)
     };
     [
@@ -88,7 +88,7 @@ impl Inset {
             if at > 0.5 * extent { margin } else { extent - size - margin }
         };
         let from = DVec2::new(corner(at.x, extent.x, size.x), corner(at.y, extent.y, size.y));
-        let middle = |edge: Option<u32>, own: u32| edge.map_or(f64::from(own) + 0.5, f64::from);
+        let middle = |edge: Option<u32>, index: u32| edge.map_or(f64::from(index) + 0.5, f64::from);
         let pixel = position.pixel;
         Inset {
             from,
@@ -146,8 +146,8 @@ impl CameraSketch<'_> {
         let CameraView { resolved, scale, size, inspection, .. } = self.view;
         let (low, high) = (inset.from, inset.from + inset.size);
         self.drawing.labels.retain(|label| {
-            let apart = wide(label.position) - 0.5 * (low + high);
-            apart.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(*scale))).any()
+            let offset = wide(label.position) - 0.5 * (low + high);
+            offset.abs().cmpgt(0.5 * (high - low) + wide(label.half_extent(*scale))).any()
         });
         let mut texts = texts(touched, loupe, inset, f64::from(*scale));
         let is_centre = |pixel: &Pixel| {
@@ -207,16 +207,19 @@ fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(St
     let (rim, text, first) = (inset.rim(scale), f64::from(TEXT), u32::from(loupe.count_from_one));
     let row = |row: &u32| {
         // Two names may need more space than two small pixels have.
-        let own = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
-        let y =
-            if rows.len() == 1 { own } else { own.signum() * own.abs().max(0.64 * text * scale) };
+        let offset = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
+        let y = if rows.len() == 1 {
+            offset
+        } else {
+            offset.signum() * offset.abs().max(0.64 * text * scale)
+        };
         (format!("row {}", row + first), DVec2::new(rim.x, inset.center.y + y))
     };
     let column = |(k, column): (usize, &u32)| {
         let name = (column + first).to_string();
         let half = scale * text * (0.3 * name.len() as f64 + 0.25);
-        let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
-        (name, DVec2::new(inset.center.x + beside, rim.y))
+        let shift = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
+        (name, DVec2::new(inset.center.x + shift, rim.y))
     };
     let columns = columns.iter().enumerate().map(column);
     rows.iter().map(row).chain(columns).chain([("column".to_owned(), rim)]).collect()

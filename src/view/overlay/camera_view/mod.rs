@@ -44,7 +44,7 @@ pub struct CameraView {
     /// The content of the loupe, if it is open.
     pub loupe: Option<Arc<Loupe>>,
     /// True if the marks are not painted into the picture, because a figure draws them itself.
-    pub is_apart: bool,
+    pub without_marks: bool,
 }
 
 /// Minimum size of a pixel, in dots, at which the grid is drawn.
@@ -54,7 +54,7 @@ const GRID_FROM: f64 = 8.0;
 /// caller must draw. Without a scene, no concept is highlighted.
 pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) -> Drawing {
     let drawing = view.drawing(scene);
-    let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
+    let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
     view.paint(&marks, dots);
     drawing
 }

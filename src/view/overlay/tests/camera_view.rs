@@ -26,7 +26,7 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         style: Style::Light,
         highlighted: None,
         loupe: None,
-        is_apart: false,
+        without_marks: false,
     };
     let mut plain = vec![Color32::BLACK; 63 * 40];
     camera(&view, None, &mut plain);
@@ -61,7 +61,7 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
             style: Style::Dark,
             highlighted: None,
             loupe: None,
-            is_apart: false,
+            without_marks: false,
         };
         let lengths: Vec<usize> =
             view.drawing(None).marks.iter().map(|m| points(m).len()).collect();

@@ -50,7 +50,7 @@ fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
         style: Style::Dark,
         highlighted: concept.and_then(|concept| highlighted(stage, concept)),
         loupe: None,
-        is_apart: false,
+        without_marks: false,
     }
     .drawing(Some(&stage.scene))
 }

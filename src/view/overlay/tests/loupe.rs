@@ -28,7 +28,7 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
         style: Style::Light,
         highlighted: None,
         loupe: Some(Arc::new(loupe)),
-        is_apart: false,
+        without_marks: false,
     };
     (view.drawing(None), position)
 }

@@ -108,7 +108,7 @@ impl Stage {
             answer_marks: Arc::default(),
             is_clear: false,
             names_all: true,
-            is_apart: false,
+            without_marks: false,
         }
     }
 

@@ -99,14 +99,14 @@ impl Sketch<'_> {
         for guide in &handles.guides {
             self.guide(*guide);
         }
-        for (mark, spot) in self.apart(&handles.marks).into_iter().rev() {
+        for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
             self.knob(mark, spot);
         }
     }
 
     /// Returns the handles that do not overlap; hovered and held ones have priority. If two overlap, the
     /// second appears only while it is hovered or held.
-    fn apart<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
+    fn without_overlaps<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
         let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
             marks.iter().partition(|mark| mark.state == KnobState::Plain);
         let mut shown: Vec<(&HandleMark, DVec2)> = Vec::new();

@@ -62,7 +62,7 @@ pub(crate) const ALONG: [(Concept, &str); 3] =
 
 /// Widths of highlighted lines and of the lines that accompany them, in points.
 pub(crate) const STRONG: f32 = 5.0;
-pub(crate) const BESIDE: f32 = 3.0;
+pub(crate) const ACCOMPANYING: f32 = 3.0;
 
 /// Removes the concept's own marks and labels, which are drawn again. Dims the others if `highlighted`
 /// requests it.
@@ -84,10 +84,10 @@ pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
 
 /// Puts the concept's own labels first, so that they get the best positions, and removes other labels with
 /// the same text.
-pub(crate) fn first(mut own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
-    own.iter_mut().for_each(|request| request.rank = 0);
-    others.retain(|other| own.iter().all(|request| request.label.text != other.label.text));
-    own.into_iter().chain(others).collect()
+pub(crate) fn first(mut labels: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    labels.iter_mut().for_each(|request| request.rank = 0);
+    others.retain(|other| labels.iter().all(|request| request.label.text != other.label.text));
+    labels.into_iter().chain(others).collect()
 }
 
 /// Returns the style of the casing and the style of the line. A polyline needs one casing as a whole, below
@@ -143,8 +143,8 @@ impl Sketch<'_> {
             self.highlight_object(index, pen);
         }
         self.items = shown;
-        let own = self.requests.split_off(before);
-        self.requests = first(own, std::mem::take(&mut self.requests));
+        let labels = self.requests.split_off(before);
+        self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
     fn highlight_point(&mut self, at: DVec3, pen: LineStyle, text: impl Into<String>) {
@@ -174,7 +174,7 @@ impl Sketch<'_> {
                 if highlighted.concept == Concept::View {
                     self.named_arrow([eye, eye + along], Head::Filled, pen, "view", POINT);
                 } else {
-                    let thin = LineStyle { width: BESIDE, ..pen };
+                    let thin = LineStyle { width: ACCOMPANYING, ..pen };
                     self.named_arrow([eye, eye + along], Head::Filled, thin, "view", POINT);
                     self.named_arrow([eye, eye - along], Head::Filled, pen, "−view", POINT);
                 }
@@ -207,8 +207,8 @@ impl Sketch<'_> {
         let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
             return;
         };
-        let own = cross.first.length;
-        let length = if (0.4..=2.0).contains(&own) { own } else { 1.0 };
+        let first = cross.first.length;
+        let length = if (0.4..=2.0).contains(&first) { first } else { 1.0 };
         let (a, b) = (arrow * length * a, arrow * b);
         let pen = LineStyle { color: colors[2], ..pen };
         let fill = LineStyle { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
@@ -217,7 +217,7 @@ impl Sketch<'_> {
         self.line(eye + a, eye + a + b, edge);
         self.line(eye + b, eye + a + b, edge);
         for ((vector, name), color) in [(a, names[0]), (b, names[1])].into_iter().zip(colors) {
-            let pen = LineStyle { color, width: BESIDE + 1.0, ..pen };
+            let pen = LineStyle { color, width: ACCOMPANYING + 1.0, ..pen };
             let font = if name == "up" { POINT } else { VECTOR };
             self.named_arrow([eye, eye + vector], Head::Filled, pen, name, font);
         }
@@ -305,7 +305,7 @@ impl Sketch<'_> {
             }
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
-                self.line(ray.origin, root.point, LineStyle { width: BESIDE, ..pen });
+                self.line(ray.origin, root.point, LineStyle { width: ACCOMPANYING, ..pen });
                 let text = format!("𝑡 = {}", highlighted.number(root.t));
                 self.highlight_point(root.point, pen, text);
             }
@@ -326,7 +326,7 @@ impl Sketch<'_> {
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
         let mut from = eye;
         for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
-            let width = if pen.concept == Some(concept) { STRONG } else { BESIDE };
+            let width = if pen.concept == Some(concept) { STRONG } else { ACCOMPANYING };
             let pen = LineStyle { color, width, ..pen }.about(concept);
             self.arrow([from, from + vector], Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {

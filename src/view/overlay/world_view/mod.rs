@@ -71,7 +71,7 @@ pub struct WorldView {
     /// highlighted concept have one.
     pub names_all: bool,
     /// True if the marks are not painted into the picture, because a figure draws them itself.
-    pub is_apart: bool,
+    pub without_marks: bool,
 }
 
 /// The pictures that a world view is painted over.
@@ -93,7 +93,7 @@ pub fn world(
 ) -> Drawing {
     let layers = view.layers(backdrop);
     let drawing = view.sketch(scene, &layers);
-    let marks = if view.is_apart { Fills::default() } else { Fills::new(&drawing) };
+    let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
     view.paint(&layers, &marks, below, dots);
     drawing
 }

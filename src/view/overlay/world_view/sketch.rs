@@ -278,8 +278,8 @@ impl Sketch<'_> {
             return;
         }
         let spots = self.screen.polygon(corners);
-        let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
-        if seen {
+        let is_visible = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
+        if is_visible {
             let shape = Shape::polygon(&spots.iter().map(|spot| spot.at).collect::<Vec<_>>());
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         }
@@ -442,7 +442,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
             let is_inside =
                 center.cmpge(margin).all() && center.cmple((size - margin).max(margin)).all();
             is_inside
-                && are_apart(&taken, center, half)
+                && is_clear_of(&taken, center, half)
                 && leader(&request, center, half, scale)
                     .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
         };
@@ -476,7 +476,7 @@ fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
 }
 
 /// Returns true if a rectangle overlaps none of the areas.
-fn are_apart(areas: &[Area], center: DVec2, half: DVec2) -> bool {
+fn is_clear_of(areas: &[Area], center: DVec2, half: DVec2) -> bool {
     areas.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
 }
 
