@@ -44,7 +44,7 @@ pub struct WindowArguments {
     /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
     #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::parse)]
     pub lesson: Option<LessonArgument>,
-    /// How the window is drawn; without this, whichever works best here
+    /// How the window is drawn; by default, whichever works best
     #[arg(long, value_name = "wgpu|cpu")]
     pub renderer: Option<Renderer>,
 }
@@ -54,11 +54,11 @@ pub struct WindowArguments {
 pub enum Command {
     /// List the built-in scenes, a line each
     Scenes(ScenesArguments),
-    /// Show one ray: its camera, its numbers, and everything it meets
+    /// Show one ray: its camera, its numbers, and everything it hits
     Inspect(InspectArguments),
     /// Write the picture as PNG
     Render(RenderArguments),
-    /// Send rays from a CSV file into a scene
+    /// Intersect the rays in a CSV file with a scene
     Trace(TraceArguments),
     /// Grade a student's basis, rays, hits or picture, and name the mistake
     #[command(
@@ -72,13 +72,13 @@ pub enum Command {
     /// Write a view, the derivation or the lab of lines as a figure for slides
     #[command(long_about = include_str!("about/figure.txt"))]
     Figure(FigureArguments),
-    /// Write the camera and the scene as another program has them
+    /// Write the camera and the scene in another program's format
     #[command(long_about = include_str!("about/export.txt"))]
     Export(ExportArguments),
     /// Read a camera from a glTF or from numbers, and write a scene file
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
-    /// Print what a shell reads to complete commands, options and scenes
+    /// Print the script with which a shell completes commands, options and scenes
     Completions(CompletionsArguments),
 }
 
@@ -141,19 +141,19 @@ pub struct RenderArguments {
     /// The PNG file to write; - writes to standard output
     #[arg(short, long, value_name = "OUT.png")]
     pub output: PathBuf,
-    /// Columns; given alone, the rows follow in the ratio of the scene's image
+    /// Columns; without --height, the rows follow from the ratio of the scene's image
     #[arg(long, value_name = "W", value_parser = image_measure())]
     pub width: Option<u32>,
-    /// Rows; given alone, the columns follow in the ratio of the scene's image
+    /// Rows; without --width, the columns follow from the ratio of the scene's image
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// What the camera sees, or the scene with the camera in it
     #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = one_of([FigureSubject::Camera, FigureSubject::World], |view| view.name().into()))]
     pub view: FigureSubject,
-    /// Draw the camera over the world view, and the image's marks over the camera's
+    /// Draw the camera into the world view, or the image's marks over the camera view
     #[arg(long)]
     pub overlay: bool,
-    /// How a hit becomes a colour
+    /// The shading: how a hit becomes a colour
     #[arg(
         long,
         value_name = "normal|lambert|t|object",
@@ -189,12 +189,12 @@ pub struct FigureArguments {
     /// Markdown with $formulas$.
     #[arg(short, long, value_name = "OUT.svg|pdf|png")]
     pub output: PathBuf,
-    /// Columns, in dots; given alone, the rows follow in proportion
+    /// Columns, in dots; without --height, the rows follow in proportion
     ///
     /// Strokes and letters grow with the figure. In PDF, 96 dots are an inch.
     #[arg(long, value_name = "W", value_parser = image_measure())]
     pub width: Option<u32>,
-    /// Rows, in dots; given alone, the columns follow in proportion
+    /// Rows, in dots; without --width, the columns follow in proportion
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// Leave the background out: in the views, whatever lies behind all objects
@@ -212,7 +212,7 @@ pub struct FigureArguments {
     #[arg(long, value_name = "KIND", conflicts_with = "transparent")]
     #[arg(value_parser = one_of(Kind::ALL, |kind| kind.name().into()))]
     pub play: Option<Kind>,
-    /// The number of frames; else as many as it has time for
+    /// The number of frames; by default, as many as the animation's duration takes
     #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
     pub frames: Option<u32>,
     /// Frames per second
@@ -246,12 +246,12 @@ pub struct MaybeRayArguments {
 pub struct TraceArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input
+    /// The rays: header ox,oy,oz,dx,dy,dz, a row for each ray; - reads them from standard input
     #[arg(long, value_name = "IN.csv")]
     pub rays: PathBuf,
-    /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
+    /// Where to write object,t,px,py,pz,nx,ny,nz, a row for each ray; by default, standard output
     ///
-    /// A miss leaves every cell empty, and a number beyond f64 its own.
+    /// All cells of a miss are empty, and so is the cell of a number beyond f64.
     #[arg(short, long, value_name = "OUT.csv")]
     pub output: Option<PathBuf>,
 }
@@ -265,7 +265,7 @@ pub struct ExportArguments {
     #[arg(long, value_name = "NAME")]
     #[arg(value_parser = one_of(Format::all(), format_help))]
     pub to: &'static Format,
-    /// Where to write it; else to standard output
+    /// Where to write it; by default, standard output
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Leave the objects out
@@ -281,7 +281,7 @@ pub struct ExportArguments {
 pub struct ImportArguments {
     /// A glTF (.gltf, .glb), or a text with a camera in numbers; - reads standard input
     pub file: PathBuf,
-    /// The scene file to write; else to standard output
+    /// The scene file to write; by default, standard output
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: Option<PathBuf>,
 }
@@ -291,34 +291,34 @@ pub struct ImportArguments {
 pub struct CheckArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The answers, told apart by their header; - reads them from standard input
+    /// The answers, whose header says what they are; - reads them from standard input
     ///
     /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
     /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
     /// shaded in one of the ways of render.
     #[arg(long, value_name = "IN.csv|IN.png")]
     pub answers: PathBuf,
-    /// What was asked for: answers of another kind are none
+    /// The kind of answers that is asked for; answers of another kind are an error
     #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
     pub kind: Option<String>,
-    /// Columns that must be there, as t,object: answers without them are none
+    /// Columns that must be there, such as t,object; answers without them are an error
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub columns: Vec<String>,
-    /// Ask for every pixel: one without an answer counts as a wrong one
+    /// Require every pixel: a pixel without an answer counts as wrong
     #[arg(long)]
     pub complete: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
-    /// How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many
-    /// levels of 255 in a channel, 2 without this
+    /// Maximum error of an answer relative to its size, by default 0.00001; for a picture, in levels
+    /// of 255 per channel, by default 2
     #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]
     pub tolerance: Option<f64>,
-    /// Where the answers' rows and columns begin
+    /// The first number of rows and columns in the answers
     #[arg(long, value_name = "0|1", default_value_t = 0)]
     #[arg(value_parser = clap::value_parser!(u32).range(0..=1))]
     pub count_from: u32,
-    /// Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey
+    /// Write a map of the image: right answers light, wrong ones orange, the rest grey
     #[arg(long, value_name = "OUT.png")]
     pub map: Option<PathBuf>,
 }
@@ -329,14 +329,15 @@ pub struct ReportArguments {
     /// Scene files, or names of built-in scenes; without any, the stress families
     #[arg(value_name = "SCENE")]
     pub scenes: Vec<PathBuf>,
-    /// Write one JSON object; without a path to standard output, in place of the table
+    /// Write one JSON object; without a path, to standard output in place of the table
     #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
     pub json: Option<PathBuf>,
-    /// Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and
-    /// of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on
+    /// Draw error against run time, a page for each scene; the ending chooses the format. For several
+    /// scenes, and for the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and
+    /// so on
     #[arg(long, value_name = "OUT.svg|OUT.png")]
     pub plot: Option<PathBuf>,
-    /// Which random rays the stress families hold
+    /// Seed of the random rays in the stress families
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
 }
@@ -420,8 +421,8 @@ impl std::fmt::Display for Renderer {
     }
 }
 
-/// Returns the error of a first argument that is neither a command nor a scene, but nearly a command's
-/// name. As a scene may stand there, too, clap does not tell it by itself.
+/// Returns the error for a first argument that is neither a command nor a scene, but similar to a
+/// command's name. clap does not detect it, because the argument may also be a scene.
 pub fn mistyped(first: &OsStr) -> Option<clap::Error> {
     if SceneSource::from_argument(Path::new(first)).is_ok() {
         return None;

@@ -12,7 +12,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::console::{CommandError, is_standard, named, read, scene_fault, to_json, to_stdout};
-use super::load::{apart, files_of, load, once, pose};
+use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
 /// Runs `pinhole check`. An unreadable input, such as the scene, gives no grade, because the
@@ -44,7 +44,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         named(map, "png", "--map writes PNG")?;
         atomic::check(map)?;
     }
-    once(&arguments.scene, ("--answers", &arguments.answers))?;
+    refuse_reading_twice(&arguments.scene, ("--answers", &arguments.answers))?;
     if arguments.map.as_deref().is_some_and(is_standard) {
         let problem = "--map needs a file: the grade goes to standard output";
         return Err(CommandError::Arguments(problem.to_owned()));
@@ -56,7 +56,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let (path, bytes) = read(&arguments.answers, limits::TABLE)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.answers.clone());
-    apart(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;
+    refuse_overwriting(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;
     if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
         && asked != kind.name()
     {

@@ -35,7 +35,7 @@ pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
 /// # Errors
 /// Returns an error if standard output cannot be written.
 pub fn print(asked: &clap::Error) -> Result<(), CommandError> {
-    told(asked.print().and_then(|()| io::stdout().flush()))
+    delivered(asked.print().and_then(|()| io::stdout().flush()))
 }
 
 /// Writes to standard output; it is not an error if the reader stops reading.
@@ -43,10 +43,10 @@ pub(super) fn to_stdout(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), CommandError> {
     let mut out = BufWriter::new(io::stdout().lock());
-    told(write(&mut out).and_then(|()| out.flush()))
+    delivered(write(&mut out).and_then(|()| out.flush()))
 }
 
-fn told(written: io::Result<()>) -> Result<(), CommandError> {
+fn delivered(written: io::Result<()>) -> Result<(), CommandError> {
     written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => CommandError::ReaderGone,
         _ => FileError::unwritable(Path::new("standard output"), &error).into(),
@@ -55,7 +55,7 @@ fn told(written: io::Result<()>) -> Result<(), CommandError> {
 
 /// Prints a note to standard error.
 pub(super) fn warn(note: &str) {
-    // If standard error is closed, nobody can be told.
+    // If standard error is closed, the text is lost.
     let _ = writeln!(io::stderr(), "note: {}", legible(note));
 }
 

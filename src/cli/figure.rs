@@ -8,7 +8,7 @@ use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
-use super::load::{apart, files_of, follow, load, pose, selection_of, size};
+use super::load::{files_of, follow, load, pose, refuse_overwriting, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{
@@ -47,7 +47,10 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         atomic::check(output)?;
     }
     let document = load(&arguments.scene)?;
-    apart(&files_of(&arguments.scene, &document), output.map(|output| ("-o", output.as_path())))?;
+    refuse_overwriting(
+        &files_of(&arguments.scene, &document),
+        output.map(|output| ("-o", output.as_path())),
+    )?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
     let progress = Progress::new("drawing", None);
@@ -82,7 +85,10 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
         .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
     atomic::check(output)?;
     let document = load(&arguments.scene)?;
-    apart(&files_of(&arguments.scene, &document), [("-o", arguments.output.as_path())])?;
+    refuse_overwriting(
+        &files_of(&arguments.scene, &document),
+        [("-o", arguments.output.as_path())],
+    )?;
     let order = order_of(arguments, document.camera.image)?;
     let mut session = session_of(arguments, &document, order.size)?;
     let start = start_of(&document, &session);

@@ -134,9 +134,9 @@ impl Readout<'_> {
         table.extend(roots.iter().zip(&self.inspection.distances).map(|(root, distance)| {
             [
                 self.object_text(root.object),
-                told(root.t),
-                told(*distance),
-                format!("({})", root.point.to_array().map(told).join(", ")),
+                number_text(root.t),
+                number_text(*distance),
+                format!("({})", root.point.to_array().map(number_text).join(", ")),
                 triple(root.normal),
             ]
         }));
@@ -145,7 +145,7 @@ impl Readout<'_> {
             Some(first) => format!(
                 "first: {} at t = {}, the smallest t above 0{}",
                 self.object_text(first.object),
-                told(first.t),
+                number_text(first.t),
                 self.inspection.why_first().map(|why| format!(" ({why})")).unwrap_or_default()
             ),
             None if roots.is_empty() => "first: none, the ray's line meets nothing".to_owned(),
@@ -165,7 +165,7 @@ impl Readout<'_> {
 
 /// Returns a number as text. The text says so if the number may be beyond the range of `f64` and
 /// only represented by the largest `f64`.
-fn told(x: f64) -> String {
+fn number_text(x: f64) -> String {
     match x {
         f64::MAX.. => "beyond f64".to_owned(),
         ..=f64::MIN => "-beyond f64".to_owned(),

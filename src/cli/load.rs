@@ -25,12 +25,15 @@ pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
 pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
     let source = SceneSource::from_argument(scene).ok();
     let file = source.and_then(|source| source.scene_file().map(Path::to_owned));
-    let own = if is_standard(scene) { Some(scene.to_owned()) } else { file };
-    own.into_iter().chain(document.csv_spheres.as_ref().map(|csv| csv.file.clone())).collect()
+    let scene_file = if is_standard(scene) { Some(scene.to_owned()) } else { file };
+    scene_file
+        .into_iter()
+        .chain(document.csv_spheres.as_ref().map(|csv| csv.file.clone()))
+        .collect()
 }
 
 /// Refuses to read two inputs from standard input.
-pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandError> {
+pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result<(), CommandError> {
     if is_standard(scene) && is_standard(other.1) {
         let problem =
             format!("SCENE and {} are both -: standard input can be read only once", other.0);
@@ -41,7 +44,7 @@ pub(super) fn once(scene: &Path, other: (&str, &Path)) -> Result<(), CommandErro
 
 /// Rejects outputs that would overwrite an input. Each output is paired with the option that names
 /// it.
-pub(super) fn apart<'a>(
+pub(super) fn refuse_overwriting<'a>(
     inputs: &[PathBuf],
     outputs: impl IntoIterator<Item = (&'a str, &'a Path)>,
 ) -> Result<(), CommandError> {

@@ -11,7 +11,7 @@ use pinhole_exchange::{atomic, limits, scene_file};
 
 use super::console::{CommandError, is_standard, read, scene_fault, to_stdout, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};
-use crate::cli::load::{apart, files_of, load, pose};
+use crate::cli::load::{files_of, load, pose, refuse_overwriting};
 
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
@@ -30,7 +30,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
     match arguments.output.as_deref().filter(|output| !is_standard(output)) {
         None => to_stdout(|out| out.write_all(text))?,
         Some(path) => {
-            apart(&files_of(&arguments.scene, &document), [("-o", path)])?;
+            refuse_overwriting(&files_of(&arguments.scene, &document), [("-o", path)])?;
             atomic::write(path, |file| file.write_all(text))?;
         }
     }
@@ -41,7 +41,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
 /// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
     let output = arguments.output.as_deref().filter(|output| !is_standard(output));
-    apart(std::slice::from_ref(&arguments.file), output.map(|output| ("-o", output)))?;
+    refuse_overwriting(std::slice::from_ref(&arguments.file), output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::TEXT)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };

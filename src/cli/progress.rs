@@ -92,7 +92,7 @@ fn in_words(time: Duration) -> String {
 /// Writes a line over the previous one.
 fn write_line(line: &str) {
     let mut out = io::stderr().lock();
-    // If standard error is closed, nobody can be told.
+    // If standard error is closed, the text is lost.
     let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
 }
 

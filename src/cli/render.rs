@@ -3,14 +3,14 @@
 use std::io::{BufWriter, Write};
 
 use pinhole_core::{
-    Certificate, Frame, ImageSize, Level, Outputs, Raster, Scene, Shade, shade, trace_at_level,
+    Certificate, Frame, ImageSize, Level, Outputs, Raster, Scene, shade, trace_at_level,
 };
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png;
 
 use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout};
-use super::load::{apart, files_of, load, pose, size};
+use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
 use crate::figures::{FigureSubject, Order, scale_of};
@@ -48,24 +48,18 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     pose(&arguments.scene, &document)?;
     let aov = arguments.aov.as_deref().map(|aov| ("--aov", aov));
     let outputs = output.map(|output| ("-o", output.as_path())).into_iter().chain(aov);
-    apart(&files_of(&arguments.scene, &document), outputs)?;
-    let own = document.camera.image;
-    let image = size(arguments.width, arguments.height, [own.width(), own.height()])?;
-    let options = RenderOptions {
-        size: image,
-        view: arguments.view,
-        overlay: arguments.overlay,
-        shade: arguments.shade,
-        aov: arguments.aov.is_some(),
-    };
+    refuse_overwriting(&files_of(&arguments.scene, &document), outputs)?;
+    let scene_image = document.camera.image;
+    let image =
+        size(arguments.width, arguments.height, [scene_image.width(), scene_image.height()])?;
     let progress = if arguments.overlay || arguments.view == FigureSubject::World {
         Progress::new("drawing", None)
     } else {
         // Each row is traced, and for the OpenEXR file, its certificates are computed.
-        let passes = 1 + usize::from(options.aov);
+        let passes = 1 + usize::from(arguments.aov.is_some());
         Progress::new("row", Some(passes * image.height() as usize))
     };
-    let rendering = render_view(&document, options, |rows| progress.add(rows))
+    let rendering = render_view(&document, arguments, image, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     progress.go_on("writing");
     let mut batch = Batch::default();
@@ -84,22 +78,6 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if output.is_none() { to_stdout(encode) } else { Ok(()) }
 }
 
-/// Options of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RenderOptions {
-    /// Size of the picture.
-    pub size: ImageSize,
-    /// The view: the world or the camera.
-    pub view: FigureSubject,
-    /// True if the basis, the viewport and the rays are drawn over the picture.
-    pub overlay: bool,
-    /// The shading: how a hit becomes a colour.
-    pub shade: Shade,
-    /// True if the hits of the camera's rays are computed, with normals and certificates, even if
-    /// the picture does not need them.
-    pub aov: bool,
-}
-
 /// A finished picture.
 #[derive(Clone, Debug)]
 pub struct Rendering {
@@ -111,45 +89,48 @@ pub struct Rendering {
     pub certificates: Vec<Certificate>,
 }
 
-/// Draws a view of the document with the size `options.size`. `done` is called with the number of finished
-/// rows.
+/// Draws the view of the document that the arguments ask for, with this size. `done` is called with the
+/// number of finished rows.
 ///
-/// If the size differs from the document's image, the camera view uses a camera with `options.size`
-/// pixels; the world view keeps the camera's pixels and draws them on its viewport.
+/// If the size differs from the document's image, the camera view uses a camera with pixels of this
+/// size; the world view keeps the camera's pixels and draws them on its viewport.
 ///
 /// # Errors
 /// Returns an error if the camera sees nothing, or an object is invalid.
 pub fn render_view(
     document: &Document,
-    options: RenderOptions,
+    arguments: &RenderArguments,
+    size: ImageSize,
     done: impl Fn(usize) + Sync,
 ) -> Result<Rendering, CommandError> {
     let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
+    let RenderArguments { view, overlay, shade: mode, .. } = *arguments;
+    let aov = arguments.aov.is_some();
     let mut document = document.clone();
-    if options.view == FigureSubject::Camera {
-        document.camera.image = options.size;
+    if view == FigureSubject::Camera {
+        document.camera.image = size;
     }
     let camera = document.camera.resolve().map_err(|error| input(&error))?;
     let scene = document.scene().map_err(|error| input(&error))?;
     let trace = || {
-        let outputs = Outputs { normal: options.aov, ..Outputs::default() };
+        let outputs = Outputs { normal: aov, ..Outputs::default() };
         let raster = Raster::full(camera.image());
         trace_at_level(Level::new(), &scene, &camera, &raster, outputs, &done)
     };
     let certificates = || {
-        let [rows, columns] = [options.size.height(), options.size.width()];
+        let [rows, columns] = [size.height(), size.width()];
         let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
-        if options.aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
+        if aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
     };
-    if options.view == FigureSubject::Camera && !options.overlay {
+    if view == FigureSubject::Camera && !overlay {
         let frame = trace();
         let color_of = |object| document.color_of(object);
-        let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
+        let pixels = shade(&frame, &scene, mode, color_of, |[r, g, b]| [r, g, b, 255]);
         return Ok(Rendering { pixels, frame: Some(frame), certificates: certificates() });
     }
-    let pixels = with_overlay(&document, &scene, options).map_err(CommandError::Input)?;
-    if !options.aov {
-        done(options.size.height() as usize);
+    let pixels = with_overlay(&document, &scene, arguments, size).map_err(CommandError::Input)?;
+    if !aov {
+        done(size.height() as usize);
         return Ok(Rendering { pixels, frame: None, certificates: Vec::new() });
     }
     Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
@@ -159,10 +140,10 @@ pub fn render_view(
 fn with_overlay(
     document: &Document,
     scene: &Scene,
-    options: RenderOptions,
+    arguments: &RenderArguments,
+    size: ImageSize,
 ) -> Result<Vec<[u8; 4]>, String> {
-    let size = options.size;
-    let items = if options.overlay {
+    let items = if arguments.overlay {
         let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
         // A picture in a file has no handles.
         items.with(Item::Handles, false)
@@ -176,13 +157,13 @@ fn with_overlay(
             scene,
             ViewSize::of_aspect(size.aspect()),
         )),
-        settings: Settings { shade: options.shade, items, ..Settings::default() },
+        settings: Settings { shade: arguments.shade, items, ..Settings::default() },
         ..Session::default()
     };
     let size = [size.width(), size.height()];
     // Strokes and text stay in proportion on large pictures.
     let order = Order {
-        subject: options.view,
+        subject: arguments.view,
         size,
         scale: scale_of(size),
         style: Style::Light,

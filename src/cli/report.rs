@@ -7,7 +7,7 @@ use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::scenes::BuiltinScene;
 
 use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_stdout, unmade};
-use super::load::{apart, files_of, load, pose};
+use super::load::{files_of, load, pose, refuse_overwriting};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
 use crate::figures::FigureFormat;
@@ -61,7 +61,7 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Measurement>, CommandError> {
     let run_of = |path: &PathBuf| {
         let document = load(path)?;
         pose(path, &document)?;
-        apart(&files_of(path, &document), files(arguments))?;
+        refuse_overwriting(&files_of(path, &document), files(arguments))?;
         let scene = document.scene().map_err(|error| scene_fault(path, error))?;
         Measurement::of_scene(&path.display().to_string(), &scene, &document.camera)
             .map_err(|error| scene_fault(path, error))

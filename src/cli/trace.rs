@@ -8,7 +8,7 @@ use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
 use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
-use super::load::{apart, files_of, load, once};
+use super::load::{files_of, load, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::TraceArguments;
 
 /// Number of rays that are traced and written together: enough to keep every core busy, few enough to fit in
@@ -16,7 +16,7 @@ use crate::cli::arguments::TraceArguments;
 const CHUNK: usize = 1 << 16;
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
-    once(&arguments.scene, ("--rays", &arguments.rays))?;
+    refuse_reading_twice(&arguments.scene, ("--rays", &arguments.rays))?;
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     // All rays are read before the first is traced, to avoid partial output if a row is invalid.
@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());
     let output = arguments.output.as_deref().filter(|output| !is_standard(output));
-    apart(&inputs, output.map(|output| ("-o", output)))?;
+    refuse_overwriting(&inputs, output.map(|output| ("-o", output)))?;
     match output {
         Some(path) => Ok(atomic::write(path, |file| {
             let mut out = io::BufWriter::new(file);

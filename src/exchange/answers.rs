@@ -298,7 +298,7 @@ struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
     /// One bit per pixel, with an extra row and column.
-    seen: Vec<u64>,
+    answered_bits: Vec<u64>,
     /// True once a row or column 0 was read.
     has_zero: bool,
     /// The first row or column equal to H or W, which is outside the image unless all rows and
@@ -309,8 +309,8 @@ struct AnsweredPixels {
 impl AnsweredPixels {
     fn new(image: ImageSize, count_from: u32) -> AnsweredPixels {
         let cells = (u64::from(image.width()) + 1) * (u64::from(image.height()) + 1);
-        let seen = vec![0; (cells / 64 + 1) as usize];
-        AnsweredPixels { image, count_from, seen, has_zero: false, beyond: None }
+        let answered_bits = vec![0; (cells / 64 + 1) as usize];
+        AnsweredPixels { image, count_from, answered_bits, has_zero: false, beyond: None }
     }
 
     fn read(&mut self, row: &CsvRow) -> Result<Pixel, FileError> {
@@ -334,11 +334,11 @@ impl AnsweredPixels {
         self.has_zero |= pixel.row == 0 || pixel.column == 0;
         let bit = u64::from(pixel.row) * (u64::from(width) + 1) + u64::from(pixel.column);
         let (word, bit) = ((bit / 64) as usize, 1 << (bit % 64));
-        if self.seen[word] & bit != 0 {
+        if self.answered_bits[word] & bit != 0 {
             let twice = "this row and column is answered above: once is enough";
             return Err(row.error(ROW, twice));
         }
-        self.seen[word] |= bit;
+        self.answered_bits[word] |= bit;
         Ok(pixel)
     }
 

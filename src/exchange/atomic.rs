@@ -33,7 +33,6 @@ pub fn write(
     batch.finish()
 }
 
-///
 /// Several files that are written together: each as a whole, and all of them or none. If the batch
 /// is dropped before it is finished, nothing is written.
 ///
@@ -137,7 +136,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
 
 /// Restores the old file. If the system has no hard links, the new file stays.
 fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
-    // The reason why this is done is told already.
+    // The error that leads here is already reported.
     match old {
         Some(old) => drop(old.persist(target)),
         None if !was_there => drop(fs::remove_file(target)),
@@ -295,7 +294,7 @@ impl Drop for Known {
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
-        // What cannot be removed now, a later run removes.
+        // A later run removes the file if it cannot be removed now.
         let _ = fs::remove_file(path);
     }
     std::mem::forget(live);
@@ -312,7 +311,7 @@ fn clear_abandoned(folder: &Path) {
         let written = entry.metadata().and_then(|data| data.modified());
         let age = written.map(|time| SystemTime::now().duration_since(time).unwrap_or_default());
         if age.is_ok_and(|age| age > ABANDONED) && !live().contains(&entry.path()) {
-            // What cannot be removed is not ours.
+            // A file that cannot be removed belongs to somebody else.
             let _ = fs::remove_file(entry.path());
         }
     }

@@ -16,7 +16,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::format::{ExportScene, Format, LeftOut, OwnValues};
+use crate::format::{ExportScene, ExtraValues, Format, LeftOut};
 use crate::template::n;
 
 /// Every language.
@@ -25,7 +25,7 @@ pub static LANGUAGES: [Format; 6] = [
     language("numpy", "Python + NumPy", "camera.py", include_str!("templates/numpy.txt")),
     language("glm", "C++ (GLM)", "camera.cpp", include_str!("templates/glm.txt")),
     Format {
-        own: in_single,
+        extra: in_single,
         ..language("glsl", "GLSL", "camera.frag", include_str!("templates/glsl.txt"))
     },
     language("glam", "Rust (glam)", "camera.rs", include_str!("templates/glam.txt")),
@@ -47,7 +47,7 @@ const fn language(
         conventions,
         template,
         left_out,
-        own: Format::nothing,
+        extra: Format::nothing,
     }
 }
 
@@ -55,7 +55,7 @@ const fn language(
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
 /// Checks that no number is outside the range of `f32`, in which GLSL calculates.
-fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let camera = subject.resolve();
     let viewport = camera.viewport();
     // A component of the eye that is too small may become 0.

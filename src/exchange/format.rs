@@ -33,11 +33,11 @@ pub struct Format {
     pub(crate) left_out: LeftOut,
     /// Returns the values that only this format has, and adds notes. Fails if the format cannot
     /// express the scene.
-    pub(crate) own: fn(&ExportScene, &mut Vec<String>) -> Result<OwnValues, String>,
+    pub(crate) extra: fn(&ExportScene, &mut Vec<String>) -> Result<ExtraValues, String>,
 }
 
 /// The values that only one format has, by their names in its template.
-pub(crate) type OwnValues = Vec<(&'static str, TemplateValue)>;
+pub(crate) type ExtraValues = Vec<(&'static str, TemplateValue)>;
 
 /// The objects that a format leaves out or replaces.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +86,7 @@ impl Format {
     }
 
     /// Returns no values, for a format whose template says everything.
-    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
         Ok(Vec::new())
     }
 
@@ -95,12 +95,12 @@ impl Format {
     /// # Errors
     /// Returns the first quantity that the format cannot express, such as one that is not finite.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, String> {
-        if self.conventions.as_ref().is_some_and(|own| own.shape.starts_with("square only")) {
+        if self.conventions.as_ref().is_some_and(|theirs| theirs.shape.starts_with("square only")) {
             subject.square_pixels(self.label)?;
         }
         let mut notes = Vec::new();
-        let own = (self.own)(subject, &mut notes)?;
-        let marked = template::written(self.template, subject, &own)?;
+        let extra = (self.extra)(subject, &mut notes)?;
+        let marked = template::written(self.template, subject, &extra)?;
         if let Some(line) = marked.lines().find(|line| line.contains(BEYOND)) {
             let line = Text::from_marked(&line.replace(BEYOND, "infinite")).text;
             return Err(format!(

@@ -124,16 +124,16 @@ impl TemplateValue {
     }
 }
 
-/// Returns the filled template. `own` contains the values that only this format has.
+/// Returns the filled template. `extra` contains the values that only this format has.
 ///
 /// # Errors
 /// Returns an error if a value does not exist for the scene.
 pub(crate) fn written(
     template: &str,
     subject: &ExportScene,
-    own: &[(&str, TemplateValue)],
+    extra: &[(&str, TemplateValue)],
 ) -> Result<String, String> {
-    let value = |name: &str| match own.iter().find(|(known, _)| *known == name) {
+    let value = |name: &str| match extra.iter().find(|(known, _)| *known == name) {
         Some((_, value)) => Ok(Some(value.clone())),
         None => scene_value(subject, name),
     };

@@ -279,53 +279,27 @@ pub struct RayDerivation {
     pub along_v: DVec3,
     /// `-distance W`, in world units.
     pub along_w: DVec3,
-    /// d, the sum of the three components. It equals the direction of
-    /// [`ExactRay::rounded`](pinhole_core::ExactRay::rounded).
-    pub direction: DVec3,
+    /// The ray p + t d, equal to [`ExactRay::rounded`](pinhole_core::ExactRay::rounded): p is the eye,
+    /// and d the sum of the three components.
+    pub ray: Ray,
     /// `|d|`: the distance in the world that corresponds to one unit of t.
     pub length: f64,
-    /// p, the eye.
-    pub origin: DVec3,
 }
 
 impl RayDerivation {
-    /// Derives the view ray through a pixel's centre.
-    pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
-        let direction = camera.exact_ray(pixel).rounded();
-        let parts = camera.direction_terms(Selection::Pixel(pixel));
-        RayDerivation::new(parts, Some(pixel), camera.uv_of_pixel(pixel), direction)
-    }
-
-    /// Derives the view ray through a position (u, v) in the viewport.
+    /// Derives the selected view ray.
     ///
     /// # Errors
     /// Returns an error if u or v is not finite.
-    pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
-        let direction = camera.exact_ray_at(uv)?.rounded();
-        Ok(RayDerivation::new(camera.direction_terms(Selection::Uv(uv)), None, uv, direction))
-    }
-
-    fn new(
-        [along_u, along_v, along_w]: [DVec3; 3],
-        pixel: Option<Pixel>,
-        uv: DVec2,
-        ray: Ray,
-    ) -> RayDerivation {
-        RayDerivation {
-            pixel,
-            uv,
-            along_u,
-            along_v,
-            along_w,
-            direction: ray.direction,
-            length: length(ray.direction),
-            origin: ray.origin,
-        }
-    }
-
-    /// Returns the ray p + t d.
-    pub fn ray(&self) -> Ray {
-        Ray { origin: self.origin, direction: self.direction }
+    pub fn new(camera: &ResolvedCamera, selection: Selection) -> Result<RayDerivation, RayError> {
+        let ray = selection.exact_ray(camera)?.rounded();
+        let [along_u, along_v, along_w] = camera.direction_terms(selection);
+        let pixel = match selection {
+            Selection::Pixel(pixel) => Some(pixel),
+            Selection::Uv(_) => None,
+        };
+        let (uv, length) = (selection.uv(camera), length(ray.direction));
+        Ok(RayDerivation { pixel, uv, along_u, along_v, along_w, ray, length })
     }
 }
 

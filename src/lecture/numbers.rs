@@ -65,16 +65,6 @@ pub fn written_whole(x: f64) -> String {
     if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
 }
 
-/// Returns a sentence for the command line without separators between groups of digits: `1,200`
-/// becomes `1200`.
-pub fn ungrouped(text: &str) -> String {
-    let letters: Vec<char> = text.chars().collect();
-    let is_digit = |k: usize| letters.get(k).is_some_and(char::is_ascii_digit);
-    let is_group = |k: usize| (k + 1..k + 4).all(is_digit) && !is_digit(k + 4);
-    let is_comma = |k: usize| letters[k] == ',' && k > 0 && is_digit(k - 1) && is_group(k);
-    (0..letters.len()).filter(|k| !is_comma(*k)).map(|k| letters[k]).collect()
-}
-
 /// Maximum number of decimals of a number that is shown whole: −0.00125.
 const WHOLE: usize = 5;
 /// Number of significant digits to which a calculated number has no rounding error.
@@ -202,17 +192,6 @@ mod tests {
     fn groups_of_three() {
         for (n, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (12_345_678, "12,345,678")] {
             assert_eq!(grouped(n), text);
-        }
-    }
-
-    #[test]
-    fn counts_lose_their_commas_and_sentences_keep_theirs() {
-        for (text, plain) in [
-            ("12,345,678 of 1,200 pixels, 3, 4", "12345678 of 1200 pixels, 3, 4"),
-            ("row 1, column 200", "row 1, column 200"),
-            ("1,2345", "1,2345"),
-        ] {
-            assert_eq!(ungrouped(text), plain);
         }
     }
 

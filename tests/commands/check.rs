@@ -55,7 +55,7 @@ fn hits(is_far: bool, count_from: u32) -> String {
 fn right_answers_are_status_0() {
     let folder = folder(&hits(false, 0));
     let said = check(folder.path(), &[]).done();
-    assert_eq!(said, "hits: 1,200 of 1,200 hits agree, within 0.00001 of their distance\n");
+    assert_eq!(said, "hits: 1200 of 1200 hits agree, within 0.00001 of their distance\n");
     fs::write(folder.path().join("in.csv"), RIGHT_BASIS).unwrap();
     let said = check(folder.path(), &[]).done();
     assert_eq!(said, "basis: 3 of 3 vectors agree, within 0.00001 in each coordinate\n");
@@ -71,7 +71,7 @@ fn wrong_answers_are_status_1_and_their_mistake_is_named() {
     let run = check(folder.path(), &[]);
     assert_eq!((run.status, run.stderr.as_str()), (1, ""));
     let lines: Vec<&str> = run.stdout.lines().collect();
-    assert_eq!(lines[0], "hits: 1,040 of 1,200 hits agree, within 0.00001 of their distance");
+    assert_eq!(lines[0], "hits: 1040 of 1200 hits agree, within 0.00001 of their distance");
     assert!(lines[1].starts_with("worst: row 14, column 19 is t = 5.9"), "{}", lines[1]);
     assert!(lines[1].contains("; right is t = 4.0"), "{}", lines[1]);
     assert_eq!(
@@ -155,13 +155,13 @@ fn what_was_asked_for_must_be_there() {
     assert_eq!(said, "hits: 1 of 1 hits agrees, within 0.00001 of their distance\n");
     let run = check(folder.path(), &["--complete"]);
     assert_eq!(run.status, 1);
-    let expected = "hits: 1 of 1,200 hits agrees, within 0.00001 of their distance\n\
-                    missing: 1,199 pixels are not answered\n";
+    let expected = "hits: 1 of 1200 hits agrees, within 0.00001 of their distance\n\
+                    missing: 1199 pixels are not answered\n";
     assert_eq!(run.stdout, expected);
     let found = json_of(&check(folder.path(), &["--complete", "--json"]));
     assert_eq!((&found["agree"], &found["answers"]), (&json!(1), &json!(1200)));
     assert_eq!(found["unanswered"], json!(1199));
-    let advice = "All answers that are given agree. 1,199 pixels are not answered.";
+    let advice = "All answers that are given agree. 1199 pixels are not answered.";
     assert_eq!(found["advice"], json!(advice));
     fs::write(folder.path().join("in.csv"), hits(false, 0)).unwrap();
     check(folder.path(), &["--complete", "--kind", "hits"]).done();

@@ -127,15 +127,18 @@ fn of_several_files_nothing_is_written_if_one_cannot_be() {
     assert_eq!(entries(folder.path()), ["a.exr", "a.png"]);
 }
 
-/// An animation takes a while, in a temporary file.
+/// Tracing many rays takes a while, and their hits go to a temporary file.
 #[cfg(unix)]
 #[test]
 fn a_run_that_is_ended_by_a_signal_leaves_nothing() {
     for (signal, number) in [("TERM", 15), ("HUP", 1), ("INT", 2)] {
         use std::os::unix::process::ExitStatusExt as _;
 
-        let folder = tempfile::tempdir().unwrap();
-        let line = "figure canonical --view world --play orbit --frames 9999 -o a.gif";
+        let [folder, inputs] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+        let rays = "ox,oy,oz,dx,dy,dz\n".to_owned() + &"0,0,0,0.01,0.02,-1\n".repeat(2_000_000);
+        fs::write(inputs.path().join("rays.csv"), rays).unwrap();
+        let rays = inputs.path().join("rays.csv");
+        let line = format!("trace canonical --rays {} -o a.csv", rays.display());
         let mut child = command_in(folder.path()).args(line.split(' ')).spawn().unwrap();
         let start = Instant::now();
         while entries(folder.path()).is_empty() && start.elapsed() < Duration::from_secs(60) {

@@ -5,7 +5,8 @@ use std::io::BufReader;
 use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
-use pinhole::cli::render::{RenderOptions, render_view};
+use pinhole::cli::arguments::RenderArguments;
+use pinhole::cli::render::render_view;
 use pinhole::figures::FigureSubject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
@@ -66,14 +67,17 @@ fn progress_hears_of_every_row_once_a_pass() {
     let document = document("planet", 30, 333);
     for (overlay, aov) in [(false, false), (true, false), (true, true)] {
         let rows = AtomicUsize::new(0);
-        let options = RenderOptions {
-            size: document.camera.image,
+        let arguments = RenderArguments {
+            scene: "planet".into(),
+            output: "-".into(),
+            width: None,
+            height: None,
             view: FigureSubject::Camera,
             overlay,
             shade: Shade::Lambert,
-            aov,
+            aov: aov.then(|| "a.exr".into()),
         };
-        let rendering = render_view(&document, options, |done| {
+        let rendering = render_view(&document, &arguments, document.camera.image, |done| {
             rows.fetch_add(done, Ordering::Relaxed);
         })
         .unwrap();

@@ -9,7 +9,7 @@ use base64::prelude::BASE64_STANDARD;
 use pinhole_core::{Object, Rgb};
 
 use crate::format::{Conventions, ExportScene, Format, Include, LeftOut};
-use crate::format::{OwnValues, PixelConvention, square_note};
+use crate::format::{ExtraValues, PixelConvention, square_note};
 use crate::template::{self, commas, light, n, quotable};
 
 pub(super) const FORMAT: Format = Format {
@@ -29,11 +29,11 @@ pub(super) const FORMAT: Format = Format {
     }),
     template: include_str!("../templates/gltf.txt"),
     left_out: LeftOut::Nothing,
-    own,
+    extra,
 };
 
 /// Returns the nodes of the objects, and the glTF tables to which the nodes refer.
-fn own(subject: &ExportScene, notes: &mut Vec<String>) -> Result<OwnValues, String> {
+fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, String> {
     let mut nodes = Vec::new();
     let mut tables = String::new();
     if subject.objects.is_empty() {

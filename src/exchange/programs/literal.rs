@@ -92,14 +92,14 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
         let points = points.map_err(|_| source.refused(call, "it must have 9 numbers"))?;
         let mut others = source.statements.iter().filter(|other| other.piece.at != call.piece.at);
         return match others.next() {
-            Some(other) => Err(source.refused(other, BESIDE)),
+            Some(other) => Err(source.refused(other, ONE_LOOK_AT)),
             None => Ok(look_at(points, None, at_hand)),
         };
     }
     by_numbers(&source, at_hand)
 }
 
-const BESIDE: &str = "only one gluLookAt or glm::lookAt is read, and nothing beside it: leave this out (the \
+const ONE_LOOK_AT: &str = "only one gluLookAt or glm::lookAt is read, and nothing else: leave this out (the \
                       field of view may be given as a tenth number, behind eye, at and up)";
 
 fn is_look_at(called: &str) -> bool {

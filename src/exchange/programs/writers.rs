@@ -5,7 +5,7 @@ use pinhole_core::{DVec3, Object};
 
 use super::gltf;
 use crate::format::{Axis, Conventions, ExportScene, Format, LeftOut};
-use crate::format::{OwnValues, PixelConvention};
+use crate::format::{ExtraValues, PixelConvention};
 use crate::template::{TemplateValue, commas, n, quotable};
 
 /// Every format in which a camera can be written.
@@ -36,7 +36,7 @@ const POVRAY: Format = Format {
     }),
     template: include_str!("../templates/povray.txt"),
     left_out: LeftOut::Nothing,
-    own: Format::nothing,
+    extra: Format::nothing,
 };
 
 /// pbrt-v4: `LookAt` and `Camera "perspective"` in a left-handed camera space.
@@ -62,10 +62,10 @@ const PBRT: Format = Format {
     }),
     template: include_str!("../templates/pbrt.txt"),
     left_out: LeftOut::Squares,
-    own: frame_aspect,
+    extra: frame_aspect,
 };
 
-fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let viewport = subject.resolve().viewport();
     let aspect = n(viewport.width / viewport.height);
     let line = match subject.pixel_shape() == 1.0 {
@@ -93,7 +93,7 @@ const MITSUBA: Format = Format {
     }),
     template: include_str!("../templates/mitsuba.txt"),
     left_out: LeftOut::Squares,
-    own: Format::nothing,
+    extra: Format::nothing,
 };
 
 /// Blender's Python: a camera object with `matrix_world`, whose camera looks along its own -z with y up. World
@@ -115,11 +115,11 @@ const BLENDER: Format = Format {
     }),
     template: include_str!("../templates/blender.txt"),
     left_out: LeftOut::Squares,
-    own: pixel_aspect,
+    extra: pixel_aspect,
 };
 
 /// Returns Blender's two numbers for the shape of a pixel, of which it allows neither to be below 1.
-fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let shape = subject.pixel_shape();
     let (x, y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
     if x.max(y) > 200.0 {
@@ -150,11 +150,11 @@ const WEEKEND: Format = Format {
     }),
     template: include_str!("../templates/weekend.txt"),
     left_out: LeftOut::Planes("the book's first volume has spheres only"),
-    own: aspect_ratio,
+    extra: aspect_ratio,
 };
 
 /// Returns the ratio for which `int(image_width / aspect_ratio)` is the height.
-fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let image = subject.resolve().image();
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     let ratio = match (w / (w / h)) as u32 == image.height() {
@@ -184,7 +184,7 @@ const COURSE: Format = Format {
     }),
     template: include_str!("../templates/course.txt"),
     left_out: LeftOut::Objects("the call makes a camera only"),
-    own: |subject, notes| {
+    extra: |subject, notes| {
         let scale = n(subject.resolve().viewport().width);
         if scale != "1" {
             notes.push(format!(
@@ -214,7 +214,7 @@ const OPENGL: Format = Format {
     }),
     template: include_str!("../templates/opengl.txt"),
     left_out: LeftOut::Objects("OpenGL has triangles only"),
-    own: |subject, notes| {
+    extra: |subject, notes| {
         let (near, far) = subject.clip();
         notes.push(format!(
             "zNear {} and zFar {} are chosen: OpenGL cuts off what is nearer or farther",
@@ -248,7 +248,7 @@ const OPENCV: Format = Format {
     }),
     template: include_str!("../templates/opencv.txt"),
     left_out: LeftOut::Objects("K and [R|t] are a camera only"),
-    own: Format::nothing,
+    extra: Format::nothing,
 };
 
 /// three.js's JSON Object/Scene format 4, which `Object3D.toJSON` writes and `ObjectLoader` reads. Cameras look
@@ -270,18 +270,18 @@ const THREE: Format = Format {
     }),
     template: include_str!("../templates/three.txt"),
     left_out: LeftOut::Squares,
-    own: stand_ins,
+    extra: stand_ins,
 };
 
 /// Returns the meshes that represent the objects in three.js, with their geometries and materials.
-fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, String> {
+fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let uuid = |k: usize| format!("00000000-0000-4000-8000-{k:012x}");
     let matrix = |[a, b, c, at]: [DVec3; 4]| {
         format!("{}, 0, {}, 0, {}, 0, {}, 1", commas(a), commas(b), commas(c), commas(at))
     };
     let [mut geometries, mut materials, mut meshes] = [const { Vec::new() }; 3];
     for (k, object) in (10..).step_by(3).zip(&subject.objects) {
-        let (own, shape, looks) = (uuid(k), uuid(k + 1), uuid(k + 2));
+        let (mesh, shape, material) = (uuid(k), uuid(k + 1), uuid(k + 2));
         let (geometry, matrix) = match &object.shape {
             Object::Sphere(sphere) => {
                 let radius = n(sphere.radius);
@@ -301,12 +301,12 @@ fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<OwnValues, St
         geometries.push(format!("{{ \"uuid\": \"{shape}\", \"type\": {geometry} }}"));
         let [r, g, b] = object.color.map(u32::from);
         materials.push(format!(
-            "{{ \"uuid\": \"{looks}\", \"type\": \"MeshBasicMaterial\", \"color\": {}, \"side\": 2 }}",
+            "{{ \"uuid\": \"{material}\", \"type\": \"MeshBasicMaterial\", \"color\": {}, \"side\": 2 }}",
             r << 16 | g << 8 | b
         ));
         meshes.push(format!(
-            ", {{ \"uuid\": \"{own}\", \"type\": \"Mesh\", \"name\": \"{}\", \"geometry\": \"{shape}\", \
-             \"material\": \"{looks}\", \"matrix\": [{matrix}] }}",
+            ", {{ \"uuid\": \"{mesh}\", \"type\": \"Mesh\", \"name\": \"{}\", \"geometry\": \"{shape}\", \
+             \"material\": \"{material}\", \"matrix\": [{matrix}] }}",
             quotable(&object.title)
         ));
     }

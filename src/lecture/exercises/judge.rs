@@ -140,7 +140,7 @@ fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec
     let agrees = |mistake: &Mistake| !right.iter().any(|part| spoils(mistake, part));
     let agreeing: Vec<Mistake> = all.iter().copied().filter(agrees).collect();
     if agreeing.is_empty() {
-        return all.into_iter().filter(|mistake| part.asked.tells(*mistake)).collect();
+        return all.into_iter().filter(|mistake| part.asked.is_about_mistake(*mistake)).collect();
     }
     agreeing
 }

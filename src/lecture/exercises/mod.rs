@@ -35,17 +35,17 @@ impl Question {
     /// any of them concerns part k's own answer.
     pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
         let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
-        let tells = |asked: Asked, verdict: &Option<Verdict>| match verdict {
-            Some(Verdict::Mistakes(told)) => {
-                mistakes.iter().all(|mistake| asked.tells(*mistake) && told.contains(mistake))
-            }
-            _ => false,
-        };
-        if mistakes.iter().any(|mistake| self.parts[k].asked.tells(*mistake)) {
+        if mistakes.iter().any(|mistake| self.parts[k].asked.is_about_mistake(*mistake)) {
             return None;
         }
-        let mut told = self.parts.iter().zip(verdicts);
-        told.find(|(part, told)| tells(part.asked, told)).map(|(part, _)| part.asked)
+        let explains = |asked: Asked, verdict: &Option<Verdict>| match verdict {
+            Some(Verdict::Mistakes(named)) => mistakes
+                .iter()
+                .all(|mistake| asked.is_about_mistake(*mistake) && named.contains(mistake)),
+            _ => false,
+        };
+        let mut parts = self.parts.iter().zip(verdicts);
+        parts.find(|(part, verdict)| explains(part.asked, verdict)).map(|(part, _)| part.asked)
     }
 
     /// Returns the camera of the question, if there is one.

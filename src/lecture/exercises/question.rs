@@ -224,7 +224,7 @@ impl Asked {
 
     /// Returns true if a mistake concerns this answer itself, rather than an earlier answer from
     /// which this one follows.
-    pub fn tells(self, mistake: Mistake) -> bool {
+    pub fn is_about_mistake(self, mistake: Mistake) -> bool {
         match mistake {
             Mistake::WAsPrinted
             | Mistake::WIsAtMinusEye

@@ -6,7 +6,7 @@ use super::grade::AnswerValue;
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
 /// The mistakes that explain wrong answers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers,
@@ -32,8 +32,21 @@ pub struct Diagnosis {
     /// whatever reason.
     pub may_be_unseen: bool,
     /// The step between the answers that were compared with the named pipeline. It is 1, for all of
-    /// them, unless there are so many answers and spheres that the comparison would take minutes.
+    /// them, unless there are so many answers and spheres that the comparison would take minutes; 0 if
+    /// nothing was compared.
     pub of_every: usize,
+}
+
+/// What the answers of a kind are compared with, and how exactly.
+#[derive(Clone, Copy)]
+pub(super) struct GradingContext<'a> {
+    pub(super) given: &'a GivenCamera,
+    /// The camera without any mistake.
+    pub(super) right: PipelineCamera,
+    /// The maximum relative error, or levels of 255 for a picture.
+    pub(super) tolerance: f64,
+    /// The share of the unwritten digits' uncertainty that is allowed.
+    pub(super) digits: f64,
 }
 
 /// Answers of one kind, compared with the truth and with pipelines.
@@ -62,8 +75,8 @@ pub(super) trait Fits: Sync {
         false
     }
 
-    /// Returns the camera without any mistake.
-    fn right_camera(&self) -> &PipelineCamera;
+    /// Returns what the answers are compared with.
+    fn context(&self) -> &GradingContext<'_>;
 
     /// Returns this answer's distance from the truth, in the units of the tolerance.
     fn error(&self, index: usize) -> f64;
@@ -136,28 +149,12 @@ pub(super) fn diagnose(
 /// Mistakes that appear in rays as two of [`Mistake::GRADED`].
 const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
-impl Default for Diagnosis {
-    /// Returns the diagnosis if nothing is wrong, or if nothing explains the answers.
-    fn default() -> Diagnosis {
-        Diagnosis::new(Vec::new())
-    }
-}
-
 impl Diagnosis {
     fn new(found: Vec<(Vec<Mistake>, usize)>) -> Diagnosis {
         let of_every = found.first().map_or(1, |(_, of_every)| *of_every);
         let mut sets = found.into_iter().map(|(mistakes, _)| mistakes);
         let mistakes = sets.next().unwrap_or_default();
-        Diagnosis {
-            mistakes,
-            alternatives: sets.collect(),
-            other: None,
-            counted_from_one: false,
-            counted_from_zero: false,
-            objects_from_one: false,
-            may_be_unseen: false,
-            of_every,
-        }
+        Diagnosis { mistakes, alternatives: sets.collect(), of_every, ..Diagnosis::default() }
     }
 }
 

@@ -137,12 +137,11 @@ impl<'a> Sight<'a> {
             let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
             // Without the square root, t depends less on the sphere's size than on the distance, or
             // not at all.
-            let beside = match quadratic.quadratic.square_root {
+            let extra = match quadratic.quadratic.square_root {
                 SquareRoot::Right => 0.0,
                 SquareRoot::LeftOut | SquareRoot::NotTaken => slack / self.length,
             };
-            let (least, most) =
-                (wide[end].min(inner[0]) - beside, wide[end].max(inner[1]) + beside);
+            let (least, most) = (wide[end].min(inner[0]) - extra, wide[end].max(inner[1]) + extra);
             Some(PossibleHit { object: index, t, least, most, is_sure: narrow.is_some() })
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };
@@ -224,7 +223,7 @@ struct Terms {
     /// `|p - center|^2`
     away_squared: f64,
     /// The distance of the line from the centre.
-    beside: f64,
+    distance: f64,
     /// The t at which both roots meet.
     vertex: f64,
 }
@@ -239,7 +238,7 @@ impl Terms {
             a,
             b,
             away_squared: offset.length_squared(),
-            beside: (offset + middle * direction).length(),
+            distance: (offset + middle * direction).length(),
             vertex: quadratic.vertex(a, b),
         }
     }
@@ -248,7 +247,7 @@ impl Terms {
         if self.quadratic.is_right() {
             // Calculated from half the chord, so that nothing cancels unless the ray grazes the
             // sphere.
-            let squared = (radius - self.beside) * (radius + self.beside);
+            let squared = (radius - self.distance) * (radius + self.distance);
             let half = (squared / self.a).sqrt();
             return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
         }

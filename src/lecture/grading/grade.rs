@@ -174,8 +174,8 @@ impl Grade {
         let other = self.diagnosis.other.filter(|_| is_named);
         let other = other.map(|other| format!("Another explanation: {}", other.advice()));
         let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
-        let is_beside = is_named || self.sentinel.is_some();
-        let digits = self.right_digits.filter(|_| is_beside).map(|digits| {
+        let is_in_addition = is_named || self.sentinel.is_some();
+        let digits = self.right_digits.filter(|_| is_in_addition).map(|digits| {
             let wanted = self.digits_in_words();
             format!("They are written to {digits} digits: write at least {wanted}.")
         });

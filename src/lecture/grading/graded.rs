@@ -6,7 +6,7 @@ use super::answers::{AnswerKind, Answers};
 use super::grade::{AnswerValue, Grade, Worst};
 use super::picture::off;
 use crate::mistakes::Mistake;
-use crate::numbers::{grouped, significant};
+use crate::numbers::significant;
 
 /// Answers with their grade.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,10 +93,10 @@ impl Graded {
         self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
     }
 
-    /// Returns, for example, `159,999 of 160,000 hits agree, within 0.00001 of their distance`.
+    /// Returns, for example, `159999 of 160000 hits agree, within 0.00001 of their distance`.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
-        let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
+        let (agree, all) = (grade.agree(), grade.answers());
         let plural = match grade.kind {
             AnswerKind::Basis => "vectors",
             AnswerKind::Rays => "rays",
@@ -119,7 +119,7 @@ impl Graded {
         match self.grade.unanswered {
             0 => None,
             1 => Some("1 pixel is not answered".to_owned()),
-            count => Some(format!("{} pixels are not answered", grouped(count as u64))),
+            count => Some(format!("{count} pixels are not answered")),
         }
     }
 
@@ -231,7 +231,7 @@ impl Graded {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let counting = Mistake::CountedFromOne;
         let advice = self.grade.advice().replace(counting.advice(), self.advice_on(counting));
-        let advice = [advice].into_iter().chain(self.own_remarks()).chain(missing);
+        let advice = [advice].into_iter().chain(self.further_remarks()).chain(missing);
         advice.collect::<Vec<_>>().join(" ")
     }
 
@@ -248,10 +248,10 @@ impl Graded {
 
     /// Returns remarks in addition to each mistake's own sentence.
     pub fn remarks(&self) -> Vec<String> {
-        self.grade.remarks().into_iter().chain(self.own_remarks()).collect()
+        self.grade.remarks().into_iter().chain(self.further_remarks()).collect()
     }
 
-    fn own_remarks(&self) -> impl Iterator<Item = String> {
+    fn further_remarks(&self) -> impl Iterator<Item = String> {
         let is_from_one = self.count_from == 0 && self.grade.diagnosis.counted_from_one;
         let from_one = is_from_one.then_some(
             "If they are meant to count from 1, all agree: say --count-from 1, or “The file counts from 1”.",

@@ -6,13 +6,13 @@ use pinhole_core::{Pixel, Rgb, Shade};
 use rayon::prelude::*;
 
 use super::answers::{AnswerKind, Answers, HitAnswer, Precision};
-use super::diagnosis::{Diagnosis, Fits, diagnose};
+use super::diagnosis::{Diagnosis, Fits, GradingContext, diagnose};
 use super::grade::{
     Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
-use super::hits::{GradingContext, Hits, Rays, Vectors, truth_of};
+use super::hits::{Hits, Rays, Vectors, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
-use crate::mistakes::{GivenCamera, Mistake, Pipeline};
+use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera};
 
 /// Minimum number of written digits from which a single mistake is diagnosed if the digits are fewer
 /// than wanted.
@@ -146,17 +146,20 @@ impl<'a> Grader<'a> {
         answers: &'b Answers,
         digits: f64,
     ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
-        let right = self.given.camera_of(Pipeline::RIGHT);
-        let with = GradingContext { given: &self.given, right, tolerance: self.tolerance, digits };
+        let context = self.context(self.given.camera_of(Pipeline::RIGHT), digits);
         Ok(match answers {
-            Answers::Basis(answers) => Box::new(Vectors { answers, with }),
-            Answers::Rays(answers) => Box::new(Rays { answers, with }),
+            Answers::Basis(answers) => Box::new(Vectors { answers, context }),
+            Answers::Rays(answers) => Box::new(Rays { answers, context }),
             Answers::Hits(answers) => {
                 let (first, scene) = (self.first_of(answers), self.truth.scene);
-                Box::new(Hits { answers, first, scene, with })
+                Box::new(Hits { answers, first, scene, context })
             }
             Answers::Picture(pixels) => return Err(pixels),
         })
+    }
+
+    fn context(&self, right: PipelineCamera, digits: f64) -> GradingContext<'_> {
+        GradingContext { given: &self.given, right, tolerance: self.tolerance, digits }
     }
 
     /// Returns the first hits of these answers' rays.
@@ -168,7 +171,8 @@ impl<'a> Grader<'a> {
     /// Grades a picture with the shading that fits best: the one with which most pixels agree, or,
     /// if no single mistake explains the picture with it, the one with the fewest mistakes.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
-        let (pictures, right_camera) = right_pictures(self.truth, &self.given);
+        let (pictures, right) = right_pictures(self.truth, &self.given);
+        let context = self.context(right, self.digits);
         let brightest = brightest(pixels);
         let agree = |right: &[Rgb]| {
             pixels.iter().zip(right).filter(|(a, b)| off(**a, **b) <= self.tolerance).count()
@@ -178,14 +182,12 @@ impl<'a> Grader<'a> {
         let grade = |k: usize| {
             let fits = Picture {
                 pixels,
-                image: self.given.resolved.image(),
                 scene: self.truth.scene,
                 color_of: self.truth.color_of,
                 shade: Shade::ALL[k],
-                tolerance: self.tolerance,
                 brightest,
                 right: &pictures[k],
-                right_camera,
+                context,
             };
             Grade { shade: Some(fits.shade), ..self.graded(&fits) }
         };
@@ -208,9 +210,9 @@ impl<'a> Grader<'a> {
     /// or if a program without mistakes may have given it.
     fn judged(&self, answers: &dyn Fits) -> Vec<Judged> {
         let judged = |index| {
-            let error = answers.error(index);
-            let is_near = error <= self.tolerance;
-            Judged { is_right: is_near || answers.fits(answers.right_camera(), index), error }
+            let (error, right) = (answers.error(index), &answers.context().right);
+            let is_right = error <= self.tolerance || answers.fits(right, index);
+            Judged { is_right, error }
         };
         (0..answers.len()).into_par_iter().map(judged).collect()
     }

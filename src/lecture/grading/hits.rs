@@ -4,29 +4,17 @@ use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
 
 use crate::grading::answers::{GivenHit, HitAnswer, RayAnswer, WrittenVector};
-use crate::grading::diagnosis::Fits;
+use crate::grading::diagnosis::{Fits, GradingContext};
 use crate::grading::first_hits::{FirstHits, PossibleHit, hits_of_each, work};
 use crate::grading::grade::{AnswerValue, Hit, Truth};
-use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
-
-/// What the answers of a kind are compared with, and how exactly.
-#[derive(Clone, Copy)]
-pub(super) struct GradingContext<'a> {
-    pub(super) given: &'a GivenCamera,
-    /// The camera without any mistake.
-    pub(super) right: PipelineCamera,
-    /// The maximum relative error.
-    pub(super) tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
-    pub(super) digits: f64,
-}
+use crate::mistakes::{Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],
     /// The true hits in their places.
     pub(super) first: Vec<Option<Hit>>,
     pub(super) scene: &'a Scene,
-    pub(super) with: GradingContext<'a>,
+    pub(super) context: GradingContext<'a>,
 }
 
 impl Fits for Hits<'_> {
@@ -44,7 +32,7 @@ impl Fits for Hits<'_> {
             return false;
         }
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let first = FirstHits::find(self.scene, camera, direction, self.with.tolerance);
+        let first = FirstHits::find(self.scene, camera, direction, self.context.tolerance);
         match hit {
             None => first.may_miss,
             Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
@@ -56,26 +44,26 @@ impl Fits for Hits<'_> {
         let (Some(truth), Some(given)) = (self.first[index], hit) else {
             return self.first[index].is_some();
         };
-        let camera = self.right_camera();
+        let camera = &self.context.right;
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        hits_of_each(self.scene, camera, direction, self.with.tolerance)
+        hits_of_each(self.scene, camera, direction, self.context.tolerance)
             .iter()
             .any(|hit| hit.object != truth.object && self.is(camera, direction, hit, &given))
     }
 
-    fn right_camera(&self) -> &PipelineCamera {
-        &self.with.right
+    fn context(&self) -> &GradingContext<'_> {
+        &self.context
     }
 
     fn error(&self, index: usize) -> f64 {
-        match self.with.has(self.answers[index].pixel) {
-            true => error_of(self.answers[index].hit, self.first[index], self.with.right.eye),
+        match self.context.has(self.answers[index].pixel) {
+            true => error_of(self.answers[index].hit, self.first[index], self.context.right.eye),
             false => f64::INFINITY,
         }
     }
 
     fn right(&self, index: usize) -> AnswerValue {
-        match self.with.has(self.answers[index].pixel) {
+        match self.context.has(self.answers[index].pixel) {
             true => self.first[index].into(),
             false => AnswerValue::NoPixel,
         }
@@ -110,14 +98,15 @@ impl Hits<'_> {
         let is_object =
             given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
-            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.with.digits * given.rounding;
+            let off =
+                8.0 * f64::EPSILON * (t_unit * t).abs() + self.context.digits * given.rounding;
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
         let is_point = |given: WrittenVector| {
             let from_eye = given.value - camera.eye;
             let reach = least.abs().max(most.abs()) * step.length();
-            let off = (self.with.tolerance + camera.off) * reach
-                + self.with.digits * given.rounding
+            let off = (self.context.tolerance + camera.off) * reach
+                + self.context.digits * given.rounding
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
             // There must be a point of the ray, within the allowed range of t, that differs by at
             // most `off` in each coordinate.
@@ -166,9 +155,9 @@ pub(super) fn truth_of(
     /// once.
     const ROWS: usize = 256;
     let image = resolved.image();
-    let own = |pixel: &&Pixel| image.contains(**pixel);
-    let mut rows: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.row).collect();
-    let mut columns: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.column).collect();
+    let in_image = |pixel: &&Pixel| image.contains(**pixel);
+    let mut rows: Vec<u32> = pixels.iter().filter(in_image).map(|pixel| pixel.row).collect();
+    let mut columns: Vec<u32> = pixels.iter().filter(in_image).map(|pixel| pixel.column).collect();
     for indices in [&mut rows, &mut columns] {
         indices.sort_unstable();
         indices.dedup();
@@ -205,7 +194,7 @@ pub(super) fn truth_of(
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
-    pub(super) with: GradingContext<'a>,
+    pub(super) context: GradingContext<'a>,
 }
 
 impl Fits for Vectors<'_> {
@@ -220,28 +209,29 @@ impl Fits for Vectors<'_> {
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let WrittenVector { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
-        let off = (self.with.tolerance + camera.off) * length(wanted) + self.with.digits * rounding;
+        let off =
+            (self.context.tolerance + camera.off) * length(wanted) + self.context.digits * rounding;
         (value - wanted).abs().max_element() <= off
     }
 
-    fn right_camera(&self) -> &PipelineCamera {
-        &self.with.right
+    fn context(&self) -> &GradingContext<'_> {
+        &self.context
     }
 
     fn error(&self, index: usize) -> f64 {
-        let PipelineCamera { u, v, w, .. } = self.with.right;
+        let PipelineCamera { u, v, w, .. } = self.context.right;
         length(self.answers[index].value - [u, v, w][index])
     }
 
     fn right(&self, index: usize) -> AnswerValue {
-        let basis = self.with.given.resolved.basis();
+        let basis = self.context.given.resolved.basis();
         AnswerValue::Vector([basis.u, basis.v, basis.w][index])
     }
 }
 
 pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
-    pub(super) with: GradingContext<'a>,
+    pub(super) context: GradingContext<'a>,
 }
 
 impl Fits for Rays<'_> {
@@ -251,7 +241,7 @@ impl Fits for Rays<'_> {
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
-        let GradingContext { tolerance, digits, .. } = self.with;
+        let GradingContext { tolerance, digits, .. } = self.context;
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let rounding = digits * direction.rounding / length(direction.value);
         let origin_off = tolerance * self.size(camera)
@@ -262,23 +252,23 @@ impl Fits for Rays<'_> {
             && (origin.value - camera.eye).abs().max_element() <= origin_off
     }
 
-    fn right_camera(&self) -> &PipelineCamera {
-        &self.with.right
+    fn context(&self) -> &GradingContext<'_> {
+        &self.context
     }
 
     fn error(&self, index: usize) -> f64 {
         let RayAnswer { origin, direction, .. } = self.answers[index];
         let AnswerValue::Ray(ray) = self.right(index) else { return f64::INFINITY };
         let turned = turned(direction.value, ray.direction);
-        let moved = length(origin.value - self.with.right.eye) / self.size(&self.with.right);
+        let moved = length(origin.value - self.context.right.eye) / self.size(&self.context.right);
         let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
         if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY }
     }
 
     fn right(&self, index: usize) -> AnswerValue {
         let pixel = self.answers[index].pixel;
-        match self.with.has(pixel) {
-            true => AnswerValue::Ray(self.with.given.resolved.ray_of_pixel(pixel)),
+        match self.context.has(pixel) {
+            true => AnswerValue::Ray(self.context.given.resolved.ray_of_pixel(pixel)),
             false => AnswerValue::NoPixel,
         }
     }
@@ -288,7 +278,7 @@ impl Rays<'_> {
     /// Returns the length by which an origin's error is divided: the eye's distance from the
     /// world's origin, or the viewport's distance if that is larger.
     fn size(&self, camera: &PipelineCamera) -> f64 {
-        length(camera.eye).max(self.with.given.resolved.viewport().distance)
+        length(camera.eye).max(self.context.given.resolved.viewport().distance)
     }
 }
 

@@ -4,11 +4,10 @@ use std::array;
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{
-    BACKGROUND, DVec3, ImageSize, Outputs, Pixel, Raster, Rgb, Scene, Shade, lambert, shade,
-    trace_as,
+    BACKGROUND, DVec3, Outputs, Raster, Rgb, Scene, Shade, lambert, shade, trace_as,
 };
 
-use super::diagnosis::Fits;
+use super::diagnosis::{Fits, GradingContext};
 use super::first_hits::{FirstHits, normal_at, work};
 use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
@@ -16,17 +15,14 @@ use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 /// A picture that is assumed to have one of the shadings.
 pub(super) struct Picture<'a> {
     pub(super) pixels: &'a [Rgb],
-    pub(super) image: ImageSize,
     pub(super) scene: &'a Scene,
     pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     pub(super) shade: Shade,
-    /// The maximum error allowed, in levels of 255.
-    pub(super) tolerance: f64,
     /// The brightest grey pixel, which is the nearest hit in a picture shaded by t.
     pub(super) brightest: Option<usize>,
-    /// The right picture, and the camera that sees it.
+    /// The right picture.
     pub(super) right: &'a [Rgb],
-    pub(super) right_camera: PipelineCamera,
+    pub(super) context: GradingContext<'a>,
 }
 
 /// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the camera that
@@ -85,8 +81,8 @@ impl Fits for Picture<'_> {
         })
     }
 
-    fn right_camera(&self) -> &PipelineCamera {
-        &self.right_camera
+    fn context(&self) -> &GradingContext<'_> {
+        &self.context
     }
 
     fn error(&self, index: usize) -> f64 {
@@ -99,14 +95,9 @@ impl Fits for Picture<'_> {
 }
 
 impl Picture<'_> {
-    fn pixel(&self, index: usize) -> Pixel {
-        let width = self.image.width() as usize;
-        Pixel { row: (index / width) as u32, column: (index % width) as u32 }
-    }
-
     fn meetings(&self, camera: &PipelineCamera, index: usize) -> (FirstHits, DVec3) {
-        let Pixel { row, column } = self.pixel(index);
-        let direction = camera.direction(f64::from(row), f64::from(column));
+        let width = self.context.given.resolved.image().width() as usize;
+        let direction = camera.direction((index / width) as f64, (index % width) as f64);
         let first = FirstHits::find(self.scene, camera, direction, RELATIVE_TOLERANCE);
         (first, direction)
     }
@@ -114,16 +105,16 @@ impl Picture<'_> {
     /// Returns the colour of a hit, as calculated by [`shade`].
     fn color(&self, camera: &PipelineCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
         let byte = |x: f64| (x + 0.5) as u8;
-        let own = (self.color_of)(object);
+        let color = (self.color_of)(object);
         let point = camera.eye + t * direction;
         let Some(normal) = normal_at(self.scene, object, point) else { return BACKGROUND };
         match self.shade {
-            Shade::Object => own,
+            Shade::Object => color,
             Shade::T => [byte(255.0 * camera.nearest.unwrap_or(f64::NAN) / t); 3],
             Shade::Normal => normal.to_array().map(|x| byte(127.5 * (x + 1.0))),
             Shade::Lambert => {
                 let cosine = normal.dot(direction).abs() / length(direction);
-                lambert(own, cosine)
+                lambert(color, cosine)
             }
         }
     }
@@ -131,8 +122,8 @@ impl Picture<'_> {
     fn is_near(&self, pixel: Rgb, [least, most]: [Rgb; 2]) -> bool {
         (0..3).all(|k| {
             let value = f64::from(pixel[k]);
-            value >= f64::from(least[k]) - self.tolerance
-                && value <= f64::from(most[k]) + self.tolerance
+            value >= f64::from(least[k]) - self.context.tolerance
+                && value <= f64::from(most[k]) + self.context.tolerance
         })
     }
 }

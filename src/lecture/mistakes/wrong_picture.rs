@@ -237,7 +237,7 @@ pub struct ComparedCamera {
     /// Every check of the wrong camera; empty if there is no wrong camera.
     pub checks: Vec<Checked>,
     /// The number of compared pixels, and of those that differ.
-    pub seen: Option<ComparedPixels>,
+    pub compared: Option<ComparedPixels>,
     /// The reason why there is no wrong picture.
     pub why_not: Option<String>,
 }
@@ -281,7 +281,7 @@ impl ComparedCamera {
             camera: made,
             right_checks: WrongCamera::right(camera).map(|c| c.checks()).unwrap_or_default(),
             checks: Vec::new(),
-            seen: None,
+            compared: None,
         };
         let Ok(camera) = &wrong.camera else { return (wrong, None) };
         wrong.checks = camera.checks();
@@ -289,7 +289,7 @@ impl ComparedCamera {
             Ok(picture) => {
                 let right = right_objects(resolved, scene, raster);
                 let differing = count_differing(&picture.object, &right);
-                wrong.seen = Some(ComparedPixels { pixels: right.len(), differing });
+                wrong.compared = Some(ComparedPixels { pixels: right.len(), differing });
                 let Paint { shade, color_of, to_pixel } = paint;
                 let pixels = picture.shaded(scene, shade, color_of, to_pixel);
                 (wrong, Some(ComparedPicture { pixels, wrong: picture.object, right }))
@@ -365,12 +365,12 @@ fn different_pictures(
 ) -> Vec<(Mistake, Vec<u32>)> {
     let raster = Raster::shown_on(camera.image, SAMPLES, SAMPLES);
     let right = right_objects(resolved, scene, &raster);
-    let seen = |mistake: &Mistake| {
+    let picture_of = |mistake: &Mistake| {
         let wrong = WrongCamera::new(camera, *mistake).ok()?;
         let picture = WrongPicture::trace(scene, &wrong, &raster).ok()?;
         differ(&picture.object, &right).then_some((*mistake, picture.object))
     };
-    Mistake::GALLERY.iter().filter_map(seen).collect()
+    Mistake::GALLERY.iter().filter_map(picture_of).collect()
 }
 
 /// Returns true if two pictures differ visibly.

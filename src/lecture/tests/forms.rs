@@ -225,8 +225,8 @@ fn derived_vectors_have_their_forms() {
     let Basis { u, w, .. } = *resolved.basis();
     assert_eq!(vector_text(u), "(1/√2, 0, −1/√2)");
     assert_eq!(vector_text(w), "(1/√2, 0, 1/√2)");
-    let ray = RayDerivation::of_uv(&resolved, DVec2::new(0.2, -0.1)).unwrap();
+    let ray = RayDerivation::new(&resolved, Selection::Uv(DVec2::new(0.2, -0.1))).unwrap();
     assert_eq!(vector_text(ray.along_u), "(√2/10, 0, −√2/10)");
-    assert_eq!(vector_text(ray.direction), "(−2√2/5, −1/10, −3√2/5)");
+    assert_eq!(vector_text(ray.ray.direction), "(−2√2/5, −1/10, −3√2/5)");
     assert_eq!(text(ray.length), "√105/10");
 }

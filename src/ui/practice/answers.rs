@@ -6,7 +6,6 @@ use egui::{
 };
 use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
-use pinhole_lecture::numbers::ungrouped;
 
 use crate::model::practice::StudentAnswers;
 use crate::model::session::Session;
@@ -79,7 +78,7 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
         (_, None) => NONE.to_owned(),
         (None, Some(_)) => not_graded(derived).to_owned(),
         (Some(Err(error)), _) => error.to_string(),
-        (Some(Ok(graded)), _) => ungrouped(&format!("{}. {}", graded.agreement(), graded.advice())),
+        (Some(Ok(graded)), _) => format!("{}. {}", graded.agreement(), graded.advice()),
     }
 }
 

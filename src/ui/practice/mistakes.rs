@@ -93,7 +93,7 @@ pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> O
 
 /// Returns `33 % of the picture differs`.
 fn seen(wrong: &ComparedCamera) -> Option<String> {
-    let seen = wrong.seen?;
+    let seen = wrong.compared?;
     Some(format!("{} of the picture differs", percent(seen.differing, seen.pixels)))
 }
 

@@ -252,11 +252,11 @@ pub(super) fn ray_lines(
         [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
     let substituted = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
     let (symbols, substituted) = (sum(symbols, Operator::Minus), sum(substituted, Operator::Plus));
-    let sides = [D, symbols, substituted, numbers.vector(ray.direction)];
+    let sides = [D, symbols, substituted, numbers.vector(ray.ray.direction)];
     lines.push(DerivedLine::chain(Concept::Direction, sides));
     let length = DerivedLine::chain(Concept::Direction, [norm(D), numbers.scalar(ray.length)]);
     lines.push(length.noted("the length of a step of 𝑡 = 1"));
-    let substituted = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
+    let substituted = along(numbers.vector(ray.ray.origin), T, numbers.vector(ray.ray.direction));
     let formula = equation(along(P, T, D), substituted);
     lines.push(DerivedLine::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines

@@ -219,7 +219,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     if sections.shows(DerivationSection::Objects) {
         match (selected, inputs.scene) {
             (Some((_, inspection, exact, derived)), Some(scene)) => {
-                let ray = (&exact, derived.ray());
+                let ray = (&exact, derived.ray);
                 add_objects(&mut derivation, inputs, ray, (scene, inspection));
             }
             _ => add_given_objects(&mut derivation, inputs),
@@ -234,10 +234,7 @@ fn exact_ray(
     selection: Selection,
 ) -> Option<(ExactRay<'_>, RayDerivation)> {
     let selection = selection.inside(resolved.image());
-    let derived = match selection {
-        Selection::Pixel(pixel) => RayDerivation::of_pixel(resolved, pixel),
-        Selection::Uv(uv) => RayDerivation::of_uv(resolved, uv).ok()?,
-    };
+    let derived = RayDerivation::new(resolved, selection).ok()?;
     Some((selection.exact_ray(resolved).ok()?, derived))
 }
 

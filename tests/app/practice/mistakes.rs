@@ -62,7 +62,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
         assert_eq!(wrong.mistake, mistake);
         match &wrong.camera {
             Ok(_) => {
-                let seen = wrong.seen.unwrap();
+                let seen = wrong.compared.unwrap();
                 let right = &derived.camera_view.as_ref().unwrap().image;
                 let wrong_view = &derived.second_view.as_ref().unwrap().image;
                 assert_eq!(wrong_view.size, right.size);

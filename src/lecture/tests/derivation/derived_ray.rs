@@ -13,32 +13,32 @@ use crate::config;
 fn the_warm_up_and_the_turned_camera() {
     let uv = DVec2::new(0.2, -0.1);
     let resolved = Camera::CANONICAL.resolve().unwrap();
-    let derived = RayDerivation::of_uv(&resolved, uv).unwrap();
-    assert_eq!((derived.pixel, derived.uv, derived.origin), (None, uv, DVec3::ZERO));
+    let derived = RayDerivation::new(&resolved, Selection::Uv(uv)).unwrap();
+    assert_eq!((derived.pixel, derived.uv, derived.ray.origin), (None, uv, DVec3::ZERO));
     assert_eq!(derived.along_u, vec3(0.2, 0.0, 0.0));
     assert_eq!(derived.along_v, vec3(0.0, -0.1, 0.0));
     assert_eq!(derived.along_w, DVec3::NEG_Z);
-    assert_eq!(derived.direction, vec3(0.2, -0.1, -1.0));
+    assert_eq!(derived.ray.direction, vec3(0.2, -0.1, -1.0));
     assert_ulps(derived.length, 1.05_f64.sqrt(), 1);
-    assert_eq!(derived.ray(), resolved.ray(uv));
+    assert_eq!(derived.ray, resolved.ray(uv));
 
     let s = 0.5_f64.sqrt();
-    let derived = RayDerivation::of_uv(&AT_45_DEGREES.resolve().unwrap(), uv).unwrap();
+    let derived = RayDerivation::new(&AT_45_DEGREES.resolve().unwrap(), Selection::Uv(uv)).unwrap();
     assert_ulps3(derived.along_u, vec3(0.2 * s, 0.0, -0.2 * s), 1);
     assert_ulps3(derived.along_w, vec3(-s, 0.0, -s), 1);
-    assert_ulps3(derived.direction, vec3(-0.8 * s, -0.1, -1.2 * s), 1);
+    assert_ulps3(derived.ray.direction, vec3(-0.8 * s, -0.1, -1.2 * s), 1);
 }
 
 #[test]
 fn a_pixel_and_its_ray() {
     let resolved = Camera::CANONICAL.resolve().unwrap();
     let pixel = Pixel { row: 99, column: 199 };
-    let derived = RayDerivation::of_pixel(&resolved, pixel);
+    let derived = RayDerivation::new(&resolved, Selection::Pixel(pixel)).unwrap();
     assert_eq!(derived.pixel, Some(pixel));
     assert_eq!(derived.uv, DVec2::new(-1.0 / 800.0, 201.0 / 800.0));
-    assert_eq!(derived.direction, vec3(-1.0 / 800.0, 201.0 / 800.0, -1.0));
-    assert_eq!(derived.ray(), resolved.exact_ray(pixel).rounded());
-    assert!(RayDerivation::of_uv(&resolved, DVec2::new(f64::NAN, 0.0)).is_err());
+    assert_eq!(derived.ray.direction, vec3(-1.0 / 800.0, 201.0 / 800.0, -1.0));
+    assert_eq!(derived.ray, resolved.exact_ray(pixel).rounded());
+    assert!(RayDerivation::new(&resolved, Selection::Uv(DVec2::new(f64::NAN, 0.0))).is_err());
 }
 
 proptest! {
@@ -58,8 +58,8 @@ proptest! {
             ..Camera::CANONICAL
         };
         let resolved = camera.resolve().unwrap();
-        let derived = RayDerivation::of_pixel(&resolved, Pixel { row, column });
-        let RayDerivation { along_u, along_v, along_w, direction, .. } = derived;
+        let derived = RayDerivation::new(&resolved, Selection::Pixel(Pixel { row, column })).unwrap();
+        let RayDerivation { along_u, along_v, along_w, ray: Ray { direction, .. }, .. } = derived;
         let sum = along_u + along_v + along_w;
         let size = along_u.abs() + along_v.abs() + along_w.abs();
         let off = (sum - direction).abs();
@@ -86,9 +86,9 @@ fn the_direction_is_that_of_the_reference() {
                 let Ok(view) = case.camera.prepare(&[]) else { continue };
                 let resolved = given::camera(&case.camera).resolve().unwrap();
                 let pixel = Pixel { row: 1, column: 2 };
-                let derived = RayDerivation::of_pixel(&resolved, pixel);
+                let derived = RayDerivation::new(&resolved, Selection::Pixel(pixel)).unwrap();
                 let truth = view.direction_of_pixel(1, 2);
-                let off = angle_between(&truth, derived.direction.to_array());
+                let off = angle_between(&truth, derived.ray.direction.to_array());
                 assert!(off <= 1.7e-16, "{off:e} {}", family.name);
                 assert!(derived.length > 0.0 && derived.length.is_finite());
                 rays += 1;
@@ -103,7 +103,8 @@ fn extreme_measures_do_not_overflow() {
     for size in [1e-300, 1e300] {
         let viewport = Viewport { width: 2.0 * size, height: size, distance: 3.0 * size };
         let resolved = Camera { viewport, ..Camera::CANONICAL }.resolve().unwrap();
-        let derived = RayDerivation::of_pixel(&resolved, Pixel { row: 0, column: 0 });
+        let derived =
+            RayDerivation::new(&resolved, Selection::Pixel(Pixel { row: 0, column: 0 })).unwrap();
         assert_ulps3(derived.along_u, vec3(-399.0 / 400.0 * size, 0.0, 0.0), 1);
         assert_ulps3(derived.along_v, vec3(0.0, 399.0 / 800.0 * size, 0.0), 1);
         assert_eq!(derived.along_w, vec3(0.0, 0.0, -3.0 * size));

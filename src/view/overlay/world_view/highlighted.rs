@@ -6,7 +6,7 @@
 //! `camera_view::highlighted`.
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Sphere};
+use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
 use pinhole_lecture::numbers::written;
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
@@ -289,7 +289,7 @@ impl Sketch<'_> {
                 self.highlight_point(ray.at(1.0), pen, "(𝑢, 𝑣)");
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
-                if let Ok(parts) = RayDerivation::of_uv(resolved, inspection.uv) {
+                if let Ok(parts) = RayDerivation::new(resolved, Selection::Uv(inspection.uv)) {
                     self.highlight_chain(resolved.eye(), &parts, pen);
                 }
             }
