@@ -25,20 +25,20 @@ function __fish_pinhole_using_subcommand
 end
 
 complete -c pinhole -n "__fish_pinhole_needs_command" -l lesson -d 'The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own' -r
-complete -c pinhole -n "__fish_pinhole_needs_command" -l renderer -d 'How the window is drawn; without this, whichever works best here' -r -f -a "wgpu\t'A graphics adapter, through wgpu'
+complete -c pinhole -n "__fish_pinhole_needs_command" -l renderer -d 'How the window is drawn; by default, whichever works best' -r -f -a "wgpu\t'A graphics adapter, through wgpu'
 cpu\t'Our own painter'"
 complete -c pinhole -n "__fish_pinhole_needs_command" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_needs_command" -s V -l version -d 'Print version'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "scenes" -d 'List the built-in scenes, a line each'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "inspect" -d 'Show one ray: its camera, its numbers, and everything it meets'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "inspect" -d 'Show one ray: its camera, its numbers, and everything it hits'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the picture as PNG'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Send rays from a CSV file into a scene'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Intersect the rays in a CSV file with a scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a student\'s basis, rays, hits or picture, and name the mistake'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or the lab of lines as a figure for slides'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene as another program has them'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene in another program\'s format'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read a camera from a glTF or from numbers, and write a scene file'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print what a shell reads to complete commands, options and scenes'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print the script with which a shell completes commands, options and scenes'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
@@ -46,43 +46,43 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l uv -d 'The r
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s o -l output -d 'The PNG file to write; - writes to standard output' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l width -d 'Columns; given alone, the rows follow in the ratio of the scene\'s image' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l height -d 'Rows; given alone, the columns follow in the ratio of the scene\'s image' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l width -d 'Columns; without --height, the rows follow from the ratio of the scene\'s image' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l height -d 'Rows; without --width, the columns follow from the ratio of the scene\'s image' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l view -d 'What the camera sees, or the scene with the camera in it' -r -f -a "camera\t''
 world\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l shade -d 'How a hit becomes a colour' -r -f -a "lambert\t''
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l shade -d 'The shading: how a hit becomes a colour' -r -f -a "lambert\t''
 normal\t''
 t\t''
 object\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l aov -d 'Also write t, normal, u, v, object and certainty of every pixel as OpenEXR' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l overlay -d 'Draw the camera over the world view, and the image\'s marks over the camera\'s'
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l overlay -d 'Draw the camera into the world view, or the image\'s marks over the camera view'
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row for each ray; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row for each ray; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, told apart by their header; - reads them from standard input' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'What was asked for: answers of another kind are none' -r -f -a "basis\t''
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, whose header says what they are; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'The kind of answers that is asked for; answers of another kind are an error' -r -f -a "basis\t''
 rays\t''
 hits\t''
 picture\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l columns -d 'Columns that must be there, as t,object: answers without them are none' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many levels of 255 in a channel, 2 without this' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'Where the answers\' rows and columns begin' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'Ask for every pixel: one without an answer counts as a wrong one'
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l columns -d 'Columns that must be there, such as t,object; answers without them are an error' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'Maximum error of an answer relative to its size, by default 0.00001; for a picture, in levels of 255 per channel, by default 2' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'The first number of rows and columns in the answers' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write a map of the image: right answers light, wrong ones orange, the rest grey' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'Require every pixel: a pixel without an answer counts as wrong'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page a scene; the ending chooses the format. Of several scenes, and of the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Which random rays the stress families hold' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path, to standard output in place of the table' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page for each scene; the ending chooses the format. For several scenes, and for the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Seed of the random rays in the stress families' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
 camera\t''
 derivation\t''
 lines\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format, and - writes SVG to standard output' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; given alone, the rows follow in proportion' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; given alone, the columns follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; without --height, the rows follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; without --width, the columns follow in proportion' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, light on dark, or one of the window\'s colour schemes on either' -r -f -a "light\t''
 dark\t''
 colour-blind\t''
@@ -94,7 +94,7 @@ orbit\t''
 over-the-top\t''
 walk\t''
 scan\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'The number of frames; else as many as it has time for' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'The number of frames; by default, as many as the animation\'s duration takes' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d 'Frames per second' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
@@ -116,11 +116,11 @@ glm\t'C++ (GLM)'
 glsl\t'GLSL'
 glam\t'Rust (glam)'
 javascript\t'JavaScript'"
-complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s o -l output -d 'Where to write it; else to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s o -l output -d 'Where to write it; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l camera-only -d 'Leave the objects out'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l meshes -d 'Write objects as meshes where the format has nothing else: glTF'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; else to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
