@@ -7,24 +7,20 @@ use std::cmp::Ordering;
 use std::mem;
 use std::ops::Range;
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::{Level, Simd, dispatch};
 
 use crate::exact::quadratic::{Quadratic, SphereTerms};
 use crate::exact::steps::Steps;
 use crate::render::bvh::{DrawnSpheres, draw_visible};
 use crate::render::outline::Extent;
-use crate::render::plan::Plan;
-use crate::render::plan::SLICE_ROWS;
+use crate::render::plan::{Plan, SLICE_ROWS};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
-use crate::render::polynomial::pixel_hit;
-use crate::render::polynomial::{DOUBT, blend, is_in_doubt, to_single};
-use crate::render::row_band::fallback::KnownObjects;
-use crate::render::row_band::fallback::PixelQuery;
+use crate::render::polynomial::{DOUBT, blend, is_in_doubt, pixel_hit, to_single};
+use crate::render::row_band::fallback::{KnownObjects, PixelQuery};
 use crate::render::row_band::rough_hits::RoughHit;
-use crate::render::rows::VectorBounds;
 use crate::render::rows::span::{Doubt, SpanTarget};
-use crate::render::rows::{WrittenBlocks, clear};
+use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
@@ -63,14 +59,30 @@ pub(crate) struct RowBand<'a> {
 /// pixel's ray.
 const FEW_PIXELS: usize = 64;
 
-/// A function that computes an object's answers in one row, see [`SphereKernel::answer`]. Its
-/// arguments are the columns and the row, counted from the patch's middle, and the buffer for the
-/// answers.
-type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
+/// An object's polynomials over a patch of pixels.
+enum Kernel {
+    Sphere(SphereKernel),
+    Plane(PlaneKernel),
+    /// No polynomials, because the units are extreme: every pixel is in doubt.
+    Unknown,
+}
 
-/// A function that returns the range of columns, counted from the patch's middle, in which the
-/// given row can have a hit; `None` if it has none.
-type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
+impl Kernel {
+    /// Returns a range of columns, counted from the patch's middle, that contains all hits of a row;
+    /// `None` if the row has none.
+    fn reach(&self, k: f64) -> Option<[f64; 2]> {
+        if let Kernel::Sphere(kernel) = self { kernel.reach(k) } else { Some(EVERYWHERE) }
+    }
+
+    /// Computes the answers in one row, see [`SphereKernel::answer`].
+    fn answer(&self, level: Level, m: &[f64], k: f64, found: &mut [f64]) {
+        match self {
+            Kernel::Sphere(kernel) => dispatch!(level, simd => kernel.answer(simd, m, k, found)),
+            Kernel::Plane(kernel) => dispatch!(level, simd => kernel.answer(simd, m, k, found)),
+            Kernel::Unknown => found.fill(DOUBT),
+        }
+    }
+}
 
 impl<'a> RowBand<'a> {
     pub(crate) fn new(
@@ -114,16 +126,31 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns whether any
-    /// spheres remain.
+    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns false if all
+    /// had been drawn before.
     pub(crate) fn draw_rows(&mut self) -> bool {
-        let Some(from) = self.next else { return false };
-        let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
-        self.next = self.draw_spans(from, &mut doubts, &mut drawn);
-        (self.doubts, self.drawn) = (doubts, drawn);
+        let RowBand { plan, rows, t, object, written, next, doubts, drawn, is_reached, .. } = self;
+        let (plan, Some(from)) = (*plan, *next) else { return false };
+        let mut target = SpanTarget {
+            axes: &plan.axes,
+            rows: rows.clone(),
+            t,
+            object,
+            written: written.as_mut(),
+            doubts,
+            has_vector_bounds: plan.axes.are_whole()
+                && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
+            bounds: VectorBounds::NONE,
+            spheres: plan.scene.spheres(),
+            is_reached,
+            is_all_reached: false,
+            decided: 0,
+        };
+        *next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));
+        self.steps.f64 += target.decided;
         if let Some(written) = self.written.take() {
-            let (width, t, object) = (self.plan.axes.width, &mut *self.t, &mut *self.object);
-            dispatch!(self.plan.level, simd => written.clear_others(simd, width, t, object));
+            let (width, t, object) = (plan.axes.width, &mut *self.t, &mut *self.object);
+            dispatch!(plan.level, simd => written.clear_others(simd, width, t, object));
         }
         true
     }
@@ -177,35 +204,6 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres until all are drawn or too many pixels are in doubt; returns where to continue, or
-    /// `None` if all are drawn.
-    fn draw_spans(
-        &mut self,
-        from: (usize, usize),
-        doubts: &mut Vec<Doubt>,
-        drawn: &mut DrawnSpheres,
-    ) -> Option<(usize, usize)> {
-        let plan = self.plan;
-        let mut target = SpanTarget {
-            axes: &plan.axes,
-            rows: self.rows.clone(),
-            t: self.t,
-            object: self.object,
-            written: self.written.as_mut(),
-            doubts,
-            has_vector_bounds: plan.axes.are_whole()
-                && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
-            bounds: VectorBounds::NONE,
-            spheres: plan.scene.spheres(),
-            is_reached: &mut self.is_reached,
-            is_all_reached: false,
-            decided: 0,
-        };
-        let next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));
-        self.steps.f64 += target.decided;
-        next
-    }
-
     /// Adds a sphere that covers no pixels outside these rows and columns of the raster.
     fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
         self.reach(&rows);
@@ -228,18 +226,8 @@ impl<'a> RowBand<'a> {
                 SphereKernel::new(rays, &seen.rough, seen.side, seen.scale, &patch)
             }
         };
-        let level = self.plan.level;
-        let row: RowOf = match &kernel {
-            Some(kernel) => &|m, k, found| {
-                dispatch!(level, simd => kernel.answer(simd, m, k, found));
-            },
-            None => &|_, _, found| found.fill(DOUBT),
-        };
-        let reach: ReachOf = match &kernel {
-            Some(kernel) => &|k| kernel.reach(k),
-            None => &|_| Some(EVERYWHERE),
-        };
-        self.add(index, rows, columns, &patch, (row, reach), None);
+        let kernel = kernel.map_or(Kernel::Unknown, Kernel::Sphere);
+        self.add(index, rows, columns, &patch, &kernel, None);
     }
 
     /// Adds a sphere that covers so few pixels that polynomials would cost more: each pixel's ray
@@ -283,17 +271,10 @@ impl<'a> RowBand<'a> {
         let index = (self.plan.scene.spheres().len() + plane) as u32;
         let columns = 0..self.plan.rays.n.len();
         let patch = self.plan.rays.patch(&rows, &columns);
-        let level = self.plan.level;
-        let kernel;
-        let row: RowOf = match factor(&self.plan.rays, seen.scale) {
-            None => &|_, _, found| found.fill(DOUBT),
-            Some(factor) => {
-                kernel = PlaneKernel::new(seen, factor, &self.plan.rays.steppers, &patch);
-                &|m, k, found| dispatch!(level, simd => kernel.answer(simd, m, k, found))
-            }
-        };
-        let reach: ReachOf = &|_| Some(EVERYWHERE);
-        self.add(index, rows, columns, &patch, (row, reach), Some(seen_by_eye));
+        let kernel = factor(&self.plan.rays, seen.scale).map_or(Kernel::Unknown, |factor| {
+            Kernel::Plane(PlaneKernel::new(seen, factor, &self.plan.rays.steppers, &patch))
+        });
+        self.add(index, rows, columns, &patch, &kernel, Some(seen_by_eye));
     }
 
     /// Evaluates the object's polynomials at the pixels of the patch that it can reach.
@@ -303,7 +284,7 @@ impl<'a> RowBand<'a> {
         rows: Range<usize>,
         columns: Range<usize>,
         patch: &Patch,
-        (answer, reach): (RowOf, ReachOf),
+        kernel: &Kernel,
         seen: Option<&ObjectFromOrigin>,
     ) {
         let padded = columns.len().next_multiple_of(LANES);
@@ -314,7 +295,7 @@ impl<'a> RowBand<'a> {
         let mut own = None;
         for row in rows {
             let k = self.plan.rays.l[row] - patch.l;
-            let Some([low, high]) = reach(k) else {
+            let Some([low, high]) = kernel.reach(k) else {
                 continue;
             };
             let m = &self.m[..columns.len()];
@@ -325,7 +306,7 @@ impl<'a> RowBand<'a> {
             }
             let mut found = std::mem::take(&mut self.found);
             let lanes = from..to.next_multiple_of(LANES);
-            answer(&self.m[lanes.clone()], k, &mut found[lanes]);
+            kernel.answer(self.plan.level, &self.m[lanes.clone()], k, &mut found[lanes]);
             let start = (row - self.rows.start) * self.plan.rays.n.len() + columns.start;
             let offset = start + from..start + to;
             let (t, object) = (&mut self.t[offset.clone()], &mut self.object[offset.clone()]);
