@@ -259,7 +259,9 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());
     placed.retain(|PlacedHandle { handle, .. }| {
-        is_always_drawn(*handle)
+        matches!(handle, Handle::Eye | Handle::At | Handle::Up)
+            // Only chosen or hovered objects have handles.
+            || handle.object().is_some()
             || [state.over, held].into_iter().flatten().any(|other| belong_together(*handle, other))
             || spoken.iter().any(|concept| is_about(*handle, *concept))
     });
@@ -282,12 +284,6 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
             .filter(|held| held.handle == Handle::Up)
             .map(|held| held.length * up - stage.beyond_up()),
     }
-}
-
-/// Returns true for the handles of the camera's inputs and of objects. Only chosen or hovered objects have
-/// handles.
-fn is_always_drawn(handle: Handle) -> bool {
-    matches!(handle, Handle::Eye | Handle::At | Handle::Up) || handle.object().is_some()
 }
 
 /// Returns true if both handles are the same, or belong to the same viewport.

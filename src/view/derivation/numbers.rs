@@ -69,10 +69,6 @@ impl NumberFormat {
         tuple(v.to_array().map(|x| self.decimal(x)))
     }
 
-    fn are_whole(self, v: DVec3) -> bool {
-        v.to_array().into_iter().all(|x| self.is_whole(x))
-    }
-
     /// Returns the number's exact form, if that form is short and the digits are not exact.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
@@ -81,7 +77,8 @@ impl NumberFormat {
 
     fn vector_form(self, v: DVec3) -> Option<VectorForm> {
         let recognised = || VectorForm::recognise(v).filter(|form| form.is_short());
-        if self.exact { recognised().filter(|_| !self.are_whole(v)) } else { None }
+        let are_whole = || v.to_array().into_iter().all(|x| self.is_whole(x));
+        if self.exact { recognised().filter(|_| !are_whole()) } else { None }
     }
 
     /// Returns the exact form if there is one, otherwise the rounded number.

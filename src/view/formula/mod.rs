@@ -310,8 +310,11 @@ fn gap(before: &Formula, after: &Formula) -> Gap {
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Formula::Scalar(name) => f.write_str(name),
-            Formula::Vector(name, _) => write_bold(name, f),
+            // A single letter is bold, from the Unicode block *Mathematical Alphanumeric Symbols*.
+            Formula::Vector(name, _) if name.len() == 1 => {
+                name.chars().try_for_each(|letter| f.write_char(symbols::bold(letter)))
+            }
+            Formula::Scalar(name) | Formula::Vector(name, _) => f.write_str(name),
             Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
                 f.write_str(text)
             }
@@ -339,15 +342,6 @@ impl fmt::Display for Formula {
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-
-/// Writes a single letter in bold, from the Unicode block *Mathematical Alphanumeric Symbols*; writes a word
-/// unchanged.
-fn write_bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    match name.len() {
-        1 => name.chars().try_for_each(|letter| f.write_char(symbols::bold(letter))),
-        _ => f.write_str(name),
-    }
-}
 
 fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (k, part) in parts.iter().enumerate() {

@@ -70,11 +70,6 @@ impl CameraView {
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
 
-    /// Returns true if the edges between pixels are painted.
-    fn has_grid(&self) -> bool {
-        self.items.shows(Item::PixelGrid) && self.dots_per_pixel().min_element() >= GRID_FROM
-    }
-
     /// Paints the picture, the edges between its pixels, and the marks.
     fn paint(&self, marks: &Fills, dots: &mut [Color32]) {
         let [width, height] = self.size;
@@ -82,7 +77,8 @@ impl CameraView {
             return dots.fill(Color32::BLACK);
         }
         let picture = self.picture.on(self.size);
-        let grid = self.has_grid().then(|| self.grid());
+        let are_large = self.dots_per_pixel().min_element() >= GRID_FROM;
+        let grid = (self.items.shows(Item::PixelGrid) && are_large).then(|| self.grid());
         marks.paint_after(width, dots, |top, dots| {
             picture.fill(top, dots);
             if let Some(grid) = &grid {

@@ -3,7 +3,7 @@
 //! sphere around the camera is cut away.
 
 use egui::Color32;
-use pinhole_core::{Basis, DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
+use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
 use pinhole_lecture::numbers::written;
 
 use crate::model::concept::Concept;
@@ -277,7 +277,8 @@ impl Sketch<'_> {
     fn basis(&mut self, resolved: &ResolvedCamera, arrow: f64) {
         let (eye, basis) = (resolved.eye(), resolved.basis());
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((concept, name, vector, head), (color, pattern)) in basis_arrows(basis).zip(inks) {
+        let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
+        for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
             let pen = LineStyle::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
             self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
         }
@@ -294,17 +295,12 @@ impl Sketch<'_> {
     }
 }
 
-/// Returns u, v and w with their concepts, names and arrowheads.
-pub(crate) fn basis_arrows(
-    basis: &Basis,
-) -> impl Iterator<Item = (Concept, &'static str, DVec3, Head)> {
-    let arrows = [
-        (Concept::U, "u", basis.u, Head::Filled),
-        (Concept::V, "v", basis.v, Head::Open),
-        (Concept::W, "w", basis.w, Head::Double),
-    ];
-    arrows.into_iter()
-}
+/// The concepts, the names and the arrowheads of u, v and w.
+pub(crate) const BASIS: [(Concept, &str, Head); 3] = [
+    (Concept::U, "u", Head::Filled),
+    (Concept::V, "v", Head::Open),
+    (Concept::W, "w", Head::Double),
+];
 
 /// Returns (u, v) of the viewport's corners, clockwise in the image from the corner of pixel (0, 0).
 pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {

@@ -7,9 +7,10 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use crate::model::overlay_items::Item;
 use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
+use crate::view::overlay::drawing::Shape;
 use crate::view::overlay::screen::unit;
 use crate::view::overlay::style::{BOLD_POINT, LabelFont, MARK, VECTOR};
-use crate::view::overlay::world_view::camera_in_space::corners;
+use crate::view::overlay::world_view::camera_in_space::{BASIS, corners};
 use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
 
 /// Length of the drawn frustum edges, in viewport distances.
@@ -74,10 +75,8 @@ impl Sketch<'_> {
         }
         self.sides(corners.map(|corner| eye + corner), outline);
         let length = self.screen.arrow_length(eye);
-        let heads = [("u", Head::Filled), ("v", Head::Open), ("w", Head::Double)];
-        for ((vector, (name, head)), color) in
-            ghost.basis.into_iter().zip(heads).zip(self.colors.basis)
-        {
+        let arrows = ghost.basis.into_iter().zip(BASIS).zip(self.colors.basis);
+        for ((vector, (_, name, head)), color) in arrows {
             let Some(vector) = vector else { continue };
             let pen = LineStyle::new(Item::Basis, color, 2.6).dashed();
             let tip = eye + length * vector.clamp_length_max(LONGEST);
@@ -123,7 +122,7 @@ impl Sketch<'_> {
         match mark.shape {
             MarkShape::BasisVector(index, vector) => {
                 let (eye, color) = (self.view.camera.eye, self.colors.basis[index]);
-                let head = [Head::Filled, Head::Open, Head::Double][index];
+                let (_, _, head) = BASIS[index];
                 let arrow = (eye, vector, self.screen.arrow_length(eye));
                 self.mark_vector(mark, arrow, head, pen(color, 3.4), VECTOR);
             }
@@ -187,10 +186,12 @@ impl Sketch<'_> {
 
     /// Draws a point: the right one as a disc, a student's point as a ring.
     fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: LineStyle) {
-        if mark.is_dashed {
-            self.ring(at, radius + 2.0, pen);
-        } else {
+        if !mark.is_dashed {
             self.point(at, radius, pen);
+        } else if let Some(spot) = self.screen.spot(at).filter(|_| self.items.shows(pen.item)) {
+            let scale = self.drawing.scale;
+            let ring = Shape::ring(spot.at, ((radius + 2.0) * scale).into(), 24, 2.4 * scale);
+            self.drawing.marks.push(pen.mark(ring, self.colors.halo));
         }
     }
 }

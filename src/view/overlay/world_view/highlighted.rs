@@ -16,7 +16,7 @@ use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, circle};
 use crate::view::overlay::screen::{tangents, unit};
 use crate::view::overlay::style::{Colors, POINT, VECTOR};
-use crate::view::overlay::world_view::camera_in_space::{basis_arrows, corners};
+use crate::view::overlay::world_view::camera_in_space::{BASIS, corners};
 use crate::view::overlay::world_view::sketch::{Head, LineStyle, Request, Sketch};
 
 /// The highlighted concept, and the inputs for drawing it.
@@ -250,8 +250,9 @@ impl Sketch<'_> {
         let eye = resolved.eye();
         let arrow = self.screen.arrow_length(eye);
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        let arrows = basis_arrows(resolved.basis());
-        for ((concept, name, vector, head), (color, pattern)) in arrows.zip(inks) {
+        let basis = resolved.basis();
+        let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
+        for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
             if concept == highlighted.concept {
                 let pen = LineStyle { color, pattern, ..pen };
                 self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);

@@ -241,17 +241,6 @@ impl Sketch<'_> {
         Some(spot)
     }
 
-    /// Draws a point of the world as a ring of `radius` points.
-    pub(crate) fn ring(&mut self, at: DVec3, radius: f32, pen: LineStyle) {
-        if self.items.shows(pen.item)
-            && let Some(spot) = self.screen.spot(at)
-        {
-            let scale = self.drawing.scale;
-            let shape = Shape::ring(spot.at, (radius * scale).into(), 24, 2.4 * scale);
-            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
-        }
-    }
-
     /// Draws a disc, or a ring if it is hidden.
     fn disc(&mut self, spot: Spot, radius: f32, pen: LineStyle) {
         let hidden = self.is_hidden(spot, pen);
