@@ -186,7 +186,7 @@ impl App {
                 self.recovery.take()?.discard();
                 None
             }
-            FileAction::CheckFile => self.look(ctx),
+            FileAction::CheckFile => self.check_file(ctx),
             FileAction::KeepMine { saves, then } => {
                 self.scene.open.keep_mine();
                 if saves { self.save(ctx, then) } else { None }
@@ -209,7 +209,7 @@ impl App {
 
     /// Reads the scene's files again if another program has changed them; asks first if there are unsaved
     /// changes.
-    fn look(&mut self, ctx: &Context) -> Option<Dialog> {
+    fn check_file(&mut self, ctx: &Context) -> Option<Dialog> {
         let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
             return Some(App::ask_which_version(&file, false, None));

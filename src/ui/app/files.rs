@@ -232,12 +232,12 @@ impl App {
             FigureSubject::World => &derived.world_view,
             _ => &derived.camera_view,
         };
-        let seen = view.as_ref().map(|shown| shown.image.size.map(|dots| dots as f32 / scale));
+        let shown = view.as_ref().map(|view| view.image.size.map(|dots| dots as f32 / scale));
         let aspect = self.document().camera.image.aspect() as f32;
         let points = match subject {
-            FigureSubject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
+            FigureSubject::World => shown.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             FigureSubject::Camera => {
-                seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)])
+                shown.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)])
             }
             FigureSubject::Derivation => {
                 let width = self.tools.derivation.width().map(|width| width + 2.0 * MARGIN);

@@ -103,14 +103,14 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[PathBuf]) -> Vec<UiComm
     commands.extend(recent.iter().map(|path| {
         let name = format!("open {}", path.display());
         let open = Leave::Open(SceneSource::File(path.to_owned()));
-        commands_table::command(Group::File, name, "Opens this recent file.", open)
+        commands_table::command(Group::File, &name, "Opens this recent file.", open)
     }));
     let document = &scene.open.document;
     let count = document.object_count().min(LISTED_OBJECTS);
     commands.extend((0..count).map(|index| {
         let name = format!("choose {}", document.title_of(index));
         let about = "Shows its fields, and its handles in the world view.";
-        commands_table::command(Group::Objects, name, about, ObjectAction::Choose(index))
+        commands_table::command(Group::Objects, &name, about, ObjectAction::Choose(index))
     }));
     commands
 }

@@ -32,7 +32,7 @@ pub(super) struct Recovery {
     /// True if the slot holds changes, or is being written.
     is_written: bool,
     /// The document in the last pass.
-    seen: Option<Document>,
+    last_document: Option<Document>,
     /// Times of the last edit and of the first unwritten one, in seconds.
     last_edit: f64,
     first_edit: Option<f64>,
@@ -90,8 +90,8 @@ impl Recovery {
             return;
         }
         let now = ctx.input(|i| i.time);
-        if self.seen.as_ref() != Some(&open.document) {
-            self.seen = Some(open.document.clone());
+        if self.last_document.as_ref() != Some(&open.document) {
+            self.last_document = Some(open.document.clone());
             self.last_edit = now;
             self.first_edit.get_or_insert(now);
         }
@@ -141,7 +141,7 @@ impl Recovery {
     /// Clears the slot, because its changes are saved or no longer wanted.
     fn clear(&mut self) {
         self.finish_writing();
-        (self.seen, self.first_edit) = (None, None);
+        (self.last_document, self.first_edit) = (None, None);
         if let (true, Some(slot)) = (std::mem::take(&mut self.is_written), &self.slot) {
             slot.clear();
         }

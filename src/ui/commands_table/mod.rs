@@ -1,10 +1,9 @@
 //! The table of commands: each command's name, description, keys and [`Action`].
 //!
 //! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a new
-//! command is a row in `table.rs`. A [gesture](GESTURES) depends on what is under the pointer; it is listed there,
-//! but the views handle it.
+//! command is a row in `table.rs`. A [gesture](GESTURES) depends on what is under the pointer; it is listed
+//! there, but the views handle it.
 
-use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use egui::{Context, Event, Key, Modifiers};
@@ -91,9 +90,9 @@ pub struct UiCommand {
     /// The group that it is listed in.
     pub group: Group,
     /// The name within its group.
-    pub name: Cow<'static, str>,
+    pub name: String,
     /// A sentence that describes the command.
-    pub about: Cow<'static, str>,
+    pub about: String,
     /// The keys that trigger it; menus show the first one.
     pub keys: Vec<Keys>,
     /// The action.
@@ -179,7 +178,7 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
         name(a).is_some() && name(a) == name(b)
     };
     let commands = with_keys.chunk_by(same).map(|commands| {
-        let name = family(&commands[0].action).map_or(commands[0].name.to_string(), str::to_owned);
+        let name = family(&commands[0].action).map_or(commands[0].name.clone(), str::to_owned);
         (commands[0].group, keys_of(commands), name)
     });
     let gestures = GESTURES.map(|(group, how, does)| (group, how.to_owned(), does.to_owned()));

@@ -1,8 +1,6 @@
 //! The rows of the table: every command with its group, name, description, keys and action, and the mouse
 //! gestures.
 
-use std::borrow::Cow;
-
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
@@ -28,11 +26,8 @@ use crate::view::derivation::Markup;
 macro_rules! commands {
     ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
         vec![$(UiCommand {
-            group: Group::$group,
-            name: Cow::Borrowed($name),
-            about: Cow::Borrowed($about),
             keys: vec![$($keys),*],
-            action: $action.into(),
+            ..command(Group::$group, $name, $about, $action)
         }),*]
     };
 }
@@ -217,7 +212,7 @@ fn steps() -> Vec<UiCommand> {
         for (arrow, way, right, up) in ARROWS {
             let [name, about] = [name, about].map(|text| text.replace("{}", way));
             let keys = vec![key(when, modifiers, arrow)];
-            commands.push(UiCommand { keys, ..command(group, name, about, action(right, up)) });
+            commands.push(UiCommand { keys, ..command(group, &name, &about, action(right, up)) });
         }
     };
     add(Group::Views, View, Modifiers::NONE, "One pixel {}", "Moves the selection {} by one pixel.",
@@ -236,13 +231,13 @@ fn steps() -> Vec<UiCommand> {
 /// Returns a command without keys.
 pub(crate) fn command(
     group: Group,
-    name: impl Into<Cow<'static, str>>,
-    about: impl Into<Cow<'static, str>>,
+    name: &str,
+    about: &str,
     action: impl Into<Action>,
 ) -> UiCommand {
-    let about: Cow<'static, str> = about.into();
-    let about = if about.ends_with('.') { about } else { Cow::Owned(format!("{about}.")) };
-    UiCommand { group, name: name.into(), about, keys: Vec::new(), action: action.into() }
+    let dot = if about.ends_with('.') { "" } else { "." };
+    let (name, about) = (name.to_owned(), format!("{about}{dot}"));
+    UiCommand { group, name, about, keys: Vec::new(), action: action.into() }
 }
 
 #[rustfmt::skip]
@@ -250,13 +245,13 @@ fn switches() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     for item in Item::ALL {
         let (name, action) = (item.label(), LookAction::Toggle(Switch::Item(item)));
-        commands.push(command(Group::Overlay, name, format!("Shows or hides {name}."), action));
+        commands.push(command(Group::Overlay, name, &format!("Shows or hides {name}"), action));
     }
     for section in DerivationSection::ALL {
         let name = format!("derivation's part “{}”", section.label());
         let about = format!("Shows or hides the {name}.");
         let action = LookAction::Toggle(Switch::Section(section));
-        commands.push(command(Group::Layout, name, about, action));
+        commands.push(command(Group::Layout, &name, &about, action));
     }
     commands.extend(commands![
         Numbers, "Exact forms in the derivation", "Writes 1/√2 and the like, or decimals.",
@@ -275,7 +270,7 @@ fn switches() -> Vec<UiCommand> {
 fn choices() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     let mut add = |group, name: &str, about: &str, action: Action| {
-        commands.push(command(group, name.to_owned(), about.to_owned(), action));
+        commands.push(command(group, name, about, action));
     };
     for layout in ViewLayout::LISTED {
         add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
@@ -324,7 +319,7 @@ pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let steps = lesson.steps.iter().enumerate().map(|(step, shown)| {
         let name = format!("{title}, {}. {}", step + 1, shown.title);
         let about = "Shows this step of the lesson.";
-        command(Group::Step, name, about, Leave::GoTo(StepId { lesson: which, step }))
+        command(Group::Step, &name, about, Leave::GoTo(StepId { lesson: which, step }))
     });
     steps.collect()
 }

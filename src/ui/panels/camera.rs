@@ -177,7 +177,7 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     };
     ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
     // At a distance of 1e308, a wide viewport exceeds the range of numbers.
-    let take = |seen: Viewport| if seen.check().is_ok() { seen } else { viewport };
+    let take = |new: Viewport| if new.check().is_ok() { new } else { viewport };
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
         camera.viewport = take(viewport.with_horizontal_fov(fov));
     }

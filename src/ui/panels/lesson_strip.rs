@@ -19,8 +19,8 @@ const SHOW_ANSWER: &str = "Show the answer";
 /// Number of lines that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
-/// Shows the strip. `file` is the lesson that was opened from a file. `changed` is true if anything differs from the
-/// step.
+/// Shows the strip. `file` is the lesson that was opened from a file. `changed` is true if anything differs
+/// from the step.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenLesson,

@@ -1,5 +1,5 @@
-//! The window's panels, with one `ui` function per file. Each function edits its arguments in place, and requests
-//! [actions](super::action) for everything else.
+//! The window's panels, with one `ui` function per file. Each function edits its arguments in place, and
+//! requests [actions](super::action) for everything else.
 
 pub(crate) mod camera;
 pub(crate) mod lesson_strip;

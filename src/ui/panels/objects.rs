@@ -84,14 +84,14 @@ fn new_sphere(document: &Document) -> Sphere {
     let at = |k: usize| {
         let far = 4.0 + BEHIND * (k / QUARTERS.len()) as f64;
         let [x, y] = QUARTERS[k % QUARTERS.len()];
-        let seen = camera.as_ref().and_then(|camera| {
+        let placed = camera.as_ref().and_then(|camera| {
             let viewport = camera.viewport();
             let ray = camera.ray(DVec2::new(x * viewport.width, y * viewport.height));
             // A diameter of a fifth of the picture's height.
             Sphere::new(ray.at(far), far * 0.1 * viewport.height).ok()
         });
         // With a viewport of 1e308, the sphere exceeds the range of numbers.
-        seen.unwrap_or(Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 })
+        placed.unwrap_or(Sphere { center: DVec3::new(0.0, 0.0, -1.0 - far), radius: 1.0 })
     };
     let is_free = |new: &Sphere| {
         let touches = |old: &Sphere| new.center.distance(old.center) <= new.radius + old.radius;

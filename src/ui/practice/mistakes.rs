@@ -73,12 +73,12 @@ fn text_width(ui: &Ui, text: &str) -> f32 {
 
 /// Returns the description of the wrong picture for screen readers.
 pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> String {
-    match (why_not(wrong, mistakes_view), seen(wrong)) {
+    match (why_not(wrong, mistakes_view), share_that_differs(wrong)) {
         (Some(why), _) => why,
-        (None, Some(seen)) if mistakes_view.is_revealed() => {
-            format!("{}: {seen}", wrong.mistake.name())
+        (None, Some(share)) if mistakes_view.is_revealed() => {
+            format!("{}: {share}", wrong.mistake.name())
         }
-        (None, seen) => seen.unwrap_or_default(),
+        (None, share) => share.unwrap_or_default(),
     }
 }
 
@@ -92,25 +92,25 @@ pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> O
 }
 
 /// Returns `33 % of the picture differs`.
-fn seen(wrong: &ComparedCamera) -> Option<String> {
-    let seen = wrong.compared?;
-    Some(format!("{} of the picture differs", percent(seen.differing, seen.pixels)))
+fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
+    let shares = wrong.compared?;
+    Some(format!("{} of the picture differs", percent(shares.differing, shares.pixels)))
 }
 
 /// Shows the gallery, the explanation and the checks side by side, or the vote instead of them.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &mut Session) {
     let style = NumberStyle::new(&session.settings);
     let mistakes_view = &mut session.mistakes_view;
-    let seen = derived.resolved.as_ref().zip(derived.scene.as_deref());
-    let seen = seen.map(|(resolved, scene)| (&document.camera, resolved, scene));
+    let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
+    let inputs = inputs.map(|(resolved, scene)| (&document.camera, resolved, scene));
     if mistakes_view.wants_vote
-        && let Some((camera, resolved, scene)) = seen
+        && let Some((camera, resolved, scene)) = inputs
     {
         mistakes_view.ask(camera, resolved, scene);
         ui.ctx().request_discard("a vote was opened after its picture was drawn");
     }
     if mistakes_view.open_vote.is_some() {
-        return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), seen);
+        return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs);
     }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
@@ -121,7 +121,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let checks_width = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks_width);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-        vote::button(ui, mistakes_view, seen);
+        vote::button(ui, mistakes_view, inputs);
         list(ui, mistakes_view);
     });
     let Some(wrong) = derived.wrong_camera.as_deref() else { return };
@@ -167,9 +167,9 @@ fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     ui.label(RichText::new(mistake.formula()).size(16.0).strong());
     ui.add_space(4.0);
     ui.label(mistake.shows());
-    if let Some(seen) = seen(wrong) {
+    if let Some(share) = share_that_differs(wrong) {
         ui.add_space(4.0);
-        ui.label(format!("{seen}."));
+        ui.label(format!("{share}."));
     }
     if let Ok(camera) = &wrong.camera {
         ui.add_space(6.0);

@@ -68,11 +68,11 @@ pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
 }
 
 /// Shows the button that opens a vote.
-pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInputs>) {
+pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>) {
     let hint = "Shows a wrong picture without its name, and four mistakes to choose from";
-    let button = ui.add_enabled(seen.is_some(), egui::Button::new("Guess which"));
+    let button = ui.add_enabled(inputs.is_some(), egui::Button::new("Guess which"));
     if button.on_hover_text(hint).clicked()
-        && let Some((camera, resolved, scene)) = seen
+        && let Some((camera, resolved, scene)) = inputs
     {
         view.ask(camera, resolved, scene);
     }
@@ -87,7 +87,7 @@ pub(super) fn ui(
     ui: &mut Ui,
     view: &mut MistakesView,
     wrong: Option<&ComparedCamera>,
-    seen: Option<VoteInputs>,
+    inputs: Option<VoteInputs>,
 ) {
     let whole = ui.available_rect_before_wrap().shrink2(vec2(6.0, 2.0));
     let Some(open) = &mut view.open_vote else { return };
@@ -106,7 +106,7 @@ pub(super) fn ui(
         let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
         area.show(ui, |ui| reason(ui, open, wrong));
     });
-    inside(ui, bar, |ui| ui.horizontal_centered(|ui| buttons(ui, view, seen)));
+    inside(ui, bar, |ui| ui.horizontal_centered(|ui| buttons(ui, view, inputs)));
 }
 
 /// Minimum height of an option, in points.
@@ -209,13 +209,13 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     }
 }
 
-fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInputs>) {
+fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>) {
     let is_revealed = view.is_revealed();
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     if ui.add_enabled(!is_revealed, reveal).on_hover_text("Enter or Page Down").clicked() {
         view.reveal();
     }
-    let another = ui.add_enabled(seen.is_some(), egui::Button::new("Another one")).clicked();
+    let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
     if ui.button("All mistakes").on_hover_text("Ends the vote").clicked() {
         view.close_vote();
         return;
@@ -228,7 +228,7 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, seen: Option<VoteInputs>) {
         ui.label("seed").on_hover_text(hint);
     });
     if seed != view.seed
-        && let Some((camera, resolved, scene)) = seen
+        && let Some((camera, resolved, scene)) = inputs
     {
         view.seed = seed;
         view.ask(camera, resolved, scene);

@@ -139,8 +139,8 @@ fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
-    if let Some(seen) = plane.paint(lab, is_held, digits) {
-        views::speak(ui, "plane", &seen);
+    if let Some(text) = plane.paint(lab, is_held, digits) {
+        views::speak(ui, "plane", &text);
     }
     for (handle, response) in grabbed {
         response.on_hover_text(handle.name());
@@ -186,8 +186,8 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> 
     if response.dragged()
         && let Some(pointer) = response.interact_pointer_pos()
     {
-        let beside: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
-        lab.drag(handle, plane.to_plane(pointer + beside), fineness);
+        let offset: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+        lab.drag(handle, plane.to_plane(pointer + offset), fineness);
     }
     if response.has_focus() {
         let steps = arrows(ui);

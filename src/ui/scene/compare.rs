@@ -40,7 +40,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
 
 /// Returns the description of the picture for screen readers.
 pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
-    against.map_or_else(|| NO_GHOST.to_owned(), seen)
+    against.map_or_else(|| NO_GHOST.to_owned(), share_that_differs)
 }
 
 /// Returns the reason why there is no picture.
@@ -53,9 +53,9 @@ pub(crate) fn why_not(ghost: Option<&Ghost>) -> String {
 }
 
 /// Returns `33 % of the picture shows another object`.
-fn seen(against: &AgainstGhost) -> String {
-    let seen = &against.seen;
-    format!("{} of the picture shows another object", percent(seen.differing, seen.pixels))
+fn share_that_differs(against: &AgainstGhost) -> String {
+    let shares = &against.seen;
+    format!("{} of the picture shows another object", percent(shares.differing, shares.pixels))
 }
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
@@ -69,7 +69,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
         buttons(ui, ghost.is_some());
         if let Some(against) = against {
             ui.add_space(8.0);
-            ui.strong(seen(against));
+            ui.strong(share_that_differs(against));
             ui.add_space(8.0);
             turns(ui, against, style);
         }

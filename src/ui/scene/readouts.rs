@@ -38,17 +38,17 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             };
             // If there is no space for three columns, the ray is shown below the basis.
             let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
-            let seen = derived.inspection.as_ref().zip(derived.resolved.as_ref());
+            let selected = derived.inspection.as_ref().zip(derived.resolved.as_ref());
             if let Some(resolved) = &derived.resolved {
                 block(ui, 110.0, &mut |ui| {
                     basis(ui, resolved, derived.up_angle, style);
-                    if let (true, Some((inspection, resolved))) = (is_narrow, seen) {
+                    if let (true, Some((inspection, resolved))) = (is_narrow, selected) {
                         ui.add_space(6.0);
                         ray(ui, inspection, resolved, style);
                     }
                 });
             }
-            if let Some((inspection, resolved)) = seen {
+            if let Some((inspection, resolved)) = selected {
                 if !is_narrow {
                     block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
                 }
