@@ -123,7 +123,6 @@ fn cancelled_it_leaves_nothing() {
     window.run_steps(5);
     assert_says(&window, "Exporting the animation");
     assert!(!texts_with(&window, " of 500 frames").is_empty());
-    assert!(fs::read_dir(folder.path()).unwrap().count() > 0, "it is being written");
     window.get_by_role_and_label(Role::Button, "Cancel").click();
     window.run();
     assert!(!says(&window, "Exporting the animation"));
