@@ -141,6 +141,37 @@ impl Basis {
     pub fn to_camera_from_world(&self, direction: DVec3) -> DVec3 {
         DVec3::new(direction.dot(self.u), direction.dot(self.v), direction.dot(self.w))
     }
+
+    /// Returns the basis into which a quaternion `[w, x, y, z]` of any length turns the world's
+    /// axes. Returns `None` if the quaternion is zero or not finite.
+    pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {
+        let q = DQuat::from_xyzw(x, y, z, w);
+        let length = q.length();
+        if !(length.is_finite() && length > 0.0) {
+            return None;
+        }
+        let turn = DMat3::from_quat(DQuat::from_vec4(glam::DVec4::from(q) / length).normalize());
+        Some(Basis { u: turn.x_axis, v: turn.y_axis, w: turn.z_axis })
+    }
+
+    /// Returns how far three vectors are from orthonormal: the largest of `| |a| - 1 |` and `|a .
+    /// b|`.
+    pub fn error_of(u: DVec3, v: DVec3, w: DVec3) -> f64 {
+        let lengths = [u, v, w].map(|a| (a.length() - 1.0).abs());
+        let angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
+        lengths.into_iter().chain(angles).fold(0.0, f64::max)
+    }
+
+    /// Returns whether three vectors, unit or not, are left-handed. The picture of a camera with such
+    /// vectors for right, up and backwards is a mirror image.
+    pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
+        let vectors = [u, v, w];
+        if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {
+            return false;
+        }
+        let [u, v, w] = vectors.map(unit);
+        u.cross(v).dot(w) < 0.0
+    }
 }
 
 pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
@@ -176,37 +207,4 @@ pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
     let exact = dot(&exact3(a), &exact3(b));
     let tolerance = Dyadic::from(ORTHONORMAL_TOLERANCE);
     (&tolerance - &exact).sign().is_ge() && (&tolerance + &exact).sign().is_ge()
-}
-
-impl Basis {
-    /// Returns the basis into which a quaternion `[w, x, y, z]` of any length turns the world's
-    /// axes. Returns `None` if the quaternion is zero or not finite.
-    pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {
-        let q = DQuat::from_xyzw(x, y, z, w);
-        let length = q.length();
-        if !(length.is_finite() && length > 0.0) {
-            return None;
-        }
-        let turn = DMat3::from_quat(DQuat::from_vec4(glam::DVec4::from(q) / length).normalize());
-        Some(Basis { u: turn.x_axis, v: turn.y_axis, w: turn.z_axis })
-    }
-
-    /// Returns how far three vectors are from orthonormal: the largest of `| |a| - 1 |` and `|a .
-    /// b|`.
-    pub fn error_of(u: DVec3, v: DVec3, w: DVec3) -> f64 {
-        let lengths = [u, v, w].map(|a| (a.length() - 1.0).abs());
-        let angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
-        lengths.into_iter().chain(angles).fold(0.0, f64::max)
-    }
-
-    /// Returns whether three vectors, unit or not, are left-handed. The picture of a camera with such
-    /// vectors for right, up and backwards is a mirror image.
-    pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
-        let vectors = [u, v, w];
-        if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {
-            return false;
-        }
-        let [u, v, w] = vectors.map(unit);
-        u.cross(v).dot(w) < 0.0
-    }
 }

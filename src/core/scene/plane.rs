@@ -23,11 +23,6 @@ pub struct PlaneTerms {
     pub offset: f64,
 }
 
-impl PlaneTerms {
-    /// The parts of an invalid plane.
-    pub(crate) const NONE: PlaneTerms = PlaneTerms { rate: f64::NAN, offset: f64::NAN };
-}
-
 impl Plane {
     /// Makes a checked plane through a point, at right angles to a normal of any length. The arguments
     /// may be of any type that converts into [`DVec3`].

@@ -219,7 +219,7 @@ impl Plane {
     /// overflow or underflow where `t` does not; for an invalid plane, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
         if self.check().is_err() {
-            return PlaneTerms::NONE;
+            return PlaneTerms { rate: f64::NAN, offset: f64::NAN };
         }
         let seen = PlaneFromOrigin::new(self, ray.origin());
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }

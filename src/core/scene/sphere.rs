@@ -34,12 +34,6 @@ pub struct SphereQuadratic {
     pub discriminant: f64,
 }
 
-impl SphereQuadratic {
-    /// The parts of an invalid sphere.
-    pub(crate) const NONE: SphereQuadratic =
-        SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN };
-}
-
 impl Sphere {
     /// Makes a checked sphere. The centre may be of any type that converts into [`DVec3`].
     ///

@@ -47,16 +47,13 @@ impl SphereIndex {
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
         let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
-        let columns = [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK));
-        let ids = Vec::with_capacity(blocks * BLOCK);
-        let (slot_of, first_block) = (vec![0; spheres.len()], Vec::new());
         let mut index = SphereIndex {
-            columns,
-            ids,
-            slot_of,
+            columns: [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK)),
+            ids: Vec::with_capacity(blocks * BLOCK),
+            slot_of: vec![0; spheres.len()],
             blocks: Vec::new(),
             groups: Vec::new(),
-            first_block,
+            first_block: Vec::new(),
         };
         for class in classes {
             let first = index.ids.len() / BLOCK;
@@ -170,7 +167,7 @@ impl SphereIndex {
 /// whatever is inside lies between the ends whichever way the ends are computed. A half extent is
 /// infinite where it is beyond the range of `f64`. Apart from half extents only the sum of squares may
 /// be infinite, and nothing is NaN.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bound {
     pub(crate) middle: [f64; 3],
     pub(crate) half: [f64; 3],
@@ -183,10 +180,6 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    /// A box with nothing inside.
-    pub(crate) const EMPTY: Bound =
-        Bound { middle: [0.0; 3], half: [0.0; 3], area: 0.0, radius: 0.0, count: 0 };
-
     /// Returns the box of a sphere, not rounded outward, from which [`Bound::around`] makes a
     /// larger one.
     pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
@@ -197,7 +190,7 @@ impl Bound {
 
     /// Returns the box around boxes.
     pub(crate) fn around(boxes: impl Iterator<Item = Bound>) -> Bound {
-        let mut all = Bound::EMPTY;
+        let mut all = Bound::default();
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for bound in boxes {
             for axis in 0..3 {

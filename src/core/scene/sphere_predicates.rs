@@ -324,7 +324,8 @@ impl Sphere {
     /// overflow or underflow where the roots do not; for an invalid sphere, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
-            return SphereQuadratic::NONE;
+            let none = f64::NAN;
+            return SphereQuadratic { a: none, b: none, c: none, discriminant: none };
         }
         let seen = SphereFromOrigin::new(self, ray.origin());
         let (a, b, c, discriminant) = seen.quadratic(ray);

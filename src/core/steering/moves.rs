@@ -65,9 +65,7 @@ impl Camera {
         viewport.check()?;
         Ok(Camera { viewport, ..*self })
     }
-}
 
-impl Camera {
     /// Returns the point round which [`Camera::orbited`] turns: `at`; for a camera given by view,
     /// `eye + view`; for a basis set by hand, the middle of the viewport, `eye - distance*w`.
     ///
@@ -203,33 +201,7 @@ impl Camera {
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));
         Ok(pitch.clamp(angle - farthest, angle - nearest))
     }
-}
 
-impl Viewport {
-    /// Returns the yaw and pitch with which [`Camera::looked_round`] makes the picture follow a drag from
-    /// one (u, v) to another:
-    ///
-    /// ```text
-    /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)
-    /// ```
-    ///
-    /// The dragged point stays under the pointer exactly on the picture's middle lines (if the camera is
-    /// level), and nearly so elsewhere. The angles are not finite if the viewport is invalid.
-    pub fn look_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
-        let angle = |x: f64| x.atan2(self.distance);
-        (angle(to.x) - angle(from.x), angle(from.y) - angle(to.y))
-    }
-
-    /// Returns the yaw and pitch with which [`Camera::orbited`] follows a drag from one (u, v) to another:
-    /// half a turn for the viewport's height, so that the near side of the orbited objects follows the
-    /// pointer. The angles are not finite if the viewport is invalid.
-    pub fn orbit_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
-        let share = (to - from) / self.height;
-        (-PI * share.x, PI * share.y)
-    }
-}
-
-impl Camera {
     /// Returns the camera rolled by an angle: up (or, for a basis set by hand, u and v) turns about the
     /// view axis, counter-clockwise as the camera sees it, so that the picture turns clockwise.
     ///
@@ -338,6 +310,30 @@ impl Camera {
         let camera = Camera { orientation, ..*self };
         camera.basis()?;
         Ok(camera)
+    }
+}
+
+impl Viewport {
+    /// Returns the yaw and pitch with which [`Camera::looked_round`] makes the picture follow a drag from
+    /// one (u, v) to another:
+    ///
+    /// ```text
+    /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)
+    /// ```
+    ///
+    /// The dragged point stays under the pointer exactly on the picture's middle lines (if the camera is
+    /// level), and nearly so elsewhere. The angles are not finite if the viewport is invalid.
+    pub fn look_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
+        let angle = |x: f64| x.atan2(self.distance);
+        (angle(to.x) - angle(from.x), angle(from.y) - angle(to.y))
+    }
+
+    /// Returns the yaw and pitch with which [`Camera::orbited`] follows a drag from one (u, v) to another:
+    /// half a turn for the viewport's height, so that the near side of the orbited objects follows the
+    /// pointer. The angles are not finite if the viewport is invalid.
+    pub fn orbit_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
+        let share = (to - from) / self.height;
+        (-PI * share.x, PI * share.y)
     }
 }
 

@@ -51,17 +51,12 @@ pub(crate) struct PixelLadder<'a> {
     t: &'a mut [f32],
     object: &'a mut [u32],
     /// The rough hit of the sphere that each pixel shows, in `f64`; empty if few pixels are in doubt.
-    hits: &'a mut [RoughHit],
+    hits: &'a mut [Option<RoughHit>],
     known_objects: &'a mut KnownObjects,
     steps: &'a mut Steps,
 }
 
 impl RowBand<'_> {
-    /// Returns a sphere with the numbers that all rays from the eye share.
-    pub(crate) fn seen(&self, index: u32) -> ObjectFromOrigin {
-        seen_sphere(self.plan, index)
-    }
-
     /// Decides the pixels that the rows have left in doubt.
     pub(crate) fn resolve_doubt(&mut self) {
         let doubts = mem::take(&mut self.doubts);
@@ -69,7 +64,7 @@ impl RowBand<'_> {
             self.ladder().resolve_all(&doubts);
         } else {
             let RowBand { plan, rows, t, object, hits, steps, .. } = self;
-            hits.resize(t.len(), RoughHit::NONE);
+            hits.resize(t.len(), None);
             let count = rows.len().div_ceil(SHARES);
             let size = count * plan.axes.width;
             let pixels = t.par_chunks_mut(size).zip(object.par_chunks_mut(size));
@@ -103,7 +98,8 @@ impl RowBand<'_> {
     }
 }
 
-fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
+/// Returns a sphere with the numbers that all rays from the eye share.
+pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
     let sphere = Object::Sphere(plan.scene.spheres()[index as usize]);
     ObjectFromOrigin::new(&sphere, plan.rays.camera.eye())
 }
@@ -160,7 +156,7 @@ impl PixelLadder<'_> {
         // Most hits are farther than the known one, which the power of the known hit shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
-            && let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == known)
+            && let Some(hit) = self.kept_hit(offset, known)
             && hit.compare_by_power(sphere, seen) == Some(Ordering::Less)
         {
             self.steps.f64 += 1;
@@ -234,8 +230,8 @@ impl PixelLadder<'_> {
         object: u32,
         direction: &DirectionTerms<f64>,
     ) -> Option<RoughHit> {
-        if let Some(hit) = self.hits.get(offset).filter(|hit| hit.object == object) {
-            return Some(*hit);
+        if let Some(hit) = self.kept_hit(offset, object) {
+            return Some(hit);
         }
         if object as usize >= self.plan.scene.spheres().len() {
             return None;
@@ -247,9 +243,13 @@ impl PixelLadder<'_> {
         Some(hit)
     }
 
+    fn kept_hit(&self, offset: usize, object: u32) -> Option<RoughHit> {
+        self.hits.get(offset).copied().flatten().filter(|hit| hit.object == object)
+    }
+
     fn keep(&mut self, offset: usize, hit: RoughHit) {
         if let Some(kept) = self.hits.get_mut(offset) {
-            *kept = hit;
+            *kept = Some(hit);
         }
     }
 

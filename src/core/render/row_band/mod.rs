@@ -17,7 +17,7 @@ use crate::render::plan::{Plan, SLICE_ROWS};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::{DOUBT, blend, is_in_doubt, pixel_hit, to_single};
-use crate::render::row_band::fallback::{KnownObjects, PixelQuery};
+use crate::render::row_band::fallback::{KnownObjects, PixelQuery, seen_sphere};
 use crate::render::row_band::rough_hits::RoughHit;
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
@@ -44,7 +44,7 @@ pub(crate) struct RowBand<'a> {
     /// Pixels in doubt that remain to be decided.
     doubts: Vec<Doubt>,
     /// The rough hits, in `f64`, of pixels that were in doubt.
-    hits: Vec<RoughHit>,
+    hits: Vec<Option<RoughHit>>,
     known_objects: KnownObjects,
     drawn: DrawnSpheres,
     /// For each row, true if an object's outline reaches it.
@@ -250,7 +250,7 @@ impl<'a> RowBand<'a> {
                 let offset = (row - self.rows.start) * width + column;
                 let found = pixel_hit(&quadratic, parts, factor, self.t[offset]);
                 if found.is_nan() {
-                    let seen = own.get_or_insert_with(|| self.seen(index));
+                    let seen = own.get_or_insert_with(|| seen_sphere(self.plan, index));
                     self.resolve_exactly(&PixelQuery { index, seen, row, column, t: None });
                 } else if found < f64::INFINITY {
                     (self.t[offset], self.object[offset]) = (to_single(found), index);
@@ -318,8 +318,9 @@ impl<'a> RowBand<'a> {
                     offset.zip((columns.start + from..).zip(found_here))
                 {
                     if is_in_doubt(*found, self.t[offset], self.object[offset], index) {
-                        let seen =
-                            seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
+                        let seen = seen.unwrap_or_else(|| {
+                            own.get_or_insert_with(|| seen_sphere(self.plan, index))
+                        });
                         self.resolve_exactly(&PixelQuery { index, seen, row, column, t: None });
                     }
                 }

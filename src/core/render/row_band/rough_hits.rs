@@ -6,7 +6,6 @@ use std::cmp::Ordering;
 use crate::exact::bounded::{UNIT, Vector, dot};
 use crate::exact::quadratic::{DirectionTerms, LARGEST_SHARE, Quadratic};
 use crate::exact::scale::ldexp;
-use crate::render::frame::NO_OBJECT;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
@@ -83,18 +82,6 @@ impl Rough {
 }
 
 impl RoughHit {
-    /// The value for a pixel without a known hit.
-    pub(crate) const NONE: RoughHit = RoughHit {
-        object: NO_OBJECT,
-        t: 0.0,
-        share: 0.0,
-        scale: 0,
-        side: Ordering::Equal,
-        from_center: [0.0; 3],
-        off: 0.0,
-        half_chord: 0.0,
-    };
-
     /// Returns `t` for the ray itself, whose direction is shorter by the factor `stretch`.
     pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
         ldexp(self.t * stretch, self.scale - scale)
