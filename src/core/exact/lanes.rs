@@ -1,9 +1,9 @@
 //! Vectors of several `f64` or `f32` side by side (SIMD).
 //!
-//! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON when the program runs,
-//! on stable Rust and without `unsafe` of ours, and was as fast as the processor's own intrinsics.
-//! `pulp` was 3 % slower on the row kernel, `wide` cannot choose at run time, and loops left to the
-//! compiler took two to three times as long.
+//! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON when the program
+//! runs, on stable Rust and without any `unsafe` in this crate. In measurements it was as fast as
+//! the processor's intrinsics. `pulp` was 3 % slower on the row kernel, `wide` cannot choose at run
+//! time, and loops left to the compiler took two to three times as long.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

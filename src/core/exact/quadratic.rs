@@ -1,5 +1,5 @@
-//! The quadratic of a ray and a sphere with a bound of its own error: one formula for `f64` and for
-//! double-double, the first two steps of the ladder.
+//! The quadratic equation of a ray and a sphere, with a bound of its error. The same code computes
+//! it in `f64` and in double-double, for the first two steps of the ladder.
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 

@@ -5,8 +5,8 @@ use std::ops::Add;
 
 use serde::Serialize;
 
-/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly; or the
-/// number of `t` that each step computed, if those are counted.
+/// Numbers of decisions that each step of the ladder made, or numbers of values of `t` that each
+/// step computed.
 ///
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has
 /// a bound of its own error, and passes decisions that lie within the bound on to the next step.

@@ -199,8 +199,8 @@ pub fn retrace_at_level<T: Depth>(
     T::fill(frame, level, scene, None, &|_| ());
 }
 
-/// Traces the frame's camera and raster into those buffers of the frame that have room, band by band.
-/// Each band is finished while it is in the cache.
+/// Traces the frame's camera and raster, band by band, into those buffers of the frame that are not
+/// empty. Each band is finished while it is in the cache.
 pub(crate) fn fill<T: Depth>(
     frame: &mut Frame<T>,
     level: Level,

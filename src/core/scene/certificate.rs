@@ -29,7 +29,8 @@ use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 
-/// The certainty with which the first hit of a ray, or that there is none, is decided.
+/// The certainty with which a ray's first hit is decided; for a miss, the certainty that there is
+/// no hit.
 ///
 /// A decision is the sign of a value that the step computed within a bound of its error. Its margin
 /// is

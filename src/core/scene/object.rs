@@ -30,7 +30,7 @@ pub struct Root {
     pub normal: DVec3,
 }
 
-/// A root among all those of a ray's line with a scene.
+/// A root of a ray's line with a scene, and its rank among all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RankedRoot {
     /// The root.

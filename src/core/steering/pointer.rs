@@ -240,7 +240,7 @@ pub fn rounded_to(value: f64, pixel: f64) -> Result<f64, SteerError> {
     Ok(rounded.into_iter().find(|x| (x - value).abs() <= near).unwrap_or(value))
 }
 
-/// Parses a decimal as the nearest `f64`. `format!` made it, so that parsing cannot fail.
+/// Parses a decimal as the nearest `f64`. The text comes from `format!`, so parsing cannot fail.
 fn decimal(text: &str) -> f64 {
     text.parse().unwrap_or(f64::NAN)
 }

@@ -161,9 +161,9 @@ pub(crate) fn near_normal<L: Lane>(q: [L; 3], d: [L; 3], t: L) -> [L; 3] {
     over(offset, length)
 }
 
-/// Returns the outward unit normal at the nearer root, of a distant sphere that is seen from outside,
-/// computed from the ray's point nearest to the centre and half the chord:
-/// `n = (m - sqrt(r^2 - |m|^2) d / |d|) / r` with `m = d x (q x d) / d.d`.
+/// Returns the outward unit normal of a distant sphere at the nearer root of a ray from outside. It
+/// is computed from the ray's point nearest to the centre and half the chord: `n = (m - sqrt(r^2 -
+/// |m|^2) d / |d|) / r` with `m = d x (q x d) / d.d`.
 #[inline(always)]
 pub(crate) fn far_normal<L: Lane>(q: [L; 3], r: L, d: [L; 3]) -> [L; 3] {
     let length_squared = dot(d, d);
