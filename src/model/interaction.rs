@@ -16,7 +16,7 @@ pub const STEP_POINTS: f64 = 10.0;
 pub const KEY_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Logarithm of the factor by which a key dollies or zooms the camera.
 pub const KEY_NEARER: f64 = 0.1;
-/// Distance by which a key pans the observer, as a share of the picture's height.
+/// Distance by which a key pans the observer, as a fraction of the picture's height.
 pub const KEY_PAN: f64 = 0.05;
 /// Factor by which a key moves the observer nearer.
 pub const KEY_ZOOM: f64 = 1.15;

@@ -213,17 +213,17 @@ impl Found {
     }
 
     /// Returns the document with its changes, and the slot that holds them until they are saved.
-    /// With `beside`, the document belongs to no file and leaves the scene's file unchanged.
+    /// If `as_new`, the document belongs to no file and leaves the scene's file unchanged.
     ///
     /// # Errors
     /// Returns the reason if the changes cannot be read; they are then kept.
-    pub fn restore(self, beside: bool) -> Result<(OpenDocument, Slot), String> {
+    pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
         let mut document = document.map_err(|error| error.to_string())?;
         let ChangedScene { title, argument, stamp, faults } = self.source;
         faults.put_into(&mut document);
-        let open = if beside {
+        let open = if as_new {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {
             let source = argument.and_then(|path| SceneSource::from_argument(&path).ok());

@@ -181,9 +181,9 @@ impl WindowGeometry {
         self.scale.clamp(0.5, 8.0)
     }
 
-    /// Stores the window's present position and size. It is called each frame, so that the store
-    /// holds the geometry to save on exit. A maximised, minimised or full-screen window is ignored,
-    /// so that the normal position and size are kept.
+    /// Stores the window's present position and size. The window calls this function each frame, and saves the
+    /// stored geometry on exit. A maximised, minimised or full-screen window is ignored: the normal position
+    /// and size are kept.
     pub fn update(&mut self, ctx: &egui::Context) {
         let zoom = ctx.zoom_factor();
         ctx.input(|input| {

@@ -42,7 +42,7 @@ pub(super) struct Open {
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
     /// True if the next `RedrawRequested` event was requested by this program, not by the display.
-    asked: bool,
+    redraw_requested: bool,
     /// Time of the first input event that no frame has answered yet.
     input_since: Option<Instant>,
     /// True if the window was requested to open maximised and is not maximised yet.
@@ -53,7 +53,7 @@ pub(super) struct Open {
     /// Minimum time between the start of the last frame and a frame that only animates.
     pace: Duration,
     /// Time of the last check of the scene's file.
-    looked: Instant,
+    last_check: Instant,
     proxy: EventLoopProxy<UserEvent>,
     /// The open file dialog of the desktop, if any.
     file_dialog: Option<FileDialog>,
@@ -63,7 +63,7 @@ pub(super) struct Open {
 }
 
 /// Time between two checks of the scene's file. A check by itself does not cause a frame.
-const LOOK: Duration = Duration::from_secs(1);
+const CHECK_INTERVAL: Duration = Duration::from_secs(1);
 
 impl Open {
     /// Combines the app, after its first pass, with a window that is not shown yet.
@@ -106,13 +106,13 @@ impl Open {
             textures: Textures::default(),
             actions: Vec::new(),
             repaint_at: None,
-            asked: false,
+            redraw_requested: false,
             input_since: None,
             maximizing: false,
             shown: None,
             began: Instant::now(),
             pace: pace(renderer, &window),
-            looked: Instant::now(),
+            last_check: Instant::now(),
             proxy,
             file_dialog: None,
             file_dialogs: 0,
@@ -143,19 +143,19 @@ impl Open {
     /// Requests a redraw that is due, or sets the timer for a later one.
     pub(super) fn schedule(&mut self, event_loop: &ActiveEventLoop) {
         let now = Instant::now();
-        if now >= self.looked + LOOK {
-            self.looked = now;
+        if now >= self.last_check + CHECK_INTERVAL {
+            self.last_check = now;
             if self.app.look_at_file() {
                 self.repaint_by(now);
             }
         }
         if self.repaint_at.is_some_and(|at| at <= now) {
             self.repaint_at = None;
-            self.asked = true;
+            self.redraw_requested = true;
             self.window.request_redraw();
         }
-        let look = self.app.watches_file().then(|| self.looked + LOOK);
-        let next = self.repaint_at.into_iter().chain(look).min();
+        let check = self.app.watches_file().then(|| self.last_check + CHECK_INTERVAL);
+        let next = self.repaint_at.into_iter().chain(check).min();
         event_loop.set_control_flow(next.map_or(ControlFlow::Wait, ControlFlow::WaitUntil));
     }
 
@@ -168,7 +168,7 @@ impl Open {
             WindowEvent::RedrawRequested => {
                 // A redraw that was not requested here comes from the display, which has lost the
                 // picture.
-                let exposed = !std::mem::take(&mut self.asked);
+                let exposed = !std::mem::take(&mut self.redraw_requested);
                 return self.frame(event_loop, exposed);
             }
             WindowEvent::CloseRequested => {

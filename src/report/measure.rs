@@ -47,17 +47,17 @@ pub struct Measurement {
     /// Index of the current case; all earlier cases are done.
     current: usize,
     /// The report without its cases.
-    frame: Report,
+    head: Report,
     /// Restricts the ladder's parallel tracer to one thread while it is timed; `None` if the pool cannot be
     /// created, in which case the ladder is timed on all threads of the default pool.
     one_thread: Option<ThreadPool>,
 }
 
 impl Measurement {
-    /// Creates the measurement of a scene as seen by a camera: the same pixels on every machine.
+    /// Creates the measurement of a scene as seen by a camera. The same pixels are compared on every machine.
     ///
     /// # Errors
-    /// Returns an error if a camera sees nothing.
+    /// Returns an error if the camera is invalid.
     pub fn of_scene(
         name: &str,
         scene: &Scene,
@@ -80,7 +80,7 @@ impl Measurement {
         note: &str,
         seed: Option<u64>,
     ) -> Measurement {
-        let frame = Report {
+        let head = Report {
             reference: subject::REFERENCE.to_owned(),
             cpu: describe_cpu(),
             baseline: format!(
@@ -94,7 +94,7 @@ impl Measurement {
             seed,
         };
         let one_thread = ThreadPoolBuilder::new().num_threads(1).build().ok();
-        Measurement { cases, current: 0, frame, one_thread }
+        Measurement { cases, current: 0, head, one_thread }
     }
 
     /// Returns the total amount of work, in pieces of roughly equal length.
@@ -130,7 +130,7 @@ impl Measurement {
     /// Returns a report of the cases begun so far, each with the decisions made so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
-        let mut report = self.frame.clone();
+        let mut report = self.head.clone();
         report.left_out.extend(begun.clone().filter_map(|case| case.left_out.clone()));
         report.cases.extend(begun.map(CaseRun::report));
         report

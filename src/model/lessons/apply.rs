@@ -33,7 +33,7 @@ pub fn answer(step: &Step, session: &mut Session) {
 }
 
 /// Returns the items that are drawn once the step's question is answered. The observer is framed
-/// for them from the start, so that it need not move when the answer is shown.
+/// for them from the start, and therefore need not move when the answer is shown.
 pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
     let mut shown = session.settings.items;
     if let (true, Some(question), Some(items)) =

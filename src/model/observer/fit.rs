@@ -15,7 +15,7 @@ const OUT_OF_SCALE: f64 = 50.0;
 /// Ratio of radius to distance from the camera below which a sphere is a speck.
 const SPECK: f64 = 2e-3;
 
-/// Margin around what must be in sight, as a share of half the picture.
+/// Margin around everything that must be in sight, as a fraction of half the picture.
 const MARGIN: f64 = 0.1;
 const MARGIN_AT_TIPS: f64 = 0.02;
 
@@ -33,7 +33,7 @@ const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// Size of the camera, as a share of the picture's height or width, above which a larger one scores
+/// Size of the camera, as a fraction of the picture's height or width, above which a larger one scores
 /// no better.
 const LARGE_ENOUGH: f64 = 0.15;
 
@@ -423,14 +423,14 @@ fn lies_between(ball: &Bound, a: DVec3, b: DVec3) -> bool {
 /// arrows are one world unit long.
 const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
-/// Minimum length of the basis arrows in a small view, as a share of its height or width.
+/// Minimum length of the basis arrows in a small view, as a fraction of the view's height or width.
 const ARROW_SHARE: f64 = 0.28;
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;
 
-/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the other
-/// lengths so that arrows in one direction do not hide each other.
+/// Length of the view arrow, as a multiple of the basis arrows' length. Arrows in one
+/// direction do not hide each other, because their lengths differ.
 pub const VIEW_LENGTH: f64 = 1.6;
 
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.

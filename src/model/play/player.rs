@@ -13,7 +13,7 @@ const LONGEST: f64 = 0.5;
 /// Number of steps per second with reduced motion.
 const REDUCED: f64 = 2.0;
 
-/// Tolerance, as a share of a step, within which a phase counts as being on the step.
+/// Tolerance, as a fraction of a step, within which a phase counts as being on the step.
 const ON_STEP: f64 = 1e-6;
 
 /// The player of an animation, which may be running or paused.

@@ -34,11 +34,11 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Time within which no user can have closed a dialog.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
-/// Calls `tell` if the bus has a portal, or can start one.
-pub(crate) fn detect(tell: impl FnOnce() + Send + 'static) {
+/// Calls `on_found` if the bus has a portal, or can start one.
+pub(crate) fn detect(on_found: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         if block_on(is_there()).unwrap_or(false) {
-            tell();
+            on_found();
         }
     });
 }
@@ -72,18 +72,18 @@ impl Drop for FileDialog {
     }
 }
 
-/// Opens a file dialog over the window, and passes the answer to `tell`.
+/// Opens a file dialog over the window, and passes the answer to `on_answer`.
 pub(crate) fn ask(
     request: &FileRequest,
     window: &Window,
-    tell: impl FnOnce(FileAnswer) + Send + 'static,
+    on_answer: impl FnOnce(FileAnswer) + Send + 'static,
 ) -> FileDialog {
     let connected = Arc::new(OnceLock::new());
     let asked = FileDialog(Arc::clone(&connected));
     let (request, parent) = (request.clone(), name_of(window));
     thread::spawn(move || {
         let answer = block_on(answer(&request, &parent, &connected));
-        tell(answer.unwrap_or(FileAnswer::Unavailable));
+        on_answer(answer.unwrap_or(FileAnswer::Unavailable));
     });
     asked
 }

@@ -68,8 +68,8 @@ fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3
     plus(to, aside, draw.across(to))
 }
 
-/// Makes a case with a sphere of everyday size seen from a few radii away: within a box, the origin
-/// up to 8 radii away.
+/// Makes a case with a sphere of everyday size within a box, and an origin 2.5 to 8 radii away from its
+/// centre. The line passes the centre at the distance `impact`, in radii.
 fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
     let radius = draw.between(0.25, 1.0);
     let center = draw.in_box(4.0);
@@ -94,7 +94,7 @@ fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
 }
 
-/// Makes a case with spheres and planes of everyday size: which one is first.
+/// Makes a case with spheres and planes of everyday size, of which one is hit first.
 fn several(draw: &mut Draw, count: f64) -> RayCase {
     let planes = draw.whole(0, (count as i64 + 2) / 4);
     let spheres = (count - planes) as usize;
@@ -109,7 +109,7 @@ fn several(draw: &mut Draw, count: f64) -> RayCase {
     RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
 }
 
-/// Makes a case with a sphere that is tiny for its distance: the roots of b^2 - a c nearly cancel.
+/// Makes a case with a sphere that is tiny for its distance. The two terms of b^2 - a c nearly cancel.
 fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
@@ -191,7 +191,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     one_sphere(plus(origin, radii, out), radius, origin, direction).scaled(draw.binary_scale(), 1.0)
 }
 
-/// Makes a case with the origin inside the sphere, or at its centre: the far root.
+/// Makes a case with the origin inside the sphere, or at its centre; the ray hits the far root.
 fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
@@ -384,8 +384,8 @@ fn shuffled(
     RayCase { objects: objects.to_vec(), origin, direction }.scaled(scale, stretch)
 }
 
-/// Makes a case with two spheres with the same centre, coincident or one ulp apart: the first
-/// listed wins.
+/// Makes a case with two spheres that have the same centre and equal radii, or radii that differ by
+/// `ulps`. Of two equal spheres, the one listed first wins.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
     let center = draw.given3(center);
