@@ -151,7 +151,7 @@ const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Diagnosis {
     fn new(found: Vec<(Vec<Mistake>, usize)>) -> Diagnosis {
-        let of_every = found.first().map_or(1, |(_, of_every)| *of_every);
+        let of_every = found.first().map_or(0, |(_, of_every)| *of_every);
         let mut sets = found.into_iter().map(|(mistakes, _)| mistakes);
         let mistakes = sets.next().unwrap_or_default();
         Diagnosis { mistakes, alternatives: sets.collect(), of_every, ..Diagnosis::default() }
