@@ -1,15 +1,11 @@
-//! Formats of other programs and languages: the name, the template and the conventions of each, and
-//! the scene that is written.
+//! Formats of other programs and languages: the name, the template and the conventions of each.
 
 use std::path::Path;
 
-use pinhole_core::arithmetic::{length, unit};
-use pinhole_core::{
-    Camera, DVec3, Object, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
-};
+use pinhole_core::{Camera, DVec3};
 
-use crate::document::Document;
 use crate::error::one_line;
+pub use crate::export_scene::{ExportScene, Include};
 pub use crate::template::Text;
 use crate::template::{self, BEYOND, TemplateValue, n};
 use crate::{FileError, Location, legible};
@@ -96,7 +92,7 @@ impl Format {
     /// Returns the first quantity that the format cannot express, such as one that is not finite.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, String> {
         if self.conventions.as_ref().is_some_and(|theirs| theirs.shape.starts_with("square only")) {
-            subject.square_pixels(self.label)?;
+            square_pixels(subject, self.label)?;
         }
         let mut notes = Vec::new();
         let extra = (self.extra)(subject, &mut notes)?;
@@ -216,139 +212,22 @@ impl Conventions {
     }
 }
 
-/// The objects to export with the camera.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Include {
-    /// No objects.
-    CameraAlone,
-    /// The objects that the format supports.
-    #[default]
-    Objects,
-    /// The objects that the format supports, and meshes in place of other objects.
-    Meshes,
-}
-
-/// A scene to export.
-#[derive(Clone, Debug)]
-pub struct ExportScene<'a> {
-    /// The scene.
-    pub document: &'a Document,
-    /// The objects to export with the camera.
-    pub include: Include,
-    /// The objects, spheres first; empty unless objects are requested.
-    pub(crate) objects: Vec<ExportObject>,
-    resolved: ResolvedCamera,
-}
-
-/// A sphere or plane with its title and colour.
-#[derive(Clone, Debug)]
-pub(crate) struct ExportObject {
-    pub(crate) shape: Object,
-    pub(crate) color: Rgb,
-    pub(crate) title: String,
-}
-
-/// Largest difference from 1 of an aspect ratio that counts as square: a few rounding errors.
-const SQUARE: f64 = 1e-14;
-
-impl<'a> ExportScene<'a> {
-    /// Creates the scene from a document whose camera has a basis.
-    ///
-    /// # Errors
-    /// Returns an error if the camera, or a requested object, is invalid.
-    pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, String> {
-        let resolved = document.camera.resolve().map_err(|error| error.to_string())?;
-        let scene = match include {
-            Include::CameraAlone => Scene::default(),
-            _ => document.scene().map_err(|error| error.to_string())?,
-        };
-        let object = |(k, shape): (usize, Object)| ExportObject {
-            shape,
-            color: document.color_of(k as u32),
-            title: document.title_of(k),
-        };
-        let objects = scene.objects().enumerate().map(object).collect();
-        Ok(ExportScene { document, include, objects, resolved })
+/// Returns an error if the pixels are not square.
+fn square_pixels(subject: &ExportScene, program: &str) -> Result<(), String> {
+    let shape = subject.pixel_shape();
+    if shape == 1.0 {
+        return Ok(());
     }
-
-    /// Returns the camera with its basis.
-    pub fn resolve(&self) -> &ResolvedCamera {
-        &self.resolved
-    }
-
-    /// Returns the planes with their titles.
-    pub(crate) fn planes(&self) -> impl Iterator<Item = (&Plane, &str)> {
-        self.objects.iter().filter_map(|object| match &object.shape {
-            Object::Plane(plane) => Some((plane, &*object.title)),
-            Object::Sphere(_) => None,
-        })
-    }
-
-    /// Returns the point at and the vector up.
-    pub(crate) fn look_at(&self) -> Result<[DVec3; 2], String> {
-        let camera = self.document.camera.given_by(OrientationKind::At);
-        match camera.map(|camera| camera.orientation) {
-            Ok(Orientation::At { at, up }) => Ok([at, up]),
-            _ => Err(
-                "eye is so far out that no point ahead of it keeps the direction: move the scene \
-                      nearer to the origin"
-                    .to_owned(),
-            ),
-        }
-    }
-
-    /// Returns a pixel's width divided by its height in the world; exactly 1 if the ratio differs
-    /// from 1 only by rounding.
-    pub(crate) fn pixel_shape(&self) -> f64 {
-        let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
-        let shape = (viewport.width / f64::from(image.width()))
-            / (viewport.height / f64::from(image.height()));
-        if (shape - 1.0).abs() <= SQUARE { 1.0 } else { shape }
-    }
-
-    /// Returns an error if the pixels are not square.
-    fn square_pixels(&self, program: &str) -> Result<(), String> {
-        let shape = self.pixel_shape();
-        if shape == 1.0 {
-            return Ok(());
-        }
-        let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
-        Err(format!(
-            "pixels are {} times as wide as high, and {program} has square ones only: make the \
-             viewport's width / height, {} / {}, the image's {} / {}",
-            n((shape * 1e6).round() / 1e6),
-            n(viewport.width),
-            n(viewport.height),
-            image.width(),
-            image.height(),
-        ))
-    }
-
-    /// Returns the near and far distances for programs that clip.
-    pub(crate) fn clip(&self) -> (f64, f64) {
-        let spheres = self.objects.iter().filter_map(|object| match object.shape {
-            Object::Sphere(sphere) => {
-                Some((length(sphere.center - self.resolved.eye()), sphere.radius))
-            }
-            Object::Plane(_) => None,
-        });
-        let far = spheres.clone().map(|(away, radius)| away + radius).fold(1e4, f64::max);
-        let gaps = spheres.map(|(away, radius)| (away - radius).abs()).filter(|gap| *gap > 0.0);
-        let near = gaps.map(|gap| 0.25 * gap).fold(0.01, f64::min).max(1e-6 * far.min(1e4));
-        (near, if far > 1e4 { 2.0 * far } else { far })
-    }
-
-    /// Returns a square that replaces the plane in programs without infinite planes: its centre, half its side,
-    /// and two unit vectors along its sides.
-    pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
-        let normal = unit(plane.normal);
-        let height = (self.resolved.eye() - plane.point).dot(normal);
-        let middle = self.resolved.eye() - height * normal;
-        let basis = normal.any_orthonormal_pair();
-        let reach = length(self.resolved.eye() - plane.point).max(1.0);
-        // A power of ten, at least a thousand times as far as anything visible.
-        (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
-    }
+    let (viewport, image) = (subject.resolve().viewport(), subject.resolve().image());
+    Err(format!(
+        "pixels are {} times as wide as high, and {program} has square ones only: make the \
+         viewport's width / height, {} / {}, the image's {} / {}",
+        n((shape * 1e6).round() / 1e6),
+        n(viewport.width),
+        n(viewport.height),
+        image.width(),
+        image.height(),
+    ))
 }
 
 /// Returns the note about a square that replaces a plane.

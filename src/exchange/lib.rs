@@ -23,6 +23,7 @@ pub mod code;
 pub mod csv;
 pub mod document;
 mod error;
+mod export_scene;
 pub mod fields;
 pub mod format;
 pub mod images;

@@ -15,7 +15,7 @@ use pinhole_core::arithmetic::unit;
 use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Viewport};
 
 use crate::error::is_hidden;
-use crate::format::{ExportObject, ExportScene};
+use crate::export_scene::{ExportObject, ExportScene};
 
 /// A text, and the parts whose sign is the opposite of Pinhole's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

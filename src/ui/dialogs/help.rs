@@ -42,6 +42,7 @@ pub(crate) fn ui(ctx: &Context) -> bool {
         });
         ui.separator();
         ScrollArea::vertical().max_height(room.y).auto_shrink(false).show(ui, |ui| {
+            scroll(ui, room.y);
             ui.columns(columns, |columns| {
                 for (k, entries) in groups.iter().enumerate() {
                     let column = column_of(&groups, k, columns.len());
@@ -51,6 +52,21 @@ pub(crate) fn ui(ctx: &Context) -> bool {
         });
     });
     is_open && !response.should_close()
+}
+
+/// Scrolls by arrow and page keys if not everything fits.
+fn scroll(ui: &mut Ui, page: f32) {
+    let keys = [
+        (Key::ArrowDown, -40.0),
+        (Key::ArrowUp, 40.0),
+        (Key::PageDown, -0.8 * page),
+        (Key::PageUp, 0.8 * page),
+    ];
+    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+    let by: f32 = keys.into_iter().map(|(key, by)| by * presses(key)).sum();
+    if by != 0.0 {
+        ui.scroll_with_delta(vec2(0.0, by));
+    }
 }
 
 /// Returns the height in rows; a heading counts as two.
