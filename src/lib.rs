@@ -41,6 +41,34 @@
 //! in doubt goes up the ladder (double-double, then exact integers); then the band is shaded. Its
 //! `mod.rs` names every step.
 //!
+//! # Two recipes
+//!
+//! After a new variant the compiler finds every exhaustive `match`. It does not find the places below.
+//!
+//! *A new way to give the camera* is a variant of [`Orientation`](pinhole_core::Orientation) and of its
+//! `OrientationKind`. By hand:
+//!
+//! 1. `core/camera/mod.rs`: `has_up` and `has_at`, which decide what the window offers;
+//! 2. `exchange/scene_file/read.rs`: the keys, and the rule that exactly one way is given;
+//! 3. `ui/panels/camera.rs`: the button that switches to it; `model/given.rs`: its vectors as fields that
+//!    can be typed and pasted;
+//! 4. patterns that name *at* or *up* alone: `core/camera/difference.rs`, `core/steering/handles.rs`,
+//!    `view/handles.rs`, `view/overlay/*/highlighted.rs`, `view/overlay/world_view/camera_in_space.rs`,
+//!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
+//! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/families.rs` converts it.
+//!
+//! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). By hand:
+//!
+//! 1. `core/scene/mod.rs`, which owns the order of objects (spheres first, then planes), and the order of the
+//!    document's lists in `exchange/document.rs`;
+//! 2. `core/render/`: a kernel for a row, and the kind's entry in `plan.rs`;
+//! 3. `exchange/scene_file/read.rs` and `write.rs`: its table; `exchange/template.rs` and each file of
+//!    `exchange/templates/`: a section `@kind`, or a note that the program cannot show it;
+//! 4. `ui/panels/objects.rs`: its button and fields; `model/given.rs` and `view/handles.rs`: what can be
+//!    typed and dragged;
+//! 5. `lecture/derivation.rs` and `view/derivation/objects.rs`: how its t comes about; `reference/object.rs`:
+//!    the oracle's own roots.
+//!
 //! # Where to look
 //!
 //! Paths are below `src/`, except for `tests/` and `assets/`.
