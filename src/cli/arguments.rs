@@ -12,8 +12,7 @@ use crate::figures::{FigureSubject, Frames};
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::view::overlay::Style;
-use pinhole_exchange::format::{Conventions, Format};
-use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{Conventions, Format, SceneSource};
 
 /// See what a pinhole camera sees, and why.
 ///

@@ -4,8 +4,7 @@
 use std::io::Write as _;
 
 use pinhole_core::{DVec2, ImageSize, Selection};
-use pinhole_exchange::atomic;
-use pinhole_exchange::document::Document;
+use pinhole_exchange::{Document, atomic};
 
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{files_of, follow, load, pose, refuse_overwriting, selection_of, size};
@@ -14,10 +13,8 @@ use crate::cli::arguments::FigureArguments;
 use crate::figures::{
     self, Animation, Content, FigureFormat, FigureSubject, Frames, Order, Recorder,
 };
-use crate::model::observer::{Observer, ViewSize};
-use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
-use crate::model::session::Session;
+use crate::model::{Item, Observer, Session, ViewSize};
 use crate::view::derive::{Deriver, ViewSizes};
 
 /// The default size of the world view, in dots.

@@ -11,9 +11,8 @@ use serde::Serialize;
 use super::console::{CommandError, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
-use crate::model::concept::Concept;
-use crate::model::inspection::Inspection;
 use crate::model::readings::{Reading, ReadingValue, of_basis};
+use crate::model::{Concept, Inspection};
 
 /// A ray with the numbers to print.
 struct Readout<'a> {

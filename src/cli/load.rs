@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera, Selection};
 use pinhole_exchange::atomic::is_same_file;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, limits, scene_file};
+use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 
 use super::console::{CommandError, is_standard, read, scene_fault};
 

@@ -3,11 +3,9 @@
 use std::io::Write as _;
 
 use pinhole_core::Camera;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::format::Input;
-use pinhole_exchange::format::{ExportScene, Include};
+use pinhole_exchange::format::{ExportScene, Include, Input};
 use pinhole_exchange::programs::{Importer, file_text};
-use pinhole_exchange::{atomic, limits, scene_file};
+use pinhole_exchange::{Document, atomic, limits, scene_file};
 
 use super::console::{CommandError, is_standard, read, scene_fault, to_stdout, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};

@@ -14,9 +14,7 @@ use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
 use crate::figures::{FigureSubject, Order, scale_of};
-use crate::model::observer::{Observer, ViewSize};
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::session::{Session, Settings};
+use crate::model::{Item, Observer, OverlayItems, Session, Settings, ViewSize};
 use crate::view::overlay::Style;
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {

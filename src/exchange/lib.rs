@@ -33,7 +33,10 @@ pub mod scene_file;
 pub mod scenes;
 mod template;
 
+pub use document::Document;
 pub use error::{FileError, Location, is_hidden, legible};
+pub use format::{Conventions, ExportScene, Exported, Format};
+pub use scenes::{BuiltinScene, SceneSource};
 
 /// The README's example is run with the others.
 #[cfg(doctest)]

@@ -3,9 +3,8 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use pinhole_exchange::document::Document;
 use pinhole_exchange::images::gif;
-use pinhole_exchange::{FileError, atomic};
+use pinhole_exchange::{Document, FileError, atomic};
 
 use super::order::Order;
 use super::{Figure, to_srgba};

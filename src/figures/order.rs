@@ -8,8 +8,7 @@ use egui::{Color32, ColorImage, Context, Pos2, Rect, Theme, vec2};
 use pinhole_exchange::document::Document;
 
 use super::{Figure, FigureFormat};
-use crate::model::fault::Fault;
-use crate::model::session::{Session, ViewLayout};
+use crate::model::{Fault, Session, ViewLayout};
 use crate::view::derivation::{Derivation, DerivedSection, Markup};
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;

@@ -38,7 +38,12 @@ pub use derivation::{
     PlaneDerivation, PlaneMeeting, RayDerivation, SphereDerivation, SphereMeeting, UnitOrigin,
     VectorAndLength,
 };
+pub use exercises::Exercise;
 pub use forms::{NumberForm, VectorForm};
+pub use grading::AnswerKind;
+pub use lines::{ImplicitLine, ParametricLine};
+pub use mistakes::{Mistake, Vote};
+pub use numbers::Rounding;
 
 /// Runs the README's example together with the other examples.
 #[cfg(doctest)]

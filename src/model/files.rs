@@ -5,9 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use pinhole_exchange::atomic::is_same_file;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{limits, scene_file};
+use pinhole_exchange::{Document, SceneSource, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
 /// Maximum number of files in the list of recent files.

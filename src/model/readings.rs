@@ -4,10 +4,8 @@
 use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
 use pinhole_lecture::numbers::written;
 
-use crate::model::concept::Concept;
-use crate::model::inspection::Inspection;
-use crate::model::session::Settings;
 use crate::model::symbols::{SymbolKind, meaning};
+use crate::model::{Concept, Inspection, Settings};
 
 /// The number format.
 #[derive(Clone, Copy)]

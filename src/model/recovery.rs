@@ -10,9 +10,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 use pinhole_core::DVec3;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, atomic, limits, scene_file};
+use pinhole_exchange::{Document, FileError, SceneSource, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
 use super::files::{OpenDocument, Stamp, argument_of, title_of};

@@ -5,11 +5,11 @@ use std::ops::Range;
 use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, shortest};
-use pinhole_exchange::document::Document;
-use pinhole_exchange::format::{Axis, Conventions, Exported, Format, Input, PixelConvention, Text};
-use pinhole_exchange::format::{ExportScene, Include};
+use pinhole_exchange::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention, Text,
+};
 use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
-use pinhole_exchange::{FileError, limits, scene_file};
+use pinhole_exchange::{Document, FileError, limits, scene_file};
 use pinhole_lecture::numbers::{written, written_whole};
 
 use crate::model::symbols::{bold, italic};

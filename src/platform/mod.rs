@@ -17,14 +17,11 @@
 use std::path::Path;
 
 use etcetera::{BaseStrategy as _, choose_base_strategy};
-use pinhole_exchange::FileError;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
+use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
 
 use crate::cli::CommandError;
 use crate::cli::arguments::WindowArguments;
-use crate::model::files::OpenDocument;
-use crate::model::store::Store;
+use crate::model::{OpenDocument, Store};
 use crate::platform::frames::FrameLog;
 use crate::ui::app::App;
 

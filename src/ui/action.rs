@@ -6,19 +6,15 @@ use egui::{Context, Id};
 use pinhole_core::methods::Method;
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_lecture::exercises::Exercise;
-use pinhole_lecture::mistakes::Mistake;
+use pinhole_exchange::{Document, SceneSource};
+use pinhole_lecture::{Exercise, Mistake};
 
 use crate::figures::{Frames, Order};
-use crate::model::derivation_sections::DerivationSection;
-use crate::model::given::Given;
-use crate::model::lessons::StepId;
-use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::presenting::Pen;
-use crate::model::session::{Scheme, Session, ThemeName, ViewLayout};
+use crate::model::{
+    DerivationSection, Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout,
+};
 use crate::view::derivation::Markup;
 
 /// A document that was generated, such as an exercise's scene.

@@ -11,10 +11,7 @@ use egui::{
 };
 use pinhole_exchange::document::Document;
 
-use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::derivation_sections::DerivationSection;
-use crate::model::given::Givens;
-use crate::model::session::Session;
+use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session};
 use crate::ui::action::{Action, request};
 use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::number::NumberField;

@@ -4,12 +4,10 @@
 use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, pos2};
 
 use crate::figures::FigureSubject;
-use crate::model::concept::Hovered;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{StepId, Which};
-use crate::model::overlay_items::Item;
-use crate::model::readings::NumberStyle;
 use crate::model::session::{Session, Split, ViewLayout};
+use crate::model::{Hovered, Item, NumberStyle};
 use crate::ui::action::{Leave, LessonAction, LookAction};
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::{self, DerivationPanel};

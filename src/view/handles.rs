@@ -11,10 +11,9 @@ use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection,
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written;
 
-use crate::model::concept::Concept;
 use crate::model::observer::UP_LENGTH;
-use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
+use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
 /// Distance from an arrow's tip to its handle, in points.

@@ -4,11 +4,7 @@
 use pinhole_exchange::document::Document;
 
 use super::lesson::Step;
-use crate::model::concept::Concept;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::practice::MistakesView;
-use crate::model::session::Session;
+use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
 
 /// Sets what the step specifies. Everything else stays unchanged, including the answers to its
 /// question.

@@ -4,19 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pinhole_core::{Selection, Shade};
-use pinhole_exchange::FileError;
-use pinhole_exchange::document::Document;
-use pinhole_lecture::exercises::Exercise;
-use pinhole_lecture::mistakes::Mistake;
+use pinhole_exchange::{Document, FileError};
+use pinhole_lecture::{Exercise, Mistake};
 
-use crate::model::concept::Concept;
-use crate::model::derivation_sections::DerivationSections;
 use crate::model::lessons::{builtin, read};
-use crate::model::lines::LinesLab;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::OverlayItems;
 use crate::model::play::Kind;
-use crate::model::session::ViewLayout;
+use crate::model::{Concept, DerivationSections, LinesLab, Observer, OverlayItems, ViewLayout};
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,24 +3,18 @@
 use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
-use pinhole_exchange::document::Document;
 use pinhole_exchange::fields::{Section, TomlField, TomlSource};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
-use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
-use pinhole_exchange::{FileError, limits};
-use pinhole_lecture::exercises::Exercise;
-use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
-use pinhole_lecture::mistakes::Mistake;
+use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
+use pinhole_lecture::{Exercise, ImplicitLine, Mistake, ParametricLine};
 
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion, StepView};
-use crate::model::concept::Concept;
-use crate::model::derivation_sections::{DerivationSection, DerivationSections};
-use crate::model::lines::LinesLab;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
 use crate::model::session::{DIGITS, ViewLayout};
+use crate::model::{
+    Concept, DerivationSection, DerivationSections, Item, LinesLab, Observer, OverlayItems,
+};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;

@@ -10,8 +10,7 @@ use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Selection, Viewport
 
 pub use player::Player;
 
-use crate::model::inspection::Inspection;
-use crate::model::session::Session;
+use crate::model::{Inspection, Session};
 use pinhole_exchange::document::Document;
 
 /// The kind of an animation, with its label, its name, and the name of its step in the history.

@@ -4,8 +4,7 @@
 use pinhole_core::{DVec2, DVec3, Ray};
 use pinhole_lecture::exercises::{Answer, Asked, Given};
 
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
+use crate::model::{Exercises, Feedback, Item, OverlayItems, TypedAnswer};
 
 /// A student's answer or the right answer, as the world view draws it, with its label.
 #[derive(Clone, Debug, PartialEq)]

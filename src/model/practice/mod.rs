@@ -4,8 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_core::{Camera, ResolvedCamera, Scene};
-use pinhole_lecture::grading::AnswerKind;
-use pinhole_lecture::mistakes::{Mistake, Vote};
+use pinhole_lecture::{AnswerKind, Mistake, Vote};
 
 pub mod answer_marks;
 pub mod exercises;

@@ -5,17 +5,11 @@ use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
 use serde::{Deserialize, Serialize};
 
-use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::derivation_sections::DerivationSections;
-use crate::model::lines::LinesLab;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::OverlayItems;
-use crate::model::practice::MistakesView;
-use crate::model::practice::StudentAnswers;
-use crate::model::practice::exercises::Exercises;
-use crate::model::session::handles::HandleState;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
-use crate::model::translator::Translator;
+use crate::model::{
+    Concept, DerivationSections, Exercises, HandleState, HoverSource, Hovered, LinesLab,
+    MistakesView, Observer, OverlayItems, StudentAnswers, Translator,
+};
 
 pub use choices::{
     Scheme, Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,

@@ -7,14 +7,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
-use pinhole_exchange::format::{ExportScene, Exported};
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{answers, atomic, limits};
+use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, atomic, limits};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
-use crate::model::practice::{AnswersFile, StudentAnswers};
-use crate::model::session::{Session, ViewLayout};
 use crate::model::translator::with;
+use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave};
 use crate::ui::app::App;
 use crate::ui::app::scene::OpenScene;

@@ -11,10 +11,8 @@ use egui::{
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 
-use crate::model::concept::Hovered;
 use crate::model::fault::caught;
-use crate::model::readings::NumberStyle;
-use crate::model::session::{Session, ViewLayout, Workspace};
+use crate::model::{Hovered, NumberStyle, Session, ViewLayout, Workspace};
 use crate::ui::action::{
     Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,

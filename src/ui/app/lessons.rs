@@ -9,9 +9,8 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
-use crate::model::observer::Observer;
 use crate::model::session::presenting::Pen;
-use crate::model::session::{Session, Settings, Workspace};
+use crate::model::{Observer, Session, Settings, Workspace};
 use crate::ui::panels::lesson_strip;
 use crate::view::derivation::Derivation;
 

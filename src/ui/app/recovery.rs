@@ -9,9 +9,8 @@ use egui::Context;
 use pinhole_exchange::document::Document;
 
 use super::window::complain;
-use crate::model::files::OpenDocument;
 use crate::model::recovery::{Found, Slot, Unsaved, in_words};
-use crate::model::store::Store;
+use crate::model::{OpenDocument, Store};
 use crate::ui::action::{FileAction, Leave};
 use crate::ui::dialogs::{Dialog, Question};
 

@@ -5,19 +5,16 @@ use std::sync::Arc;
 
 use egui::Context;
 use pinhole_core::{Camera, Selection};
-use pinhole_exchange::FileError;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{Document, FileError, SceneSource};
 
 use super::lessons::Lessons;
-use crate::model::files::OpenDocument;
 use crate::model::given::{self, Given};
 use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
-use crate::model::observer::{Observer, ViewSize};
 use crate::model::play::Kind;
-use crate::model::session::handles::HandleState;
-use crate::model::session::{Ghost, Session, Settings, ViewLayout};
+use crate::model::{
+    Ghost, HandleState, Observer, OpenDocument, Session, Settings, ViewLayout, ViewSize,
+};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};

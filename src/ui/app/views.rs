@@ -6,9 +6,8 @@ use egui::{Align2, Context, Event, Key, Pos2, Ui, Vec2};
 use pinhole_core::Selection;
 
 use super::App;
-use crate::model::fault::Fault;
-use crate::model::observer::ViewSize;
 use crate::model::symbols::typeset_message;
+use crate::model::{Fault, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views;

@@ -7,8 +7,7 @@ use std::path::{Path, PathBuf};
 use egui::{Context, ViewportCommand};
 
 use crate::model::files::{Stamps, argument_of, is_text, remember, title_of};
-use crate::model::session::Settings;
-use crate::model::store::{Remembered, Store, WindowGeometry};
+use crate::model::{Remembered, Settings, Store, WindowGeometry};
 use crate::ui::app::scene::OpenScene;
 
 /// The window's own state.

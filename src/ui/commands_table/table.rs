@@ -4,16 +4,13 @@
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
-use pinhole_exchange::format::Format;
-use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
-use pinhole_lecture::exercises::Exercise;
-use pinhole_lecture::mistakes::Mistake;
+use pinhole_exchange::{BuiltinScene, Format, SceneSource};
+use pinhole_lecture::{Exercise, Mistake};
 
-use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
-use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::session::{Scheme, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::{DerivationSection, Item};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
     HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, Steer,

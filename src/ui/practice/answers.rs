@@ -7,9 +7,8 @@ use egui::{
 use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
 
-use crate::model::practice::StudentAnswers;
-use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
+use crate::model::{Session, StudentAnswers};
 use crate::ui::action::{AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;

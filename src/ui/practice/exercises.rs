@@ -7,14 +7,12 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given, QuestionPart};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-use crate::model::concept::Hovered;
-use crate::model::derivation_sections::DerivationSections;
 use crate::model::lines::{LinesLab, Window};
-use crate::model::observer::{Observer, ViewSize};
-use crate::model::overlay_items::OverlayItems;
-use crate::model::practice::exercises::{Exercises, Feedback, TypedAnswer};
 use crate::model::practice::{LARGEST_SEED, answer_marks, next_seed};
-use crate::model::session::{Session, Settings, ViewLayout};
+use crate::model::{
+    DerivationSections, Exercises, Feedback, Hovered, Observer, OverlayItems, Session, Settings,
+    TypedAnswer, ViewLayout, ViewSize,
+};
 use crate::ui::action::{Leave, MadeUp, request};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;

@@ -8,9 +8,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
-use crate::model::practice::MistakesView;
-use crate::model::readings::NumberStyle;
-use crate::model::session::Session;
+use crate::model::{MistakesView, NumberStyle, Session};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;

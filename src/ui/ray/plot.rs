@@ -11,10 +11,8 @@ use egui::{
 };
 use pinhole_lecture::numbers::written as number;
 
-use crate::model::concept::{Concept, HoverSource, Hovered};
-use crate::model::inspection::Inspection;
 use crate::model::session::presenting::WRITTEN;
-use crate::model::session::{Session, Settings};
+use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};

@@ -8,9 +8,7 @@ use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
 use super::views;
-use crate::model::inspection::Inspection;
-use crate::model::readings::NumberStyle;
-use crate::model::session::{Ghost, Session};
+use crate::model::{Ghost, Inspection, NumberStyle, Session};
 use crate::ui::action::GhostAction;
 use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::number::vector_color;

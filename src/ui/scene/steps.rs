@@ -13,11 +13,10 @@ use pinhole_core::steering::{SteerError, rounded_to};
 use pinhole_core::{Basis, Camera, DVec2, DVec3, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
-use crate::model::concept::{HoverSource, Hovered};
 use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
-use crate::model::overlay_items::Item;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
+use crate::model::{HoverSource, Hovered, Item};
 use crate::ui::action::Steer;
 use crate::ui::scene::dragging::{Dragging, ViewInput, WorldArea};
 use crate::ui::scene::view_rects::ViewRects;

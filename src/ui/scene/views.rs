@@ -15,13 +15,12 @@ use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written_whole;
 
-use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
-use crate::model::observer::{Observer, ViewSize};
-use crate::model::readings::NumberStyle;
 use crate::model::session::presenting::Pen;
-use crate::model::session::{Session, Settings, ViewLayout};
 use crate::model::symbols::typeset_message;
+use crate::model::{
+    Concept, HoverSource, Hovered, NumberStyle, Observer, Session, Settings, ViewLayout, ViewSize,
+};
 use crate::ui::action::request;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};

@@ -4,10 +4,7 @@
 use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
 
-use crate::model::concept::Concept;
-use crate::model::given::{Given, GivenVector};
-use crate::model::inspection::Inspection;
-use crate::model::symbols;
+use crate::model::{Concept, Given, GivenVector, Inspection, symbols};
 use crate::view::derivation::DerivedLine;
 use crate::view::derivation::numbers::{
     AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,

@@ -12,15 +12,10 @@
 use std::fmt::{self, Write as _};
 
 use pinhole_core::{ExactRay, Ray, ResolvedCamera, Scene, SceneError, Selection};
-use pinhole_exchange::document::Document;
-use pinhole_exchange::is_hidden;
+use pinhole_exchange::{Document, is_hidden};
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
-use crate::model::concept::Concept;
-use crate::model::derivation_sections::{DerivationSection, DerivationSections};
-use crate::model::fault::Fault;
-use crate::model::inspection::Inspection;
-use crate::model::symbols;
+use crate::model::{Concept, DerivationSection, DerivationSections, Fault, Inspection, symbols};
 use crate::view::derivation::numbers::related;
 use crate::view::formula::{Formula, latex, row, word};
 

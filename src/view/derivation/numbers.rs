@@ -7,8 +7,7 @@
 //! terminates. All other decimals are rounded and follow `≈`.
 
 use pinhole_core::{DVec3, Pixel};
-use pinhole_lecture::numbers::Rounding;
-use pinhole_lecture::{NumberForm, VectorForm};
+use pinhole_lecture::{NumberForm, Rounding, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
 use crate::view::formula::{

@@ -9,9 +9,7 @@ use pinhole_lecture::{
 use super::DerivedLine;
 use super::camera::along;
 use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, minus};
-use crate::model::concept::Concept;
-use crate::model::given::{Given, GivenVector};
-use crate::model::inspection::Inspection;
+use crate::model::{Concept, Given, GivenVector, Inspection};
 use crate::view::formula::{
     Formula, Operator, SymbolInk, fraction, index, negative, norm, number, parentheses, power, row,
     square_root,

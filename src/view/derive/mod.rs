@@ -8,10 +8,7 @@ use pinhole_core::{Counts, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
-use crate::model::fault::Fault;
-use crate::model::inspection::Inspection;
-use crate::model::practice::answer_marks::AnswerMark;
-use crate::model::session::{Session, ViewLayout};
+use crate::model::{AnswerMark, Fault, Inspection, Session, ViewLayout};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
 use crate::view::derive::objects::Objects;

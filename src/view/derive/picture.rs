@@ -11,8 +11,7 @@ use pinhole_core::{
     Shade, Steps, retrace_painted, shade, trace, trace_painted,
 };
 
-use crate::model::inspection::Inspection;
-use crate::model::overlay_items::Item;
+use crate::model::{Inspection, Item};
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::memo::Memo;

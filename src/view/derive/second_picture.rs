@@ -9,19 +9,14 @@ use pinhole_core::{
     Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Pixel, Raster, Ray,
     ResolvedCamera, Scene, Selection, Shade,
 };
-use pinhole_exchange::answers;
-use pinhole_exchange::document::Document;
+use pinhole_exchange::{Document, answers};
 use pinhole_lecture::grading::{Answers, Cell, GivenHit, Graded, Truth, grade};
 use pinhole_lecture::mistakes::{
     ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
 };
 
-use crate::model::inspection::Inspection;
-use crate::model::overlay_items::Item;
-use crate::model::practice::StudentAnswers;
-use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
-use crate::model::session::ViewLayout;
-use crate::model::session::resolve;
+use crate::model::session::{ViewLayout, resolve};
+use crate::model::{AnswerMark, Inspection, Item, MarkShape, StudentAnswers};
 use crate::view::accuracy;
 use crate::view::derive::memo::{Memo, SpareImages};
 use crate::view::derive::objects::GoodWorld;

@@ -10,8 +10,7 @@
 //! smaller; otherwise its vectors are written as columns; if that is not enough, its text shrinks until it
 //! fits. No line is wider than the column.
 
-use crate::model::given::Given;
-use crate::model::symbols;
+use crate::model::{Given, symbols};
 use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
 
 /// The font of a piece of text.

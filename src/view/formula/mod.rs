@@ -11,8 +11,7 @@
 
 use std::fmt::{self, Write as _};
 
-use crate::model::given::Given;
-use crate::model::symbols;
+use crate::model::{Given, symbols};
 
 pub use layout::{
     Column, Face, GivenBox, Layout, Rule, TextMeasure, TextRun, layout, left_width, lines,

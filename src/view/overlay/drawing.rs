@@ -6,8 +6,7 @@ use egui::Color32;
 use pinhole_core::DVec2;
 use tiny_skia::PathBuilder;
 
-use crate::model::concept::Concept;
-use crate::model::overlay_items::Item;
+use crate::model::{Concept, Item};
 
 /// A shape in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,9 +8,7 @@ use egui::Color32;
 use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
 use rayon::prelude::*;
 
-use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
-use crate::view::overlay::paint::StretchedPicture;
-use crate::view::overlay::screen::PixelRays;
+use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
 
 /// The layers painted over the observer's picture, behind the camera and its marks: the cut-away spheres
 /// around the camera, and the patches of the planes. They stay the same while only the camera moves.

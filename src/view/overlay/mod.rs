@@ -41,6 +41,19 @@ pub use world_view::handles::{Guide, HandleMark, Handles, Knob, KnobState};
 pub use world_view::highlighted::Highlighted;
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
+use camera_view::CameraSketch;
+use drawing::{circle, dot, wide};
+use flat::{Flat, FlatRow, FlatSpot, Grid};
+use layers::{Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
+use paint::{Fills, StretchedPicture};
+use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
+use style::{BOLD_POINT, LabelFont, MARK, POINT, VECTOR};
+use world_view::camera_in_space::{BASIS, corners};
+use world_view::highlighted::{
+    ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,
+};
+use world_view::sketch::{Head, LineStyle, Request, Sketch, place_labels};
+
 /// A shared value that is compared by identity: it equals only itself.
 #[derive(Debug)]
 pub struct Same<T>(pub Arc<T>);

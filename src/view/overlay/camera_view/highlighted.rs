@@ -5,16 +5,12 @@ use pinhole_core::{
 };
 use pinhole_lecture::Cross;
 
-use crate::model::concept::Concept;
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::camera_view::{CameraSketch, CameraView};
-use crate::view::overlay::drawing::{Shape, dot};
-use crate::view::overlay::screen::{Screen, position_of, unit};
-use crate::view::overlay::style::{Colors, LabelFont, POINT, VECTOR};
-use crate::view::overlay::world_view::highlighted::{
-    ACCOMPANYING, ALONG, Highlighted, STRONG, cased, cross_of, dim, first, silhouette,
+use crate::model::{Concept, Item, OverlayItems};
+use crate::view::overlay::{
+    ACCOMPANYING, ALONG, CameraSketch, CameraView, Colors, Highlighted, LabelFont, LineStyle,
+    POINT, STRONG, Screen, Shape, VECTOR, cased, cross_of, dim, dot, first, position_of,
+    silhouette, unit,
 };
-use crate::view::overlay::world_view::sketch::LineStyle;
 
 /// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;

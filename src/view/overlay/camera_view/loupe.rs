@@ -6,14 +6,10 @@ use std::ops::Range;
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
-use crate::model::concept::Concept;
-use crate::model::overlay_items::Item;
-use crate::view::overlay::camera_view::{CameraSketch, CameraView};
-use crate::view::overlay::drawing::{Label, Shape, dot, wide};
-use crate::view::overlay::paint::Picture;
-use crate::view::overlay::screen::position_of;
-use crate::view::overlay::style::Colors;
-use crate::view::overlay::world_view::sketch::LineStyle;
+use crate::model::{Concept, Item};
+use crate::view::overlay::{
+    CameraSketch, CameraView, Colors, Label, LineStyle, Picture, Shape, dot, position_of, wide,
+};
 
 /// Maximum side of all magnified pixels together, in points.
 const CELLS: f64 = 216.0;

@@ -8,18 +8,11 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 
-use crate::model::concept::Concept;
-use crate::model::inspection::Inspection;
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::Same;
-use crate::view::overlay::camera_view::loupe::Loupe;
-use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
-use crate::view::overlay::layers::{contrast, mix};
-use crate::view::overlay::paint::{Fills, Picture};
-use crate::view::overlay::screen::position_of;
-use crate::view::overlay::style::{Colors, LabelFont, MARK, Style};
-use crate::view::overlay::world_view::highlighted::Highlighted;
-use crate::view::overlay::world_view::sketch::{LineStyle, Request, place_labels};
+use crate::model::{Concept, Inspection, Item, OverlayItems};
+use crate::view::overlay::{
+    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, Picture, Request,
+    Same, Shape, Style, contrast, dot, mix, place_labels, position_of,
+};
 
 /// The inputs of the camera view. Equal inputs give the same picture, so the cache compares them as a whole.
 /// The scene is not among them, because another scene has another picture.
@@ -144,7 +137,7 @@ fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
 }
 
 /// The camera view's drawing while it is built.
-struct CameraSketch<'a> {
+pub(super) struct CameraSketch<'a> {
     view: &'a CameraView,
     items: OverlayItems,
     colors: &'static Colors,

@@ -6,19 +6,12 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
 use pinhole_lecture::numbers::written;
 
-use crate::model::concept::Concept;
-use crate::model::inspection::Inspection;
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
-use crate::model::overlay_items::Item;
-use crate::view::overlay::ColoredScene;
-use crate::view::overlay::drawing::circle;
-use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::layers::{PlanePatch, mix};
-use crate::view::overlay::screen::{PixelRays, tangents, unit};
-use crate::view::overlay::style::{BOLD_POINT, MARK, POINT, VECTOR};
-use crate::view::overlay::world_view::WorldView;
-use crate::view::overlay::world_view::highlighted::silhouette;
-use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
+use crate::model::{Concept, Inspection, Item};
+use crate::view::overlay::{
+    BOLD_POINT, ColoredScene, Flat, Grid, Head, LineStyle, MARK, POINT, PixelRays, PlanePatch,
+    Sketch, VECTOR, WorldView, circle, mix, silhouette, tangents, unit,
+};
 
 /// Size of the viewport on the screen, in points, below which the camera has a body. At such a size the
 /// viewport's handles would overlap, and its frustum could hardly be seen.

@@ -5,13 +5,10 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Ray, ResolvedCamera};
 use pinhole_lecture::mistakes::WrongCamera;
 
-use crate::model::overlay_items::Item;
-use crate::model::practice::answer_marks::{AnswerMark, MarkShape};
-use crate::view::overlay::drawing::Shape;
-use crate::view::overlay::screen::unit;
-use crate::view::overlay::style::{BOLD_POINT, LabelFont, MARK, VECTOR};
-use crate::view::overlay::world_view::camera_in_space::{BASIS, corners};
-use crate::view::overlay::world_view::sketch::{Head, LineStyle, Sketch};
+use crate::model::{AnswerMark, Item, MarkShape};
+use crate::view::overlay::{
+    BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, Shape, Sketch, VECTOR, corners, unit,
+};
 
 /// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;

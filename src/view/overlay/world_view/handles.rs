@@ -4,9 +4,7 @@
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::drawing::{Shape, circle, dot};
-use crate::view::overlay::style::VECTOR;
-use crate::view::overlay::world_view::sketch::{LineStyle, Sketch};
+use crate::view::overlay::{LineStyle, Shape, Sketch, VECTOR, circle, dot};
 
 /// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]

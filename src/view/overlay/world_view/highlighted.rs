@@ -10,14 +10,12 @@ use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Se
 use pinhole_lecture::numbers::written;
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
-use crate::model::concept::Concept;
 use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::drawing::{Drawing, circle};
-use crate::view::overlay::screen::{tangents, unit};
-use crate::view::overlay::style::{Colors, POINT, VECTOR};
-use crate::view::overlay::world_view::camera_in_space::{BASIS, corners};
-use crate::view::overlay::world_view::sketch::{Head, LineStyle, Request, Sketch};
+use crate::model::{Concept, Item, OverlayItems};
+use crate::view::overlay::{
+    BASIS, Colors, Drawing, Head, LineStyle, POINT, Request, Sketch, VECTOR, circle, corners,
+    tangents, unit,
+};
 
 /// The highlighted concept, and the inputs for drawing it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,22 +11,12 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera};
 
-use crate::model::inspection::Inspection;
-use crate::model::observer::Observer;
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::model::practice::answer_marks::AnswerMark;
-use crate::view::overlay::drawing::{Drawing, dot, wide};
-use crate::view::overlay::flat::{Flat, Grid};
-use crate::view::overlay::layers::{Backdrop, Bowl, Layers, ViewportLayer};
-use crate::view::overlay::paint::{Fills, Picture};
-use crate::view::overlay::screen::Screen;
-use crate::view::overlay::screen::camera_uv_at;
-use crate::view::overlay::style::Style;
-use crate::view::overlay::world_view::compared::GhostCamera;
-use crate::view::overlay::world_view::handles::Handles;
-use crate::view::overlay::world_view::highlighted::Highlighted;
-use crate::view::overlay::world_view::sketch::{Sketch, place_labels};
-use crate::view::overlay::{ColoredScene, Same};
+use crate::model::{AnswerMark, Inspection, Item, Observer, OverlayItems};
+use crate::view::overlay::{
+    Backdrop, Bowl, ColoredScene, Drawing, Fills, Flat, GhostCamera, Grid, Handles, Highlighted,
+    Layers, Picture, Same, Screen, Sketch, Style, ViewportLayer, camera_uv_at, dot, place_labels,
+    wide,
+};
 
 /// The inputs of the world view. Equal inputs give the same picture, so the cache compares them as a whole.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,13 +8,11 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Scene};
 
-use crate::model::concept::Concept;
-use crate::model::overlay_items::{Item, OverlayItems};
-use crate::view::overlay::drawing::{Drawing, Label, Mark, Shape, dot, wide};
-use crate::view::overlay::layers::Layers;
-use crate::view::overlay::screen::{CutLine, Screen, Spot};
-use crate::view::overlay::style::{Colors, LabelFont, POINT};
-use crate::view::overlay::world_view::WorldView;
+use crate::model::{Concept, Item, OverlayItems};
+use crate::view::overlay::{
+    Colors, CutLine, Drawing, Label, LabelFont, Layers, Mark, POINT, Screen, Shape, Spot,
+    WorldView, dot, wide,
+};
 
 /// The style of a line.
 #[derive(Clone, Copy, Debug)]
