@@ -1,5 +1,5 @@
-//! The concepts of the scene and of the camera's derivation. Each line of the derivation is about
-//! one concept, and the views show it.
+//! The concepts of the scene and of the camera's derivation: what a line of the derivation is about,
+//! and what the views can highlight.
 
 use crate::model::symbols;
 
@@ -55,27 +55,27 @@ pub enum Concept {
     Normal,
 }
 
-/// The hovered concept, and where the pointer hovers it.
+/// The concept under the pointer, and the part of the window where the pointer is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hovered {
-    /// The hovered concept.
+    /// The concept under the pointer.
     pub concept: Concept,
-    /// Where the pointer hovers it.
+    /// The part of the window where the pointer is.
     pub by: HoverSource,
 }
 
-/// A place in the window where a concept is hovered.
+/// A part of the window where the user can point at a concept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HoverSource {
     /// The numbers below the views.
     Numbers,
-    /// A view: the derivation scrolls to the concept's line.
+    /// A view. The derivation then scrolls to the concept's line.
     View,
     /// A line of the derivation, or the text next to the plot.
     Derivation,
 }
 
-/// The concepts without an index, with their names in files and their descriptions.
+/// The concepts without an index: each with its name in files and its description.
 const NAMES: [(Concept, &str, &str); 19] = [
     (Concept::Eye, "eye", symbols::EYE),
     (Concept::At, "at", symbols::AT),
@@ -120,7 +120,8 @@ impl Concept {
         NAMES.map(|(_, name, _)| name)
     }
 
-    /// Returns the concept's description. For an object or a root it contains the object's `title`.
+    /// Returns the concept's description. The description of an object or a root contains the object's
+    /// title, which `title` returns for an index.
     pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Concept::Object(object) => title(object),

@@ -1,13 +1,13 @@
 //! The sections of the derivation, each of which can be hidden.
 
-/// A section of the derivation, from top to bottom, with its label and its name in files.
+/// A section of the derivation, with its label and its name in files. The order is from top to bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DerivationSection {
     /// The steps from view and up to u, v, w.
     Basis,
     /// The steps from a pixel to its view ray.
     PixelToRay,
-    /// The intersection of every object with that ray.
+    /// The intersection of the view ray with every object.
     Objects,
 }
 
@@ -34,12 +34,13 @@ impl DerivationSection {
     }
 }
 
-/// True for each section of the derivation that is shown, in the order of [`DerivationSection::ALL`].
+/// Which sections of the derivation are shown: true for a shown section, in the order of
+/// [`DerivationSection::ALL`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DerivationSections(pub [bool; 3]);
 
 impl Default for DerivationSections {
-    /// Returns all sections.
+    /// Shows all sections.
     fn default() -> Self {
         DerivationSections([true; 3])
     }

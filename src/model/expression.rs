@@ -1,13 +1,13 @@
-//! Arithmetic in number fields: `sqrt(2)/2`, `1/3`, `2*pi`.
+//! Evaluates the arithmetic that users type in number fields: `sqrt(2)/2`, `1/3`, `2*pi`.
 
 use std::f64::consts::{E, PI, TAU};
 
 use pinhole_exchange::legible;
 
-/// A function of one number, with its name.
+/// The name of a function of one number, and the function.
 type NamedFunction = (&'static str, fn(f64) -> f64);
 
-/// Functions of one number, by name.
+/// The supported functions of one number.
 const FUNCTIONS: [NamedFunction; 9] = [
     ("abs", f64::abs),
     ("sin", f64::sin),
@@ -26,16 +26,15 @@ const CONSTANTS: [(&str, f64); 7] =
 /// Maximum nesting depth of brackets and signs; real input never comes near it.
 const DEEPEST: usize = 64;
 
-/// Maximum number of characters; nobody types more.
+/// Maximum number of characters of the typed text.
 const LONGEST: usize = 1000;
 
-/// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,
-/// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. It also accepts the signs that
-/// people paste (`−`, `×`, `·`, `√`, `π`).
+/// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets, functions
+/// such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Pasted Unicode symbols (`−`, `×`, `·`, `√`, `π`)
+/// are accepted, too.
 ///
-/// # Errors
-/// Returns an error, as a sentence for the person who typed the text, if its value is not a finite
-/// number.
+/// # Errors Returns a sentence for the user if the text is not an expression, is too long, or its value
+/// is not finite.
 pub fn evaluate(text: &str) -> Result<f64, String> {
     let typed = text.trim();
     if typed.chars().nth(LONGEST).is_some() {
@@ -55,14 +54,14 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
     if value.is_finite() { Ok(value) } else { Err(format!("“{shown}” is not a finite number")) }
 }
 
-/// Shortens a typed text for a message.
+/// Shortens the typed text, for use in a message.
 fn shown(typed: &str) -> String {
     const ROOM: usize = 60;
     let begin: String = typed.chars().take(ROOM).collect();
     legible(&if begin.len() < typed.len() { begin + "..." } else { begin })
 }
 
-/// A parser by recursive descent; `None` is a syntax error.
+/// A recursive-descent parser. Its methods return `None` for a syntax error.
 struct Parser<'a> {
     rest: &'a str,
 }
@@ -103,7 +102,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Parses a value, or one value raised to another: `2^3^2` is 2 to the ninth.
+    /// Parses a value or a power. Powers associate to the right: `2^3^2` is 2 to the ninth.
     fn power(&mut self, depth: usize) -> Option<f64> {
         let base = self.value(depth)?;
         if self.take(['^']).is_none() {
@@ -132,7 +131,7 @@ impl<'a> Parser<'a> {
         self.value(depth + 1).map(function)
     }
 
-    /// Takes the next sign if it is one of these.
+    /// Consumes the next character if it is one of `signs`, and returns it.
     fn take<const N: usize>(&mut self, signs: [char; N]) -> Option<char> {
         let text = self.rest.trim_start();
         let sign = text.chars().next().filter(|sign| signs.contains(sign))?;
@@ -140,7 +139,7 @@ impl<'a> Parser<'a> {
         Some(sign)
     }
 
-    /// Parses digits with at most one point and at most one exponent.
+    /// Parses digits with an optional decimal point and an optional exponent.
     fn number(&mut self) -> Option<f64> {
         let text = self.rest.trim_start();
         let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
@@ -160,7 +159,7 @@ impl<'a> Parser<'a> {
         Some(number)
     }
 
-    /// Parses letters.
+    /// Parses a run of letters.
     fn name(&mut self) -> &'a str {
         let text = self.rest.trim_start();
         let letters = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());

@@ -1,5 +1,5 @@
-//! The faults that a document can have, and faults of the program itself, which are reported in
-//! words instead of ending the program.
+//! Errors in a document, and internal errors of the program, which are reported as messages instead of
+//! ending the program.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -28,11 +28,12 @@ impl fmt::Display for Fault {
 }
 
 thread_local! {
-    /// This thread's last fault, with its place in the code.
+    /// The message of this thread's last panic, with its place in the code.
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Installs a panic hook that reports faults on standard error in a sentence and remembers them.
+/// Installs a panic hook that reports each panic on standard error in a sentence and stores its
+/// message.
 pub fn watch() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();
@@ -47,10 +48,9 @@ pub fn watch() {
     }));
 }
 
-/// Runs a function and catches a panic, which is a fault of the program itself.
+/// Runs a function and catches a panic, which is an internal error of the program.
 ///
-/// # Errors
-/// Returns the fault in words.
+/// # Errors Returns the message of the panic.
 pub fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     LAST.take();
     catch_unwind(AssertUnwindSafe(run))

@@ -1,4 +1,4 @@
-//! The open document and its origin; reading it and writing it.
+//! The open document and its origin, and how it is read and saved.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,8 +35,8 @@ pub fn title_of(origin: &Origin) -> String {
     }
 }
 
-/// Returns the command-line argument that opens this scene from any folder; `None` for a lesson's
-/// step, and for a path that is not valid text, which could not be stored in a file.
+/// Returns the command-line argument that opens this scene from any folder. Returns `None` for a
+/// lesson's step, and for a path that is not valid Unicode and therefore cannot be stored as text.
 pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     match origin {
         Origin::Scene(SceneSource::Builtin(scene)) => Some(PathBuf::from(scene.name)),
@@ -45,8 +45,8 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The time and size of a file when it was read or written. A later change of the file is detected
-/// by them.
+/// The modification time and size of a file when it was read or written, by which a later change of the
+/// file is detected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Stamp {
     modified: Option<SystemTime>,
@@ -54,24 +54,24 @@ pub struct Stamp {
 }
 
 impl Stamp {
-    /// Returns the file's present stamp; `None` if there is no such file.
+    /// Returns the file's current stamp; `None` if there is no such file.
     fn of(path: &Path) -> Option<Stamp> {
         let data = fs::metadata(path).ok()?;
-        // A file dated before 1970 cannot be recorded with unsaved changes.
+        // A time before 1970 is dropped: it cannot be stored with unsaved changes.
         let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
         Some(Stamp { modified, length: data.len() })
     }
 }
 
-/// The stamps of a scene's file and of its table of spheres.
+/// The stamps of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
-/// Returns the stamp of a document's table of spheres, if it has one.
+/// Returns the current stamp of the file with a document's spheres; `None` if there is no such file.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
 }
 
-/// The open document, with everything that is needed to save it and to detect changes.
+/// The open document, with the data needed to save it and to detect changes.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
     /// The document as edited.
@@ -81,17 +81,17 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
-    /// The stamps when this window read or wrote the files; `None` for a file that did not exist.
+    /// The stamps when this window last read or wrote the files; `None` for a file that did not exist.
     stamps: Stamps,
     /// The document's origin.
     origin: Origin,
-    /// True if changes may be lost without asking the user: the document belongs to no file and
-    /// comes from a lesson's step, to which the user can return.
+    /// True if the document may be closed without a question about unsaved changes. This is the case
+    /// for a step of the open lesson, to which the user can return.
     forgiving: bool,
 }
 
 impl OpenDocument {
-    /// Creates the open document from one that was just read from its source.
+    /// Opens a document that was just read from `source`.
     pub fn new(document: Document, source: SceneSource) -> Self {
         let stamps = [source.scene_file().and_then(Stamp::of), csv_stamp(&document)];
         let text = match &source {
@@ -102,46 +102,43 @@ impl OpenDocument {
         OpenDocument { document, saved, text, stamps, origin, forgiving: false }
     }
 
-    /// Creates the open document of the lesson's step with this title. While the lesson is open,
-    /// its changes do not count as unsaved.
+    /// Opens the lesson step with this title. While the lesson is open, changes to the document do not
+    /// count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
         let (origin, saved) = (Origin::Step(title), document.clone());
         OpenDocument { document, saved, text: None, stamps: [None; 2], origin, forgiving: true }
     }
 
-    /// Creates the open document from a document with unsaved changes. It belongs to `source` if
-    /// `source` can still be read, and otherwise to no file. `stamp` is the source's stamp when the
-    /// changes began.
+    /// Opens a document with unsaved changes. It belongs to `source` if `source` can still be read, and
+    /// otherwise to no file. `stamp` is the source's stamp when the changes began.
     pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
         let Some((saved, source)) = saved else {
             return Self::unsaved(document, UNNAMED.to_owned());
         };
         let open = Self::new(saved, source);
-        // If the stamps differ, the text at the time when the changes began is unknown.
+        // If the stamps differ, the file's text at the time when the changes began is unknown.
         let text = open.text.filter(|_| open.stamps[0] == stamp);
         OpenDocument { document, text, stamps: [stamp, open.stamps[1]], ..open }
     }
 
-    /// Creates an open document with this title that belongs to no file yet and has unsaved
-    /// changes.
+    /// Opens a document with this title that belongs to no file yet and has unsaved changes.
     pub fn unsaved(document: Document, title: String) -> Self {
         OpenDocument { document, ..Self::made_up(Document::default(), title) }
     }
 
-    /// Creates the open document of a scene with this title that belongs to no file.
+    /// Opens a document with this title that belongs to no file and has no unsaved changes.
     pub fn made_up(document: Document, title: String) -> Self {
         OpenDocument { forgiving: false, ..Self::of_step(document, title) }
     }
 
-    /// Closes the lesson: from now on, changes count as unsaved. If a scene in `known` is exactly
-    /// the scene of the step, the document belongs to the first such scene; otherwise it has no
-    /// name.
+    /// Leaves the lesson: from now on, changes count as unsaved. If the scene of the step equals a
+    /// scene in `known`, the document belongs to the first such scene; otherwise it is unnamed.
     pub fn leave_lesson(&mut self, known: impl Iterator<Item = SceneSource>) {
         if !std::mem::take(&mut self.forgiving) {
             return;
         }
-        // A step has no note.
+        // A step's document has no note.
         let is_same =
             |known: &Document| Document { note: String::new(), ..known.clone() } == self.saved;
         let mut loaded = known.filter_map(|source| Some((source.load().ok()?, source)));
@@ -164,7 +161,7 @@ impl OpenDocument {
         !self.forgiving && self.document != self.saved
     }
 
-    /// Returns the file that the document was read from; `None` for a built-in scene and a lesson's
+    /// Returns the file that the document was read from; `None` for a built-in scene or a lesson's
     /// step.
     pub fn file(&self) -> Option<&Path> {
         match &self.origin {
@@ -173,7 +170,7 @@ impl OpenDocument {
         }
     }
 
-    /// Returns the file that *Save* writes: the scene file that the document was read from.
+    /// Returns the file that *Save* writes: the scene file from which the document was read.
     pub fn scene_file(&self) -> Option<&Path> {
         match &self.origin {
             Origin::Scene(source) => source.scene_file(),
@@ -181,25 +178,26 @@ impl OpenDocument {
         }
     }
 
-    /// Returns the source's stamp when this window read or wrote it.
+    /// Returns the stamp of the source when this window last read or wrote it.
     pub fn stamp(&self) -> Option<Stamp> {
         self.stamps[0]
     }
 
-    /// Returns the present stamps of the scene's file and of its table of spheres.
+    /// Returns the current stamps of the scene file and of the CSV file with its spheres.
     fn stamps_now(&self) -> Stamps {
         [self.scene_file().and_then(Stamp::of), csv_stamp(&self.saved)]
     }
 
-    /// Returns the present stamps of the scene's file and of its table of spheres if either differs
-    /// from the stamp when this window read or wrote it. Compares only time and size.
+    /// Returns the current stamps of the scene file and of its CSV file if either differs from the
+    /// stored one; `None` if nothing has changed or the scene file is missing. Compares only times and
+    /// sizes.
     pub fn touched(&self) -> Option<Stamps> {
         let now = self.stamps_now();
         (now[0].is_some() && now != self.stamps).then_some(now)
     }
 
-    /// Returns the name of the file that another program has changed since it was read: the scene's
-    /// file or its table of spheres.
+    /// Returns the name of a file that another program has changed since it was read: the scene file or
+    /// its CSV file. Returns `None` if neither has changed.
     pub fn changed_by_others(&mut self) -> Option<String> {
         if self.was_changed_by_others() {
             return Some(title_of(&self.origin));
@@ -208,8 +206,8 @@ impl OpenDocument {
         (csv_stamp(&self.saved) != self.stamps[1]).then(|| csv.path.clone())
     }
 
-    /// Returns true if another program has changed the content of the scene's file since this
-    /// window read or wrote it.
+    /// Returns true if another program has changed the scene file's content since this window last read
+    /// or wrote it.
     pub fn was_changed_by_others(&mut self) -> bool {
         let [now, _] = self.stamps_now();
         if now.is_none() || now == self.stamps[0] {
@@ -223,7 +221,7 @@ impl OpenDocument {
         !is_same
     }
 
-    /// Accepts that another program has changed the file, so that saving may replace its changes.
+    /// Accepts the changes that another program made to the files, so that saving may overwrite them.
     pub fn keep_mine(&mut self) {
         self.stamps = self.stamps_now();
     }
@@ -242,12 +240,12 @@ impl OpenDocument {
         Ok(())
     }
 
-    /// Returns true if this is the scene's own file.
+    /// Returns true if `path` is the file that the scene was read from.
     pub fn is_own(&self, path: &Path) -> bool {
         self.scene_file().is_some_and(|file| is_same_file(file, path))
     }
 
-    /// Returns a suitable file name for this document.
+    /// Returns a file name to suggest when the document is saved.
     pub fn file_name(&self) -> String {
         match &self.origin {
             Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
@@ -256,21 +254,21 @@ impl OpenDocument {
         }
     }
 
-    /// Writes the document to `path`, which becomes its origin. Keeps the comments of the file that
-    /// the document came from, even if `path` is another existing file.
+    /// Saves the document in `path`, which becomes its origin. Keeps the comments of the file that the
+    /// document came from, even if `path` is another existing file.
     ///
-    /// # Errors
-    /// Returns the reason if the file could not be written; the old file is then unchanged.
+    /// # Errors Returns the reason if the file could not be written; an existing file is then
+    /// unchanged.
     pub fn save_to(&mut self, path: &Path) -> Result<(), String> {
         if !self.is_own(path) {
             self.check_output(path)?;
         }
-        // The comments of the document's own file may have been edited since it was read.
+        // The comments in the document's own file may have been edited since it was read.
         let on_disk = self.is_own(path).then(|| limits::read_text(path).ok()).flatten();
         let text = on_disk.as_deref().or(self.text.as_deref());
         let saved = scene_file::save(&self.document, path, text).map_err(|e| e.to_string())?;
-        // Keep the document as written: its reference to a file of spheres is now relative to the
-        // scene's new folder.
+        // Keep the document as written: its path to a CSV file is now relative to the scene's new
+        // folder.
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
@@ -289,7 +287,7 @@ pub fn remember(recent: &mut Vec<PathBuf>, path: &Path) {
     recent.truncate(RECENT);
 }
 
-/// Returns true if a path is valid text, so that it can be stored in a file.
+/// Returns true if a path is valid Unicode, so that it can be stored as text.
 pub fn is_text(path: &Path) -> bool {
     path.to_str().is_some()
 }

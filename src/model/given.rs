@@ -1,5 +1,5 @@
-//! The given numbers: the numbers of the scene file and of the selected ray, from which everything
-//! else is calculated.
+//! The given numbers, which the user can edit: those of the scene file and of the selected ray.
+//! Everything else is calculated from them.
 
 use std::ops::RangeInclusive;
 
@@ -49,7 +49,7 @@ impl Given {
     }
 }
 
-/// A vector or point that is given; an object's vector also has the object's index.
+/// A vector or point that is given. Those of an object contain the object's index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the lecture's own names")]
 pub enum GivenVector {
@@ -67,7 +67,7 @@ pub enum GivenVector {
 }
 
 impl GivenVector {
-    /// Returns its three coordinates.
+    /// Returns the vector's three coordinates.
     pub fn coordinates(self) -> [Given; 3] {
         [0, 1, 2].map(|axis| Given::Coordinate(self, axis))
     }
@@ -100,8 +100,8 @@ pub struct Givens<'a> {
 }
 
 impl Givens<'_> {
-    /// Returns the number as it is shown; `None` if it does not exist because the camera or the ray
-    /// is given in another way.
+    /// Returns the number in the form in which it is displayed. Returns `None` if it does not exist
+    /// because the camera or the ray is specified by other quantities.
     pub fn value(&self, given: Given) -> Option<f64> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match (given, self.selection) {
@@ -117,7 +117,7 @@ impl Givens<'_> {
         }
     }
 
-    /// Returns the range of whole numbers that it may have; `None` if it may be any number.
+    /// Returns the range of a number that must be whole; `None` if the number need not be whole.
     pub fn whole_range(&self, given: Given) -> Option<RangeInclusive<f64>> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match given {
@@ -128,7 +128,7 @@ impl Givens<'_> {
         }
     }
 
-    /// Returns its name, such as `eye x` or `sphere 0 “ball” radius`.
+    /// Returns the number's name, such as `eye x` or `sphere 0 “ball” radius`.
     pub fn name(&self, given: Given) -> String {
         let name = match given {
             Given::Coordinate(vector, axis) => {
@@ -152,8 +152,8 @@ impl Givens<'_> {
     }
 }
 
-/// Sets a given number to a value as it is shown. Does nothing if there is no such number, or if
-/// the number must be a whole number in a range and the value is not.
+/// Sets a given number to a value in the form in which it is displayed. Does nothing if the number does
+/// not exist, or if it must be whole and the value is fractional or out of range.
 pub fn set(
     given: Given,
     value: f64,
@@ -189,7 +189,7 @@ pub fn set(
     }
 }
 
-/// Returns a reference to a stored number that need not be whole.
+/// Returns a reference to a stored number that need not be whole; `None` if there is no such number.
 fn place<'a>(
     given: Given,
     camera: &'a mut Camera,

@@ -1,19 +1,19 @@
-//! The history of changes, for undo and redo. It consists of two stacks of moments; each step
-//! between two moments has a name, such as `move eye` or `add sphere 2`.
+//! The history of changes, for undo and redo: two stacks of named steps. A name says what the step did,
+//! such as `move eye` or `add sphere 2`.
 
 use pinhole_core::{Camera, Orientation, Plane, Sphere};
 use pinhole_exchange::document::{Document, Item};
 
-/// Maximum number of steps; the oldest are forgotten first.
+/// Maximum number of steps; beyond it, the oldest are dropped.
 const LIMIT: usize = 500;
 
-/// The steps before and after the present, which is not stored here; each step has a name. `M` is the data
-/// from which a moment is restored.
+/// The steps that can be undone and redone, each with its name. `M` is a snapshot from which a state is
+/// restored. The current state is not stored here.
 #[derive(Clone, Debug)]
 pub struct History<M> {
-    /// The steps that can be undone, each with the moment before it; the last step comes last.
+    /// The steps that can be undone, oldest first, each with the state before it.
     past: Vec<(String, M)>,
-    /// The steps that can be redone, each with the moment after it; the next step comes last.
+    /// The steps that can be redone, next one last, each with the state after it.
     future: Vec<(String, M)>,
 }
 
@@ -24,8 +24,7 @@ impl<M> Default for History<M> {
 }
 
 impl<M> History<M> {
-    /// Records a step that began at the moment `before`, and forgets all steps that could be
-    /// redone.
+    /// Records a step that began in the state `before`, and drops all steps that could be redone.
     pub fn record(&mut self, name: String, before: M) {
         self.extend();
         if self.past.len() == LIMIT {
@@ -34,8 +33,7 @@ impl<M> History<M> {
         self.past.push((name, before));
     }
 
-    /// Extends the last step without changing where it began. Forgets all steps that could be
-    /// redone.
+    /// Extends the last step: it still begins in the same state. Drops all steps that could be redone.
     pub fn extend(&mut self) {
         self.future.clear();
     }
@@ -50,9 +48,9 @@ impl<M> History<M> {
         self.future.last().map(|(name, _)| name.as_str())
     }
 
-    /// Undoes the last step, or redoes the one that was undone last, and returns the moment to restore. `now`
-    /// creates the present moment, of the same kind as the restored one, so that the user can return to it.
-    /// Returns `None` if there is no such step.
+    /// Undoes the last step, or redoes the one that was undone last, and returns the state to restore.
+    /// `now` creates a snapshot of the current state that restores the same data as its argument, so
+    /// that the user can return to it. Returns `None` if there is no such step.
     pub fn step(&mut self, is_redo: bool, now: impl FnOnce(&M) -> M) -> Option<M> {
         let History { past, future } = self;
         let (from, to) = if is_redo { (future, past) } else { (past, future) };
@@ -62,16 +60,17 @@ impl<M> History<M> {
     }
 }
 
-/// A step's name.
+/// The name of a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepName {
     /// The text after *Undo* in the menu.
     pub text: String,
-    /// True if only numbers or letters changed; further changes of this kind then extend the step.
+    /// True if the change is gradual, such as dragging a number or typing letters. Further changes of
+    /// the same kind then extend the step.
     pub gradual: bool,
 }
 
-/// Returns the name of the step from one document to the other.
+/// Returns the name of the step from `before` to `after`.
 pub fn name_of(before: &Document, after: &Document) -> StepName {
     let camera =
         (before.camera != after.camera).then(|| camera_name(&before.camera, &after.camera));
@@ -115,7 +114,7 @@ fn camera_name(before: &Camera, after: &Camera) -> &'static str {
     let [was_long, is_long] = [before, after].map(|camera| camera.view().length());
     match changed[..] {
         _ if *after == Camera::CANONICAL => "canonical camera",
-        // At moved round the eye, as when the camera looks round.
+        // The distance is unchanged: at moved around the eye, as when the camera looks around.
         ["move at"] if (is_long - was_long).abs() <= 1e-12 * was_long => "look around",
         [name] => name,
         ["move eye", "move at"] => "move eye and at",
@@ -160,7 +159,7 @@ enum Change {
     Added(usize),
     /// The object with this index was removed.
     Removed(usize),
-    /// Only the object with this index was edited; the text names the edit.
+    /// Only the object with this index was edited; the text says how.
     Edited(usize, &'static str),
     /// Several objects changed.
     Many,

@@ -7,10 +7,10 @@ use pinhole_core::{
 
 use crate::model::concept::Concept;
 
-/// Number of objects whose intersection terms are kept; no reader needs more.
+/// Maximum number of objects whose intersection terms are stored: no display shows more.
 pub const LISTED_OBJECTS: usize = 12;
 
-/// The numbers that decide hit or miss for one object.
+/// The terms of an intersection, which decide whether an object is hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectTerms {
     /// a, b, c and D.
@@ -26,15 +26,14 @@ pub struct Inspection {
     pub uv: DVec2,
     /// The position of that point in the image; `None` outside the image.
     pub image_position: Option<PixelOfUv>,
-    /// The view ray with its direction rounded. The intersections are calculated for the ray before
-    /// rounding.
+    /// The view ray, with a rounded direction. The intersections are calculated for the exact ray.
     pub ray: Ray,
-    /// All roots of all objects, by ascending `t`, including negative ones. A `t` beyond the range of
-    /// `f64` is infinite.
+    /// All roots of all objects, by ascending `t`, including negative ones. A `t` outside the range of
+    /// `f64` is stored as infinite.
     pub roots: Vec<Root>,
-    /// The rank of each root, see [`RankedRoot`](pinhole_core::RankedRoot).
+    /// The rank of each root; see [`RankedRoot`](pinhole_core::RankedRoot).
     pub ranks: Vec<u32>,
-    /// The distance of each root from the eye, negative behind it.
+    /// The distance of each root from the eye; negative for a root behind the eye.
     pub distances: Vec<f64>,
     /// The terms of the intersections with the first [`LISTED_OBJECTS`] objects.
     pub terms: Vec<ObjectTerms>,
@@ -43,12 +42,13 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Returns the pixels that the ray touches, row by row; none outside the image.
+    /// Returns the pixels that the ray touches, row by row. The list is empty if the ray passes outside
+    /// the image.
     pub fn touched(&self, camera: &ResolvedCamera) -> Vec<Pixel> {
         self.image_position.map_or(Vec::new(), |position| position.touching(camera.image()))
     }
 
-    /// Inspects the selected view ray. A pixel must lie inside the image.
+    /// Inspects the selected view ray. If a pixel is selected, it must lie inside the image.
     pub fn new(camera: &ResolvedCamera, scene: &Scene, selection: Selection) -> Inspection {
         let uv = selection.uv(camera);
         let exact = selection.exact_ray(camera).ok();
@@ -68,39 +68,39 @@ impl Inspection {
             ranks: found.iter().map(|ranked| ranked.rank).collect(),
             distances: found.iter().map(|ranked| ranked.distance).collect(),
             terms: exact.as_ref().map_or_else(Vec::new, terms),
-            // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
-            // hit.
+            // The roots ascend in t, and roots with equal t are in the order of the objects; the first
+            // positive one is therefore the first hit.
             first: roots.iter().position(|root| root.t > 0.0),
             roots,
         }
     }
 
-    /// Returns the only pixel that the ray passes through; `None` outside the image and on an edge
-    /// between pixels.
+    /// Returns the only pixel that the ray passes through; `None` if it passes outside the image or
+    /// through an edge between pixels.
     pub fn pixel(&self) -> Option<Pixel> {
         self.image_position?.only_pixel()
     }
 
-    /// Returns the concept of a root: its object, and its index among the object's roots by
-    /// ascending t.
+    /// Returns the concept of a root, which consists of its object and its index among that object's
+    /// roots.
     pub fn concept_of(&self, root: &Root) -> Concept {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
         Concept::Root { object: root.object, number }
     }
 
-    /// Returns the root of this object with this index.
+    /// Returns the root with index `number` among the roots of `object`; `None` if there is none.
     pub fn root_of(&self, object: u32, number: u8) -> Option<&Root> {
         self.index_of(object, number).map(|index| &self.roots[index])
     }
 
-    /// Returns the index in `roots` of the root of this object with this index.
+    /// Returns the index in `roots` of the root with index `number` among the roots of `object`.
     pub fn index_of(&self, object: u32, number: u8) -> Option<usize> {
         let mut own = (0..self.roots.len()).filter(|k| self.roots[*k].object == object);
         own.nth(number.into())
     }
 
-    /// Returns why the root with this index is, or is not, the first hit.
+    /// Explains why the root with this index is, or is not, the first hit.
     pub fn verdict(&self, index: usize) -> &'static str {
         let t = self.roots[index].t;
         match self.first {
@@ -115,8 +115,9 @@ impl Inspection {
         }
     }
 
-    /// Returns why the first hit comes first if its printed t does not show it, because the ray
-    /// meets another object at the same t, either exactly or to all digits of t.
+    /// Explains why the first hit is first when the printed values of t do not show it, because another
+    /// object is hit at the same t, exactly or in every printed digit. Returns `None` if they do show
+    /// it.
     pub fn why_first(&self) -> Option<&'static str> {
         let first = self.first?;
         let tied = |k: usize| self.ranks[k] == self.ranks[first];

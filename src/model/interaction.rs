@@ -1,4 +1,5 @@
-//! The reach of the mouse, and the steps of keys, the wheel and snapped drags.
+//! Interaction constants: how close the mouse must be to grab something, and the step sizes of keys,
+//! the wheel and snapped drags.
 
 /// Maximum distance, in points, at which the mouse grabs a handle.
 pub const HANDLE_REACH: f64 = 11.0;
@@ -9,7 +10,7 @@ pub const MARK_REACH: f32 = 8.0;
 /// Maximum movement, in points, for which a press on a handle counts as a click.
 pub const CLICK: f32 = 2.0;
 
-/// Minimum length, in points, of the steps by which keys move a handle and to which values snap.
+/// Minimum length, in points, of the steps by which keys move a handle and to which a drag snaps.
 pub const STEP_POINTS: f64 = 10.0;
 
 /// Angle by which a key turns the camera or the observer, in radians.
@@ -21,12 +22,11 @@ pub const KEY_PAN: f64 = 0.05;
 /// Factor by which a key moves the observer nearer.
 pub const KEY_ZOOM: f64 = 1.15;
 
-/// Logarithm of the zoom factor of the observer and of the lab of lines, for each point that the
-/// wheel scrolls.
+/// Logarithm of the zoom factor per point of wheel scrolling, for the observer and the lab of lines.
 pub const WHEEL_ZOOM: f32 = 0.004;
 /// Scroll distance, in points, that increases the loupe's magnification by one step.
 pub const LOUPE_SCROLL: f32 = 40.0;
 
-/// Time, in seconds after the last wheel or key input, during which its effect is shown and Escape
+/// Time in seconds after the last wheel or key input during which its effect is displayed and Escape
 /// undoes it.
 pub const PAUSE: f64 = 1.2;

@@ -1,14 +1,14 @@
-//! The state of the two-dimensional lab of lines, and its dragging. The arithmetic of the lines is
-//! in [`pinhole_lecture::lines`].
+//! The state of the two-dimensional lab of lines, and the dragging of its handles. The arithmetic of
+//! the lines is in [`pinhole_lecture::lines`].
 
 use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-/// Maximum magnitude of the numbers in the lab's fields, so that all results are finite.
+/// Maximum magnitude of the numbers in the lab's fields, chosen so that all results are finite.
 pub(crate) const LARGEST: f64 = 1e6;
 
-/// The state of the lab: two lines and a t. It is plain data, which a lesson's step sets as a
-/// whole.
+/// The state of the lab: an implicit line, a parametric line, and a parameter t. It is plain data,
+/// which a lesson's step sets as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinesLab {
     line: ImplicitLine,
@@ -16,7 +16,7 @@ pub struct LinesLab {
     pub ray: ParametricLine,
     /// The parameter t of the marked point.
     pub t: f64,
-    /// The trail of points that t visited.
+    /// The trail of points that the marked point has visited.
     pub trail: Trail,
     /// True if drags snap to [`LinesLab::GRID`].
     pub snap: bool,
@@ -24,12 +24,11 @@ pub struct LinesLab {
     pub window: Window,
     /// The point by which the implicit line is dragged.
     grip: DVec2,
-    /// Offset from the grip to the handle that turns the line, as a multiple of the line's
-    /// direction.
+    /// Offset from the grip to the handle that turns the line, as a multiple of the line's direction.
     reach: f64,
 }
 
-/// The points at equal steps of t, over all visited t.
+/// Points at equal steps of t, over the whole range of t that was visited.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trail {
     /// Step in t from one point to the next.
@@ -40,12 +39,12 @@ pub struct Trail {
     pub last: f64,
 }
 
-/// A square part of the plane that fits into the drawing.
+/// The visible square part of the plane. In a drawing that is not square, more is visible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     /// The point in the middle of the drawing.
     pub center: DVec2,
-    /// Distance from the middle to the nearer two edges.
+    /// Distance from the middle to the two nearer edges of the drawing.
     pub half_extent: f64,
 }
 
@@ -65,7 +64,7 @@ pub enum LineHandle {
 }
 
 impl LineHandle {
-    /// All handles; each lies over the handles before it.
+    /// All handles, from back to front.
     pub const ALL: [LineHandle; 5] = [Self::Move, Self::Turn, Self::P, Self::Tip, Self::T];
 
     /// Returns the handle's name for screen readers and for its tooltip.
@@ -81,7 +80,7 @@ impl LineHandle {
 }
 
 impl Default for LinesLab {
-    /// Returns an example like the lecture's: the lines meet at t = 1.
+    /// Returns an example like the lecture's, in which the lines meet at t = 1.
     fn default() -> Self {
         let [(_, lab), ..] = LinesLab::examples();
         lab
@@ -92,7 +91,7 @@ impl LinesLab {
     /// Spacing of the grid to which drags snap: both coordinates become multiples of it.
     pub const GRID: f64 = 0.5;
 
-    /// Returns one example for every verdict.
+    /// Returns one example for each possible relation of the two lines, with its name.
     pub fn examples() -> [(&'static str, LinesLab); 4] {
         let lab = |[a, b, c]: [f64; 3], p: [f64; 2], d: [f64; 2]| {
             let ray = ParametricLine { p: p.into(), d: d.into() };
@@ -106,7 +105,7 @@ impl LinesLab {
         ]
     }
 
-    /// Creates the lab with two lines and the point of the second at `t`.
+    /// Creates the lab with these lines and the marked point at parameter `t` of the parametric line.
     pub fn new(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
         let mut lab = LinesLab {
             line,
@@ -119,7 +118,7 @@ impl LinesLab {
             reach: 1.0,
         };
         lab.set_line(line);
-        // Keep the middle free, because the lines are likely to meet there.
+        // Keep the middle of the drawing free, because the lines are likely to meet there.
         lab.grip -= 0.5 * lab.reach * line.direction();
         lab
     }
@@ -129,14 +128,14 @@ impl LinesLab {
         self.line
     }
 
-    /// Sets the implicit line; its grip moves onto it.
+    /// Sets the implicit line, and moves the grip onto it.
     pub fn set_line(&mut self, line: ImplicitLine) {
         self.line = line;
         if line.check().is_err() {
             return;
         }
         self.grip = line.nearest_to(self.grip);
-        // A power of two makes the division in a turn exact.
+        // A power of two, so that the division when the line is turned is exact.
         let wanted = 0.7 * self.window.half_extent / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
@@ -166,8 +165,8 @@ impl LinesLab {
         position.is_finite().then_some(position)
     }
 
-    /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along
-    /// its line by steps of t, in the direction that is closer to `steps`.
+    /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along its
+    /// line instead, by steps of t, in the direction closer to that of `steps`.
     pub fn nudge(&mut self, handle: LineHandle, steps: DVec2, fineness: f64) {
         let step = if self.snap { LinesLab::GRID } else { 0.1 };
         if handle == LineHandle::T {
@@ -183,9 +182,9 @@ impl LinesLab {
         }
     }
 
-    /// Drags a handle to a point of the plane. Rounds its coordinates to the grid if snapping is
-    /// on, and otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag
-    /// after which there would be no line.
+    /// Drags a handle to a point of the plane. Rounds the point's coordinates to the grid if snapping
+    /// is on, and otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag that
+    /// would make the line invalid.
     pub fn drag(&mut self, handle: LineHandle, to: DVec2, fineness: f64) {
         let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
         let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;

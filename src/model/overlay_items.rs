@@ -30,13 +30,13 @@ pub enum Item {
     Hit,
     /// The x, y, z axes at the origin.
     Axes,
-    /// The planes, as patches with a grid of world units.
+    /// The planes, each as a patch with a grid of world units.
     Planes,
     /// The lines u = 0 and v = 0 in the camera view.
     UvAxes,
     /// The labels of all these items.
     Labels,
-    /// The magnified pixels around the selected place, in the camera view.
+    /// The magnified pixels around the selected point, in the camera view.
     Loupe,
     /// The handles in the world view.
     Handles,
@@ -91,7 +91,7 @@ impl Item {
 
 /// The set of items that are drawn.
 ///
-/// Stored as a set of bits, one for each [`Item`] in the order of their declaration; unknown bits
+/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. Unknown bits
 /// are ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
@@ -100,8 +100,8 @@ pub struct OverlayItems {
 }
 
 impl Default for OverlayItems {
-    /// Returns all items except the camera view's axes and the loupe, which would cover the
-    /// picture.
+    /// Returns all items except the u and v axes of the camera view and the loupe, which would cover
+    /// the picture.
     fn default() -> Self {
         OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() }
     }

@@ -1,5 +1,5 @@
-//! The numbers of the selected ray and of its camera, with their names, concepts and meanings: one
-//! list for the readouts, the strip below the views, the clipboard and `pinhole inspect`.
+//! The numbers of the selected ray and of its camera, with their names, concepts and meanings: one list
+//! for the readouts, the strip below the views, the clipboard and `pinhole inspect`.
 
 use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
 use pinhole_lecture::numbers::written;
@@ -7,14 +7,15 @@ use pinhole_lecture::numbers::written;
 use crate::model::symbols::{SymbolKind, meaning};
 use crate::model::{Concept, Inspection, Settings};
 
-/// The number format.
+/// The format in which numbers are written.
 #[derive(Clone, Copy)]
 pub struct NumberStyle {
     /// Number of significant digits.
     pub digits: usize,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// True for all digits and an ASCII minus sign, which programs read: for the clipboard.
+    /// True if numbers are written for programs, such as for the clipboard: with all digits and an
+    /// ASCII minus sign.
     pub exact: bool,
 }
 
@@ -25,7 +26,7 @@ pub struct Reading {
     pub name: &'static str,
     /// The name in the text of `pinhole inspect`.
     pub long_name: &'static str,
-    /// The concept that the views highlight for the reading.
+    /// The concept that the views highlight for the reading, if any.
     pub concept: Option<Concept>,
     /// The value.
     pub value: ReadingValue,
@@ -41,7 +42,7 @@ impl Reading {
         Reading { name, long_name, concept: Some(concept), value }
     }
 
-    /// Returns the meaning in one sentence.
+    /// Returns the reading's meaning in one sentence.
     pub(crate) fn meaning(&self) -> &'static str {
         meaning(SymbolKind::Readout, self.name)
             .or_else(|| meaning(SymbolKind::Vector, self.name))
@@ -60,13 +61,13 @@ pub enum ReadingValue {
     Vector(DVec3),
     /// The angle between up and view.
     Angle(UpAngle),
-    /// The position in an image of this size; `None` outside it.
+    /// The position in an image of this size; `None` outside the image.
     Pixel(Option<PixelOfUv>, ImageSize),
     /// The title of an object, or a word.
     Text(String),
 }
 
-/// Returns u, v, w, and the angle between up and view if the camera is given by them.
+/// Returns the readings of u, v and w and, if `angle` is given, those of the angle between up and view.
 pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading> {
     let basis = camera.basis();
     let mut readings = vec![
@@ -85,7 +86,7 @@ pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading>
 }
 
 impl Inspection {
-    /// Returns the numbers of the ray itself, in an image of this size.
+    /// Returns the readings of the ray itself, for an image of this size.
     pub fn ray_readings(&self, image: ImageSize) -> [Reading; 5] {
         let length = ReadingValue::Number(self.ray.distance_along(1.0));
         let (pixel, d) = (ReadingValue::Pixel(self.image_position, image), Concept::Direction);
@@ -98,7 +99,7 @@ impl Inspection {
         ]
     }
 
-    /// Returns the numbers of a root, given by its index.
+    /// Returns the readings of the root with this index.
     pub fn root_readings(&self, index: usize) -> [Reading; 4] {
         let root = &self.roots[index];
         let values = [
@@ -110,7 +111,7 @@ impl Inspection {
         values.map(|(name, value)| Reading::new(name, name, self.concept_of(root), value))
     }
 
-    /// Returns the t of the hit and the title of the object that the ray hits; `title` returns an
+    /// Returns the readings of the first hit: its t and the title of its object. `title` returns an
     /// object's title.
     pub fn hit_readings(&self, title: impl Fn(usize) -> String) -> Vec<Reading> {
         let hit = |concept, text| Reading {
@@ -128,18 +129,18 @@ impl Inspection {
 }
 
 impl NumberStyle {
-    /// Returns the number style that the settings ask for.
+    /// Creates the number style of the settings.
     pub(crate) fn new(settings: &Settings) -> NumberStyle {
         let Settings { digits, count_from_one, .. } = *settings;
         NumberStyle { digits, count_from_one, exact: false }
     }
 
-    /// Returns the format for programs.
+    /// Returns the style for text that programs read.
     pub(crate) fn for_programs(self) -> NumberStyle {
         NumberStyle { exact: true, ..self }
     }
 
-    /// Returns the style with at most this number of digits.
+    /// Returns the style with its number of digits limited to `digits`.
     pub(crate) fn at_most(self, digits: usize) -> NumberStyle {
         NumberStyle { digits: self.digits.min(digits), ..self }
     }
@@ -181,8 +182,8 @@ impl NumberStyle {
         }
     }
 
-    /// Writes the angle between up and view in degrees. A valid camera's angle is below 180, so an
-    /// angle that rounds to 180 is written as 180 minus the difference.
+    /// Formats the angle between up and view in degrees. A valid camera's angle is below 180 degrees,
+    /// so an angle that rounds to 180 is written as 180 minus the difference.
     fn degrees(self, UpAngle { angle, conditioning }: UpAngle) -> String {
         let text = self.number(angle.to_degrees());
         if text != self.number(180.0) {

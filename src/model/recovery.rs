@@ -1,7 +1,8 @@
-//! Recovery of unsaved changes. They are written to a separate file while they are made, and the
-//! next start offers them.
+//! Recovery of unsaved changes. They are written to a separate file as they are made, and the program
+//! offers them at its next start.
 //!
-//! Each window has a numbered slot in a folder. A slot is a scene file, whose last line names the
+//! Each window has a numbered slot in a folder. A slot consists of a scene file, whose last line names
+//! the source of the document, and a lock file. The system releases the lock however the window ends.
 //! source of the document, and a lock, which the system releases however the window ends.
 
 use std::fs::{self, File, TryLockError};
@@ -15,13 +16,14 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{OpenDocument, Stamp, argument_of, title_of};
 
-/// Maximum number of slots; any further window does not record its changes.
+/// Maximum number of slots. Windows beyond this number do not record their changes.
 const SLOTS: usize = 64;
 
-/// Begins the last line of a slot's scene file, a comment. A [`ChangedScene`] as JSON follows.
+/// The beginning of the last line of a slot's scene file, which is a comment. A [`ChangedScene`] as
+/// JSON follows.
 const SOURCE: &str = "\n# unsaved changes to: ";
 
-/// A window's slot, which stays locked as long as this value lives.
+/// A window's slot. It stays locked as long as this value lives.
 #[derive(Debug)]
 pub struct Slot {
     scene: PathBuf,
@@ -29,7 +31,7 @@ pub struct Slot {
     _lock: File,
 }
 
-/// Unsaved changes of a window that ended without asking the user to save.
+/// Unsaved changes of a window that ended without asking the user whether to save them.
 #[derive(Debug)]
 pub struct Found {
     slot: Slot,
@@ -40,7 +42,7 @@ pub struct Found {
     pub age: Duration,
 }
 
-/// Unsaved changes that will be written into a slot.
+/// Unsaved changes that are to be written into a slot.
 #[derive(Clone, Debug)]
 pub struct Unsaved {
     document: Document,
@@ -52,27 +54,27 @@ pub struct Unsaved {
 struct ChangedScene {
     /// The name of the scene.
     title: String,
-    /// The scene in the command line's notation.
+    /// The command-line argument that opens the scene; `None` if there is none.
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
-    /// Numbers of the document that are not valid in a scene file.
+    /// Numbers of the document that a scene file may not contain.
     faults: Faults,
 }
 
-/// Invalid numbers that the user is about to correct, or for which the window shows the reason.
+/// Numbers of an edited document that are invalid, which the user may be about to correct.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Faults {
-    /// Width, height and distance of the viewport.
+    /// Width, height and distance of the viewport, if any of them is invalid.
     viewport: Option<[f64; 3]>,
-    /// Indices of spheres, and their radii.
+    /// Indices and radii of the spheres with invalid radii.
     radii: Vec<(usize, f64)>,
     /// Indices of planes whose normal is zero.
     normals: Vec<usize>,
 }
 
 impl Faults {
-    /// Moves the invalid numbers out of a document and puts valid ones in their place.
+    /// Moves the invalid numbers out of a document, and puts valid ones in their place.
     fn take(document: &mut Document) -> Faults {
         let mut faults = Faults::default();
         let viewport = &mut document.camera.viewport;
@@ -96,7 +98,7 @@ impl Faults {
         faults
     }
 
-    /// Puts them back.
+    /// Puts the invalid numbers back into the document.
     fn put_into(&self, document: &mut Document) {
         if let Some([width, height, distance]) = self.viewport {
             let viewport = &mut document.camera.viewport;
@@ -116,7 +118,7 @@ impl Faults {
 }
 
 impl Unsaved {
-    /// Takes the changes of the open document.
+    /// Copies the unsaved changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
         let mut document = open.document.clone();
@@ -144,7 +146,7 @@ impl Unsaved {
 }
 
 impl Slot {
-    /// Returns a free slot in this folder, if there is one; the changes that ended windows have
+    /// Opens a slot in this folder. Returns the slot, if one is free; the changes that ended windows
     /// left in other slots; and the first error if a slot could not be opened.
     pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
         let (mut own, mut found, mut fault) = (None, Vec::new(), None);
@@ -163,7 +165,7 @@ impl Slot {
         (own, found, fault)
     }
 
-    /// Locks a slot, unless another window has it.
+    /// Locks a slot. Returns `None` if another window has locked it.
     fn at(folder: &Path, number: usize) -> Result<Option<Slot>, FileError> {
         let [scene, lock] =
             ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")));
@@ -178,9 +180,9 @@ impl Slot {
         }
     }
 
-    /// Removes the recorded changes.
+    /// Deletes the recorded changes.
     pub fn clear(&self) {
-        // A missing file need not be removed; a file that cannot be removed is offered once more.
+        // The file may be missing already. If it cannot be deleted, its changes are offered again.
         let _ = fs::remove_file(&self.scene);
     }
 }
@@ -191,8 +193,8 @@ impl Found {
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
         let mut text = limits::read_text(&slot.scene);
         let source = text.as_mut().ok().and_then(|text| {
-            // Cut this line off the text, because a name may contain characters that a comment may
-            // not.
+            // Cut the source line off the text: a name in it may contain characters that are not
+            // allowed in a comment.
             let line = text.split_off(text.rfind(SOURCE)?);
             serde_json::from_str(&line[SOURCE.len()..]).ok()
         });
@@ -200,21 +202,21 @@ impl Found {
         Some(Found { source: source.unwrap_or_else(unknown), age, slot, text })
     }
 
-    /// Returns the name of the scene that was changed.
+    /// Returns the title of the scene that was changed.
     pub fn title(&self) -> &str {
         &self.source.title
     }
 
-    /// Returns the file of the scene that was changed, if it has one.
+    /// Returns the file of the scene that was changed; `None` if it did not come from a file.
     pub fn file(&self) -> Option<&Path> {
         self.source.argument.as_deref().filter(|argument| argument.is_absolute())
     }
 
-    /// Returns the document with its changes, and the slot that holds them until they are saved.
-    /// If `as_new`, the document belongs to no file and leaves the scene's file unchanged.
+    /// Returns the document with its changes, and the slot that holds them until they are saved. If
+    /// `as_new` is true, the document belongs to no file, so that the scene's own file stays unchanged.
     ///
     /// # Errors
-    /// Returns the reason if the changes cannot be read; they are then kept.
+    /// Returns the reason if the changes cannot be read. They are then kept.
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
@@ -236,7 +238,7 @@ impl Found {
     }
 }
 
-/// Formats a duration in the largest unit that it fills, such as `3 minutes`.
+/// Formats a duration as a whole number of its largest unit, such as `3 minutes`.
 pub fn in_words(age: Duration) -> String {
     let seconds = age.as_secs();
     let (count, unit) = match seconds {

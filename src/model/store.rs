@@ -1,4 +1,4 @@
-//! The state that one run of the program stores for the next: settings, window, recent files and
+//! The state that one run of the program stores for the next one: settings, window, recent files and
 //! the last scene.
 
 use std::io::Write as _;
@@ -19,7 +19,7 @@ use crate::model::session::Settings;
 pub struct Remembered {
     /// Preferences.
     pub settings: Settings,
-    /// The window's place and size.
+    /// The position and size of the window.
     pub window: WindowGeometry,
     /// The selected ray of the scene that was open.
     pub selection: Option<RememberedRay>,
@@ -27,22 +27,23 @@ pub struct Remembered {
     pub recent: Vec<PathBuf>,
     /// The renderer of the window, for bug reports.
     pub renderer: String,
-    /// The scene that was open, in the command line's notation; if a lesson was open, the scene
-    /// that was open before it.
+    /// The command-line argument for the scene that was open; if a lesson was open, for the scene that
+    /// was open before the lesson.
     pub last: Option<PathBuf>,
-    /// The lesson that was open and its step, both counted from 1.
+    /// The number of the lesson that was open, and that of its step, both counted from 1.
     pub lesson: Option<(usize, usize)>,
 }
 
 impl Remembered {
-    /// Returns the position in the built-in lessons where the last run ended.
+    /// Returns the step of the built-in lessons at which the last run ended; `None` if no lesson was
+    /// open.
     pub fn lesson_step(&self) -> Option<StepId> {
         let (number, step) = self.lesson?;
         Some(StepId { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
     }
 }
 
-/// A [`Selection`] in the form that is written to disk.
+/// A [`Selection`] in the form in which it is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RememberedRay {
@@ -70,7 +71,7 @@ impl From<RememberedRay> for Selection {
     }
 }
 
-/// Reads as much as possible of a partly invalid file, by checking each value separately.
+/// Reads as much as possible of a partly invalid file, checking each value separately.
 fn readable(text: &str) -> Remembered {
     let read: Value = serde_json::from_str(text).unwrap_or_default();
     let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
@@ -80,8 +81,8 @@ fn readable(text: &str) -> Remembered {
     serde_json::from_value(kept).unwrap_or_default()
 }
 
-/// Copies the value `read` at a position (a JSON pointer) into `kept`, as far as the result is
-/// valid.
+/// Copies the value `read`, which is located at a JSON pointer, into `kept`, except for the parts that
+/// would make the result invalid.
 fn keep(kept: &mut Value, pointer: &str, read: &Value) {
     if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(pointer)) {
         let known: Vec<String> = known.keys().cloned().collect();
@@ -109,7 +110,7 @@ pub struct Store {
 
 impl Store {
     /// Returns the user's own store in the system's usual folder; `None` if there is no such folder
-    /// (no home directory).
+    /// because the user has no home directory.
     pub fn of_user() -> Option<Store> {
         let strategy = choose_app_strategy(AppStrategyArgs {
             top_level_domain: "org".to_owned(),
@@ -121,17 +122,17 @@ impl Store {
         Some(Store { path: folder.join("state.json") })
     }
 
-    /// Returns a store in this file.
+    /// Creates a store that uses this file.
     pub fn at(path: &Path) -> Store {
         Store { path: path.to_owned() }
     }
 
-    /// Returns the folder for unsaved changes.
+    /// Returns the folder in which unsaved changes are recorded.
     pub fn unsaved(&self) -> PathBuf {
         self.path.with_file_name("unsaved")
     }
 
-    /// Returns true if there was no run before this one.
+    /// Returns true if this is the program's first run, which has no stored state yet.
     pub fn is_new(&self) -> bool {
         !self.path.exists()
     }
@@ -159,13 +160,13 @@ impl Store {
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct WindowGeometry {
-    /// Size of the window's content.
+    /// Size of the window's content, in points without zoom.
     pub inner_size: [f32; 2],
-    /// Top left corner of the window's frame; `None` lets the desktop choose.
+    /// Top left corner of the window's frame; `None` if the desktop is to choose it.
     pub position: Option<[f32; 2]>,
     /// True if the window is maximised.
     pub maximized: bool,
-    /// Pixels per point of the screen that the window was on.
+    /// Pixels per point of the screen on which the window was.
     pub scale: f32,
 }
 
@@ -181,9 +182,9 @@ impl WindowGeometry {
         self.scale.clamp(0.5, 8.0)
     }
 
-    /// Stores the window's present position and size. The window calls this function each frame, and saves the
-    /// stored geometry on exit. A maximised, minimised or full-screen window is ignored: the normal position
-    /// and size are kept.
+    /// Stores the window's current position and size. The window calls this function each frame and
+    /// saves the geometry on exit. While the window is maximised, minimised or in full screen, its
+    /// normal position and size are kept.
     pub fn update(&mut self, ctx: &egui::Context) {
         let zoom = ctx.zoom_factor();
         ctx.input(|input| {
@@ -196,7 +197,7 @@ impl WindowGeometry {
             if self.maximized {
                 return;
             }
-            // Wayland reports no position, so neither rectangle is available there.
+            // Wayland reports no position, so neither rectangle of the window is available there.
             let size = viewport.inner_rect.map_or(input.viewport_rect().size(), |r| r.size());
             if size.x >= 1.0 && size.y >= 1.0 {
                 self.inner_size = [size.x * zoom, size.y * zoom];

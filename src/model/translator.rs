@@ -1,4 +1,4 @@
-//! The translator: the camera in another program's notation, the table of conventions, and pasted
+//! The translator: the camera in another program's notation, the comparison of conventions, and pasted
 //! cameras.
 
 use std::ops::Range;
@@ -14,7 +14,7 @@ use pinhole_lecture::numbers::{written, written_whole};
 
 use crate::model::symbols::{bold, italic};
 
-/// Maximum number of objects that are written and shown.
+/// Maximum number of objects that are written and displayed.
 pub const MOST_OBJECTS: usize = 500;
 
 /// The choices in the translator.
@@ -22,7 +22,7 @@ pub const MOST_OBJECTS: usize = 500;
 pub struct Translator {
     /// The name of the [`Format`].
     pub target: &'static str,
-    /// True if the objects are written, too.
+    /// True if the objects are written as well.
     pub objects: bool,
     /// True if numbers are shown with all digits. Copied and saved numbers always have all digits.
     pub every_digit: bool,
@@ -43,28 +43,29 @@ impl Translator {
     }
 }
 
-/// A brief notice about a finished action: a paste, or a file that was read again.
+/// A brief notice about a finished action, such as a paste or reloading a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// The result in a few words.
     pub title: String,
     /// Further details: the parts that were left out, or the error in the text.
     pub notes: Vec<String>,
-    /// True if it went well.
+    /// True if the action succeeded.
     pub worked: bool,
-    /// The camera after the action, if the action was about the camera. The notice is outdated once
-    /// the camera has changed.
+    /// The camera after the action; `None` if the action was not about the camera. The notice is
+    /// outdated once the camera has changed.
     pub camera: Option<Camera>,
-    /// Time in seconds at which this was first shown.
+    /// Time in seconds at which the notice was first shown; `None` if it has not been shown yet.
     pub shown_at: Option<f64>,
 }
 
-/// The note for a left-handed camera whose objects stay as they are.
+/// The note for a left-handed camera that is read without its objects.
 const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
                      but the objects are not: negate their z, too, for the same picture";
 
-/// Reads the camera in a text. Fields that the text does not specify stay as in the camera
-/// `at_hand`; objects are ignored. Returns no camera if the text contains none or an invalid one.
+/// Reads the camera in a text. Values that the text does not specify are those of the camera `at_hand`;
+/// objects are ignored. The camera is `None` if the text contains no valid one; the notice then says
+/// why.
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     let failed = |title: &str, note: String| {
         let (title, notes) = (title.to_owned(), vec![note]);
@@ -111,14 +112,14 @@ fn taken_over(title: String, camera: Camera, notes: Vec<String>) -> (Option<Came
     (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
 }
 
-/// Reads a scene file of this program; `None` if the text is not one.
+/// Reads a scene file of this program. Returns `None` if the text is not a scene file.
 fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
     let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
     is_one.then(|| scene_file::parse_alone(text, Path::new("pasted")))
 }
 
-/// Returns which parts are written with the camera. The objects are included if the user wants them
-/// and there are not too many.
+/// Returns what is written besides the camera: the objects, if the user wants them and there are not
+/// too many of them.
 pub fn with(document: &Document, objects: bool) -> Include {
     let few = document.object_count() <= MOST_OBJECTS;
     if objects && few { Include::Meshes } else { Include::CameraAlone }
@@ -127,15 +128,15 @@ pub fn with(document: &Document, objects: bool) -> Include {
 /// A camera in the notation of a format.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
-    /// The text, or the reason why there is none.
+    /// The text, or the reason why the camera cannot be written.
     pub written: Result<Exported, String>,
-    /// The table of conventions; empty if there is no camera, and for code, which uses the
+    /// The table of conventions. It is empty if there is no camera, and for code, which uses the
     /// lecture's own conventions.
     pub rows: Vec<ConventionRow>,
 }
 
 impl Translation {
-    /// Translates a document's camera. The table's numbers are those of `pixel`.
+    /// Translates a document's camera. `pixel` is the pixel whose numbers the table shows.
     pub fn new(
         document: &Document,
         format: &Format,
@@ -154,7 +155,7 @@ impl Translation {
     }
 }
 
-/// Returns the text with long numbers cut to `digits` significant digits, for readers.
+/// Returns the text with long numbers shortened to `digits` significant digits, for display.
 pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
     let mut from = 0;
@@ -169,8 +170,8 @@ pub fn shortened(text: &Text, digits: usize) -> Text {
     short
 }
 
-/// Appends a part of the text with its long numbers cut. A digit that follows a letter does not
-/// begin a number.
+/// Appends a part of the text to `short`, with its long numbers shortened. A digit that follows a
+/// letter does not begin a number.
 fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
     let bytes = &text.as_bytes()[..part.end];
     let (mut from, mut at) = (part.start, part.start);
@@ -206,23 +207,23 @@ fn cut(value: f64, digits: usize) -> String {
     rounded.parse().map_or(rounded, shortest)
 }
 
-/// A row of the table.
+/// A row of the table of conventions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConventionRow {
     /// Name of the convention.
     pub about: &'static str,
-    /// Its form here.
+    /// Pinhole's form of the convention.
     pub ours: String,
-    /// Its form there.
+    /// The other format's form of it.
     pub theirs: String,
-    /// True if a sign is reversed.
+    /// True if the other format has the opposite sign.
     pub flipped: bool,
-    /// True if it differs from Pinhole's convention.
+    /// True if the other format's convention differs from Pinhole's.
     pub differs: bool,
 }
 
-/// Returns the rule by which pixels are counted, and the numbers of a pixel's centre in an image of
-/// W x H.
+/// Returns the rule by which pixels are counted, and the coordinates of a pixel's centre in an image of
+/// this size.
 fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
@@ -255,8 +256,8 @@ fn counted(
     [rule, format!("({}, {})", written_whole(a), written_whole(b))]
 }
 
-/// Returns the table for a camera, which compares a format's conventions with Pinhole's. The row on
-/// pixels has the numbers of `pixel`; `digits` is the number of significant digits.
+/// Returns the table for a camera, which compares a format's conventions with Pinhole's. `pixel` is the
+/// example in the row about pixels; `digits` is the number of significant digits.
 fn rows(
     conventions: &Conventions,
     subject: &ExportScene,
@@ -306,7 +307,7 @@ fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.direction);
-        // 0 has no sign to read.
+        // Adding 0 makes a negative zero positive.
         let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| written(x, digits));
         // A bold letter with its sign.
         let letter: String = axis.name.chars().map(bold).collect();

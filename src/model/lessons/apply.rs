@@ -1,16 +1,16 @@
-//! Applies a lesson's step to the document and the session. This is the only place where a step's
-//! fields become the window's state.
+//! Applies a lesson's step to the document and the session. A step's fields change the state of the
+//! window only here.
 
 use pinhole_exchange::document::Document;
 
 use super::lesson::Step;
 use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
 
-/// Sets what the step specifies. Everything else stays unchanged, including the answers to its
-/// question.
+/// Sets everything that the step specifies. Everything else stays unchanged, including the answers to
+/// its question.
 ///
-/// `seen_from` is the observer that the step specifies, fitted to the view when the step was first
-/// shown; `None` if it has not been shown yet.
+/// `seen_from` is the step's observer, fitted to the view when the step was first shown; `None` if it
+/// has not been shown yet.
 pub fn apply(
     step: &Step,
     seen_from: Option<Observer>,
@@ -28,8 +28,8 @@ pub fn answer(step: &Step, session: &mut Session) {
     session.is_asking = false;
 }
 
-/// Returns the items that are drawn once the step's question is answered. The observer is framed
-/// for them from the start, and therefore need not move when the answer is shown.
+/// Returns the items that will be drawn after the step's question is answered. The observer is framed
+/// for them from the start, so that it need not move when the answer is shown.
 pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
     let mut shown = session.settings.items;
     if let (true, Some(question), Some(items)) =
@@ -44,7 +44,7 @@ pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
     shown
 }
 
-/// Clears the answers to the step's question.
+/// Clears the user's answers to the step's exercise.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.view.exercise {
         session.exercises.show(asked.exercise, asked.seed);
@@ -52,7 +52,7 @@ pub fn clear_answers(step: &Step, session: &mut Session) {
     }
 }
 
-/// Sets the view of the step: selection, observer, settings.
+/// Sets the step's selection, observer and settings.
 fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
     let view = &step.view;
@@ -65,7 +65,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
-    // A vote is about the picture of the step before, and takes up the space of the step's text.
+    // A vote refers to the previous step's picture, and would cover this step's text.
     if session.mistakes_view.open_vote.is_some() {
         session.mistakes_view.close_vote();
     }
@@ -75,7 +75,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     let settings = &mut session.settings;
     set(&mut settings.layout, view.layout);
     if let Some(items) = view.items {
-        // The pictures of steps can be dragged; the user decides about handles.
+        // Handles can be dragged in the picture of any step, so a step never hides them.
         let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
         settings.items = items.with(Item::Handles, handles);
         if let Some(question) = step.question.as_ref().filter(|_| session.is_asking) {
@@ -89,8 +89,8 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.teaching, view.teaching);
 }
 
-/// Restores the window to its state before the first lesson. Selection and observer stay as they
-/// are, because the step's scene stays open.
+/// Restores the window's state from before the first lesson. Selection and observer stay unchanged,
+/// because the step's scene stays open.
 pub fn restore(before: &Session, session: &mut Session) {
     session.is_asking = false;
     session.revealed_lines = None;
@@ -100,7 +100,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
     session.mistakes_view = before.mistakes_view.clone();
-    // The text typed in a step's question is kept.
+    // The answers typed in a step's exercise are kept.
     let exercises = &before.exercises;
     session.exercises.show(exercises.question().exercise, exercises.seed());
     let (before, settings) = (&before.settings, &mut session.settings);
@@ -113,7 +113,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     settings.teaching = before.teaching;
 }
 
-/// Returns true if anything differs from what the step specifies.
+/// Returns true if the document or the session differs from what the step specifies.
 pub fn differs(
     step: &Step,
     seen_from: Option<Observer>,

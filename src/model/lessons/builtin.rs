@@ -6,7 +6,8 @@ use std::sync::{Arc, LazyLock};
 use super::lesson::Lesson;
 use super::read;
 
-/// A list of the files `assets/lessons/NAME.toml`, each with its name, for error messages, and its text.
+/// Expands to a list of the files `assets/lessons/NAME.toml`: the name of each, for error messages, and
+/// its text.
 macro_rules! lessons {
     [$($name:literal),* $(,)?] => {
         &[$((
@@ -33,7 +34,7 @@ pub const FILES: &[(&str, &str)] = lessons![
     "13-many-rays",
 ];
 
-/// Returns all built-in lessons, which are read once; lesson 1 comes first.
+/// Returns all built-in lessons, lesson 1 first. They are parsed once.
 pub fn all() -> &'static [Arc<Lesson>] {
     static LESSONS: LazyLock<Vec<Arc<Lesson>>> = LazyLock::new(|| {
         let read = |(name, text): &(&str, &str)| read::parse(text, Path::new(name), None);

@@ -20,39 +20,38 @@ pub struct Lesson {
     pub steps: Vec<Step>,
 }
 
-/// A state of the window to look at.
+/// A step of a lesson: a state of the window, with a text about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
     /// The step's title.
     pub title: String,
-    /// The instructions: what to look at or drag. `*u*` marks scalars and `**u**` marks vectors.
+    /// The instructions: what to look at or to drag. `*u*` denotes a scalar and `**u**` a vector.
     pub text: String,
-    /// The question that the class considers before any number is shown.
+    /// The question that the class answers before any number is shown.
     pub question: Option<StepQuestion>,
     /// The document that the step opens.
     pub document: Document,
-    /// Index of the step that named the scene. All steps of one scene share an observer unless they
+    /// Index of the step that set the scene. Steps with the same scene share an observer unless they
     /// specify another.
     pub scene_from: usize,
     /// The selected ray.
     pub selection: Selection,
-    /// The rest of the step's view.
+    /// All other parts of the window's state that the step sets.
     pub view: StepView,
 }
 
-/// A question to the class and its answer, with the same marks for symbols as a step's text.
+/// A question to the class and its answer, with the same notation for symbols as a step's text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepQuestion {
     /// The question.
     pub ask: String,
-    /// The answer, which takes the question's position.
+    /// The answer, which replaces the question on the screen.
     pub answer: String,
-    /// The overlay items that would give the answer away.
+    /// The overlay items that would reveal the answer, and are hidden while the question is open.
     pub hidden: OverlayItems,
 }
 
-/// An exercise: either the lecture's own question of its kind, or a question with random numbers
-/// from a seed.
+/// An exercise: either the lecture's own question of this kind, or a question with random numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AskedExercise {
     /// The kind of question.
@@ -61,7 +60,7 @@ pub struct AskedExercise {
     pub seed: Option<u64>,
 }
 
-/// The view of a step; a field that is `None` leaves that part of the window unchanged.
+/// The view of a step. A field that is `None` leaves that part of the window unchanged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepView {
     /// The observer of the world view.
@@ -78,7 +77,7 @@ pub struct StepView {
     pub digits: Option<usize>,
     /// True if distance, width and height change together.
     pub keep_picture: Option<bool>,
-    /// True if the teaching part of the camera panel is unfolded.
+    /// True if the part of the camera panel for teaching is unfolded.
     pub teaching: Option<bool>,
     /// The sections of the derivation that are shown.
     pub derivation: Option<DerivationSections>,
@@ -89,15 +88,15 @@ pub struct StepView {
     pub mistake: Option<Mistake>,
     /// The parameter t of the point on the selected ray; `None` if there is no such point.
     pub t: Option<f64>,
-    /// The animation that is open, at its start.
+    /// The animation to open, at its start.
     pub play: Option<Kind>,
-    /// The lab of lines in two dimensions.
+    /// The state of the lab of lines.
     pub lines: Option<LinesLab>,
     /// The question of the exercises layout.
     pub exercise: Option<AskedExercise>,
 }
 
-/// The identity of a lesson.
+/// Identifies a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
     /// A built-in lesson, by its index.
@@ -106,7 +105,7 @@ pub enum Which {
     File,
 }
 
-/// Identifies a step: its lesson, and its index in it.
+/// Identifies a step: its lesson, and its index in the lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepId {
     /// The lesson.
@@ -123,8 +122,8 @@ pub struct OpenLesson {
 }
 
 impl OpenLesson {
-    /// Opens the lesson at that place; `file` is the lesson that was opened from a file. Returns
-    /// `None` if there is no such step.
+    /// Opens a lesson at this step. `file` is the lesson that was opened from a file. Returns `None` if
+    /// there is no such step.
     pub fn at(id: StepId, file: Option<&Arc<Lesson>>) -> Option<OpenLesson> {
         let lesson = match id.lesson {
             Which::Builtin(index) => builtin::all().get(index),
@@ -145,7 +144,7 @@ impl OpenLesson {
 
     /// Returns the current step.
     pub fn step(&self) -> &Step {
-        // In range: `at` checked it.
+        // In range: the constructor `at` checked it.
         &self.lesson.steps[self.id.step]
     }
 
@@ -162,8 +161,8 @@ impl OpenLesson {
         }
     }
 
-    /// Returns the id of the next step. After a lesson's last step, it is the first step of the
-    /// next lesson.
+    /// Returns the id of the next step. After the last step of a built-in lesson, that is the first
+    /// step of the next lesson. Returns `None` if there is no next step.
     pub fn next(&self) -> Option<StepId> {
         if self.id.step + 1 < self.lesson.steps.len() {
             return Some(StepId { step: self.id.step + 1, ..self.id });
@@ -173,8 +172,8 @@ impl OpenLesson {
         Some(StepId { lesson: Which::Builtin(index + 1), step: 0 })
     }
 
-    /// Returns the id of the previous step. Before a lesson's first step, it is the last step of
-    /// the previous lesson.
+    /// Returns the id of the previous step. Before the first step of a built-in lesson, that is the
+    /// last step of the previous lesson. Returns `None` if there is no previous step.
     pub fn previous(&self) -> Option<StepId> {
         if let Some(step) = self.id.step.checked_sub(1) {
             return Some(StepId { step, ..self.id });
@@ -185,7 +184,7 @@ impl OpenLesson {
         Some(StepId { lesson: Which::Builtin(index), step })
     }
 
-    /// Returns true if both steps show the same scene; the world view then keeps its observer.
+    /// Returns true if both steps show the same scene, in which case the world view keeps its observer.
     pub fn shares_scene_with(&self, other: &OpenLesson) -> bool {
         self.lesson == other.lesson && self.step().scene_from == other.step().scene_from
     }
@@ -212,7 +211,7 @@ impl LessonArgument {
     /// Parses `7` (lesson 7), `7.3` (its third step), or the path of a lesson file.
     ///
     /// # Errors
-    /// Returns an error if there is no such lesson or step; the message lists the existing ones.
+    /// Returns a message that lists the existing lessons or steps if there is no such lesson or step.
     pub fn parse(text: &str) -> Result<LessonArgument, String> {
         let whole = |text: &str| {
             let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
@@ -242,7 +241,7 @@ impl LessonArgument {
         Ok(LessonArgument::Builtin(StepId { lesson: Which::Builtin(index), step: step_index }))
     }
 
-    /// Returns the step to begin at, and the lesson if it comes from a file.
+    /// Returns the step to begin with, and the lesson if it comes from a file.
     ///
     /// # Errors
     /// Returns an error if the file cannot be read or is not a valid lesson.

@@ -1,7 +1,7 @@
 //! The lecture, step by step.
 //!
 //! A *lesson* is a data file with a title and *steps*; each step is a state of the window to look at.
-//! `lesson` holds a lesson's contents and the user's place in it, `read` reads a lesson file,
+//! `lesson` contains the data of a lesson and the user's place in it, `read` reads a lesson file,
 //! `builtin` lists the lessons that come with the program, and `apply` applies a step to the document
 //! and the session. Nothing here calculates anything.
 

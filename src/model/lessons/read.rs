@@ -16,7 +16,7 @@ use crate::model::{
     Concept, DerivationSection, DerivationSections, Item, LinesLab, Observer, OverlayItems,
 };
 
-/// The format version that this program reads.
+/// The version of the lesson format that this program reads.
 pub const VERSION: i64 = 1;
 
 /// The keys at the top of a file.
@@ -36,14 +36,14 @@ pub fn load(path: &Path) -> Result<Lesson, FileError> {
     parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))
 }
 
-/// Returns true if a file claims to be a lesson, valid or not.
+/// Returns true if a file has the key that marks a lesson, even if the lesson is invalid.
 pub fn is_lesson(path: &Path) -> bool {
     let text = limits::read_text(path).unwrap_or_default();
     toml(&TomlSource { text: &text, path }).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
 }
 
-/// Parses a lesson file's text. `path` is for error messages. The paths of scenes are relative to
-/// the folder `base`; `None` allows only built-in scenes.
+/// Parses the text of a lesson file. `path` is used in error messages. The paths of scenes are relative
+/// to the folder `base`; if it is `None`, only built-in scenes are allowed.
 ///
 /// # Errors
 /// Returns the same errors as [`load`].
@@ -65,14 +65,13 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     Ok(Lesson { title, steps })
 }
 
-/// Maximum number of letters of a title and of a step's text, limited by the space of the strip
-/// above the views.
+/// Maximum number of characters of a title, of a step's text, and of a question or an answer. They must
+/// fit into the strip above the views.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
 const LONGEST_ANSWER: usize = 300;
 
-/// Reads a text, which must not be empty, and joins its lines. Checks that it has at most `longest`
-/// letters.
+/// Reads a text and joins its lines. The text must not be empty or longer than `longest` characters.
 fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
     match text.chars().count() {
@@ -84,7 +83,7 @@ fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     }
 }
 
-/// Reads a step. Everything that the step does not specify comes from the step before it.
+/// Reads a step. Values that the step does not specify are those of the previous step.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
     let known: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
@@ -110,7 +109,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     tables(section, &mut document)?;
     let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
     if is_new {
-        // The observer and t apply to one scene only.
+        // The observer and t belong to the previous scene.
         (view.observer, view.t) = (None, None);
     }
     let selection = match last.filter(|_| !is_new) {
@@ -129,7 +128,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     Ok(Step { title, text, question, document, scene_from, selection, view })
 }
 
-/// Reads the question to the class. Unlike other fields, it does not carry over to the next step.
+/// Reads the question to the class. Unlike other fields, it is not inherited by the next step.
 fn question(section: &Section) -> Result<Option<StepQuestion>, FileError> {
     let [ask, answer, hide] = ["ask", "answer", "hide"].map(|key| section.get(key));
     match (ask, answer) {
@@ -168,7 +167,7 @@ fn scene(field: &TomlField, base: Option<&Path>) -> Result<Document, FileError> 
     }
     source.load().map_err(|error| match error.location {
         Some(_) => error,
-        // The path is wrong, so the error points to the path in the lesson.
+        // The path is wrong, so the error points to the lesson's field with the path.
         None => field.error(&error.to_string()),
     })
 }
@@ -194,7 +193,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
 }
 
 fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(), FileError> {
-    /// Replaces the value of the previous step if the field is present.
+    /// Replaces the inherited value if the field is present.
     fn say<'a, T>(
         section: &Section<'a>,
         key: &str,
@@ -228,7 +227,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
     })?;
     say(section, "t", &mut view.t, TomlField::number)?;
-    // The camera is a different one, so the previous step's animation does not carry over.
+    // The camera may have changed, so the previous step's animation is not inherited.
     view.play = None;
     say(section, "play", &mut view.play, |field| {
         choice(field, Kind::ALL.map(|one| (one.name(), one)))
@@ -238,8 +237,8 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     Ok(())
 }
 
-/// Reads the step's exercise. A seed is valid only together with the kind of question, because the
-/// previous step's seed would give different numbers.
+/// Reads the step's exercise. A seed requires the kind of question in the same step, because another
+/// kind of question would get different numbers from the seed.
 fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let seed = section.get("seed");
     let Some(field) = section.get("exercise") else {
@@ -265,7 +264,7 @@ fn observer(section: &Section) -> Result<Observer, FileError> {
     ))
 }
 
-/// Reads one of the `known` values, given by its name.
+/// Reads the name of a value and returns that value of `known`.
 fn choice<T>(
     field: &TomlField,
     known: impl IntoIterator<Item = (&'static str, T)>,
@@ -296,7 +295,7 @@ fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
     Ok(shown)
 }
 
-/// Returns true if the concept exists in a scene with this number of objects.
+/// Returns true if the concept exists in a scene with `objects` objects.
 fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     match concept {
         Some(Concept::Object(object) | Concept::Root { object, .. }) => (object as usize) < objects,
@@ -304,7 +303,7 @@ fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     }
 }
 
-/// Reads a concept of a scene with this number of objects, or `nothing`.
+/// Reads a concept in a scene with `objects` objects, or `nothing`.
 fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {
@@ -321,7 +320,7 @@ fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, Fil
     Ok(Concept::from_name(field.one_of(&known)?))
 }
 
-/// The name for no highlighted concept.
+/// The name that stands for no highlighted concept.
 const NOTHING: &str = "nothing";
 
 fn lines(section: &Section) -> Result<LinesLab, FileError> {

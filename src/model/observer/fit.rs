@@ -1,4 +1,4 @@
-//! Observers that have everything important in sight.
+//! Finds observers from which everything important is in sight.
 
 use pinhole_core::{
     Camera, DVec2, DVec3, ExactRay, Object, Orientation, Ray, ResolvedCamera, Root, Scene, Sphere,
@@ -8,50 +8,52 @@ use pinhole_core::{
 use crate::model::observer::{FOV, Observer};
 use crate::model::overlay_items::{Item, OverlayItems};
 
-/// Size ratio above which a sphere is out of scale: a sphere this many times larger than all
-/// smaller ones and the camera together need not be in sight.
+/// Factor above which a sphere is out of scale: one that is this many times larger than the camera and
+/// all smaller spheres together need not be in sight.
 const OUT_OF_SCALE: f64 = 50.0;
 
-/// Ratio of radius to distance from the camera below which a sphere is a speck.
+/// Ratio of radius to distance from the camera below which a sphere counts as a speck.
 const SPECK: f64 = 2e-3;
 
-/// Margin around everything that must be in sight, as a fraction of half the picture.
+/// Margin around everything that must be in sight, as a fraction of half the picture. Arrow tips have
+/// the smaller one.
 const MARGIN: f64 = 0.1;
 const MARGIN_AT_TIPS: f64 = 0.02;
 
-/// Maximum number of objects that are considered.
+/// Maximum number of spheres and of planes that are considered.
 const ASKED_SPHERES: usize = 2048;
 const ASKED_PLANES: usize = 64;
 
-/// Candidate angles of the observer, in degrees: to the side of the line behind the camera, and
-/// above it.
+/// Candidate directions of the observer, in degrees: the angle to the side of the line behind the
+/// camera, and the angle above it.
 const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
 const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 
-/// Part of the frustum that should be in sight: this share of the distance to the farthest sphere,
-/// and at most this multiple of the viewport's distance.
+/// The part of the frustum that should be in sight: up to this fraction of the distance to the farthest
+/// sphere, but at most this multiple of the viewport's distance.
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// Size of the camera, as a fraction of the picture's height or width, above which a larger one scores
-/// no better.
+/// Size of the camera in the picture, as a fraction of the picture's height or width, beyond which a
+/// larger size no longer raises an observer's score.
 const LARGE_ENOUGH: f64 = 0.15;
 
-/// Maximum distance of the observer's target from the eye, in near sizes. An observer around
-/// something farther away would lose sight of the camera.
+/// Maximum distance of the observer's target from the eye, as a multiple of `Subject::near_size`. An
+/// observer around a more distant target would lose sight of the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// Number of iterations of a fit. The arrows keep their size on the screen, so each iteration
-/// measures them anew.
+/// Number of iterations of a fit. The arrows have a fixed size on the screen, so each iteration
+/// measures them again.
 const ROUNDS: usize = 6;
 
 /// Ratio of width to height of a view for which the observers of lessons are chosen.
 const ORDINARY_ASPECT: f64 = 1.25;
 
-/// Minimum ratio of the distances from the eye after and before an observer is fitted to another view.
+/// When an observer is fitted to another view: minimum ratio of its new distance from the eye to its
+/// old one.
 const NEAREST_REFIT: f64 = 0.45;
 
-/// Maximum distance from the eye of an observer that is kept, as a multiple of the fitted one's.
+/// Maximum distance from the eye at which an observer is kept, as a multiple of the fitted one's.
 const FARTHEST_KEPT: f64 = 1.2;
 
 /// The size of the world view on the screen, in points.
@@ -64,7 +66,7 @@ pub struct ViewSize {
 }
 
 impl ViewSize {
-    /// Returns a view of ordinary height with this ratio of width to height.
+    /// Returns a view of ordinary height with this aspect ratio (width to height).
     pub fn of_aspect(aspect: f64) -> ViewSize {
         ViewSize { width: 480.0 * tame_aspect(aspect), height: 480.0 }
     }
@@ -74,14 +76,14 @@ impl ViewSize {
         tame_aspect(self.width / self.height)
     }
 
-    /// Returns the minimum and maximum length of the basis arrows, in points. Normals have the
-    /// minimum.
+    /// Returns the minimum and maximum length of the basis arrows, in points. Normals are drawn with
+    /// the minimum length.
     pub fn arrow_points(self) -> (f64, f64) {
         let (least, most) = ARROW_POINTS;
         (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
     }
 
-    /// Returns the world length that covers one point of the screen at this depth.
+    /// Returns the length in world units that covers one point of the screen at this depth.
     fn world_per_point(self, depth: f64) -> f64 {
         extent_of_fov(FOV, depth) / self.height.max(1.0)
     }
@@ -94,7 +96,7 @@ pub(super) struct Bound {
     pub(super) radius: f64,
 }
 
-/// Everything that must be in sight, including the camera.
+/// Everything that must be in sight, and the camera.
 struct Subject {
     balls: Vec<Bound>,
     arrows: Arrows,
@@ -103,21 +105,21 @@ struct Subject {
     back: DVec3,
     /// The camera's right.
     right: DVec3,
-    /// The extent of the frustum from the eye to the viewport.
+    /// The largest extent of the frustum from the eye to the viewport.
     near_size: f64,
-    /// The points of planes that the camera looks at.
+    /// The points at which the camera looks at planes.
     walls: Vec<Root>,
-    /// The point that the observer turns around: the middle of camera and scene.
+    /// The point around which the observer turns: the middle of camera and scene.
     middle: DVec3,
 }
 
 impl Observer {
-    /// Returns an observer behind the camera's shoulder. In sight are the eye, the viewport, the
-    /// basis arrows, at, and all spheres that are not out of scale. The observer stands as far to
-    /// the side as the camera's size in the picture allows.
+    /// Returns an observer behind the camera's shoulder. In sight are the eye, the viewport, the basis
+    /// arrows, at, and all spheres that are not out of scale. The observer stands as far to the side as
+    /// the camera's size in the picture allows.
     ///
-    /// Perspective makes this possible: an observer close behind a small camera also sees the
-    /// distant objects that the camera looks at; they appear small, as on a whiteboard.
+    /// Perspective makes this possible: an observer close behind a small camera also sees the distant
+    /// objects that the camera looks at. They appear small, as in a sketch on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         let subject = Subject::new(camera, scene, OverlayItems::ALL);
         let behind = match (subject.back.x, subject.back.z) {
@@ -141,16 +143,16 @@ impl Observer {
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
 
-    /// Returns an observer in the same direction that has everything in sight in a view of another
-    /// size.
+    /// Returns an observer in the same direction that has everything in sight in a view of this size.
     pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         Subject::new(camera, scene, OverlayItems::ALL).fit(self, size)
     }
 
-    /// Returns an observer in the same direction for a view of this size. It has in sight the whole
-    /// camera, its arrows among the `items` with their labels, and everything else that this
-    /// observer sees in an ordinary view. Returns this observer unchanged if all of that already
-    /// fills the view, or if it is so near that eye or viewport are meant to be out of sight.
+    /// Returns an observer in the same direction for a view of this size. In sight are the whole
+    /// camera, its arrows among the `items` with their labels, and everything else that this observer
+    /// sees in an ordinary view. Returns this observer unchanged if all of that already fills the view.
+    /// Also returns it unchanged if it is so near that the eye or the viewport is meant to be out of
+    /// sight.
     pub fn framing_the_same(
         &self,
         camera: &Camera,
@@ -162,7 +164,7 @@ impl Observer {
             return *self;
         }
         let mut subject = Subject::new(camera, scene, items);
-        // Spheres that surround the camera are drawn cut away.
+        // Spheres that contain the eye are drawn cut away.
         let eye = subject.eye;
         let around = |ball: &Bound| ball.center.distance(eye) <= ball.radius;
         subject.balls.extend(balls_of(scene).filter(around));
@@ -180,18 +182,17 @@ impl Observer {
         if fills && is_whole { *self } else { fitted.in_range() }
     }
 
-    /// Returns true if the camera's eye is in sight in a view of this size, and also the point that
-    /// it looks at if the camera is given by one.
+    /// Returns true if a view of this size shows the camera's eye and, if the camera is given by a
+    /// point that it looks at, that point too.
     pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
         let mut points = [camera.eye].into_iter().chain(given_at(camera));
         points.all(|center| self.sees(&Bound { center, radius: 0.0 }, size.aspect(), 0.0))
     }
 
-    /// Returns an observer in the same direction from which eye, arrows and viewport fill the
-    /// picture.
+    /// Returns an observer in the same direction from which eye, arrows and viewport fill the picture.
     pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {
         let orientation = match camera.orientation {
-            // The point that the camera looks at need not be in the picture.
+            // The target point need not be in the picture, so replace it by a direction.
             Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
             given => given,
         };
@@ -199,9 +200,8 @@ impl Observer {
         Subject::new(&alone, &Scene::default(), OverlayItems::ALL).fit(self, size)
     }
 
-    /// Returns the observer moved straight back until the eyes and viewports of all these cameras
-    /// are in sight. It does not move if they already are, or if the eye and viewport of `camera`
-    /// are not.
+    /// Returns the observer moved straight back until the eyes and viewports of all cameras in `others`
+    /// are in sight. Returns it unchanged if they already are, or if those of `camera` are not.
     pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
         let needed = |camera: &Camera| self.distance_for(camera, tame_aspect(aspect));
         if needed(camera) > self.distance {
@@ -211,8 +211,7 @@ impl Observer {
         Observer { distance, ..*self }.in_range()
     }
 
-    /// Returns the distance from which a camera's eye and viewport are in sight, with a small
-    /// margin.
+    /// Returns the distance at which a camera's eye and viewport are in sight, with a small margin.
     fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
         let corners =
             camera.resolve().map_or(Vec::new(), |resolved| frustum_corners(&resolved, 1.0).into());
@@ -221,13 +220,13 @@ impl Observer {
         distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
     }
 
-    /// Returns true if a ball is in sight as a whole.
+    /// Returns true if the whole ball is in sight.
     fn sees(&self, ball: &Bound, aspect: f64, margin: f64) -> bool {
         self.distance_for_ball(ball, aspect, margin) <= self.distance
     }
 
-    /// Returns the distance from which a ball is in sight. With the target in the middle, a point
-    /// (x, y, z) is in sight from `z + |x| / k`, and similarly for y.
+    /// Returns the distance at which a ball is in sight. With the target at the origin, a point (x, y,
+    /// z) is in sight from the distance `z + |x| / k`, and similarly for y.
     fn distance_for_ball(&self, ball: &Bound, aspect: f64, margin: f64) -> f64 {
         let (back, (right, up)) = (self.back(), self.right_and_up());
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - margin);
@@ -275,8 +274,8 @@ impl Subject {
         Subject { balls, arrows, eye, back, right, near_size, walls, middle }
     }
 
-    /// Returns the nearest observer in this direction that has every ball and the tips of all
-    /// arrows in sight.
+    /// Returns the nearest observer in this direction that has all balls and the tips of all arrows in
+    /// sight.
     fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {
         let mut observer = self.fit_around(direction, size.aspect(), &[]);
         for _ in 0..ROUNDS {
@@ -288,7 +287,7 @@ impl Subject {
         observer
     }
 
-    /// Returns the nearest observer in this direction that has every ball and these tips in sight.
+    /// Returns the nearest observer in this direction that has all balls and these tips in sight.
     ///
     /// A ball (x, z, r) in the observer's own coordinates is right of the left border if
     /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and similarly for the other borders: with
@@ -321,9 +320,9 @@ impl Subject {
         Observer { target, distance, ..*direction }.in_range()
     }
 
-    /// Returns the score of an observer. The score is higher if the camera is large enough, its
-    /// view is seen from the side, its picture and the walls are seen from the front, and nothing
-    /// hides it.
+    /// Returns the score of an observer. It is higher if the camera is large enough, if its view
+    /// direction is seen from the side, if its picture and the walls are seen from the front, and if
+    /// nothing hides it.
     fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -332,7 +331,8 @@ impl Subject {
         let size = self.near_size / (aspect.min(1.0) * extent_of_fov(FOV, depth));
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
-        // The picture on the viewport is hard to read if foreshortened to less than half its width.
+        // The picture on the viewport is hard to read if it is foreshortened to less than half its
+        // width.
         let from_front = along.clamp(-0.5, 0.62);
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
         let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
@@ -342,7 +342,7 @@ impl Subject {
     }
 }
 
-/// Returns the point that a camera looks at; `None` if it is not given by one.
+/// Returns the point that a camera is given to look at; `None` if it is given in another way.
 fn given_at(camera: &Camera) -> Option<DVec3> {
     match camera.orientation {
         Orientation::At { at, .. } => Some(at),
@@ -356,13 +356,13 @@ fn near_size(resolved: &ResolvedCamera) -> f64 {
     viewport.width.max(viewport.height).max(viewport.distance)
 }
 
-/// Returns the points of the frustum's edges at this t.
+/// Returns the points at parameter `t` on the four edges of the frustum.
 fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Bound; 4] {
     rays_around(resolved, 1.0).map(|ray| Bound { center: ray.at(t), radius: 0.0 })
 }
 
-/// Returns the points where the rays half way to the corners meet planes, within the distance
-/// `farthest`.
+/// Returns the points, nearer than `farthest`, at which the rays halfway to the viewport's corners meet
+/// planes.
 fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
         let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
@@ -374,22 +374,22 @@ fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Ro
     rays_around(resolved, 0.5).iter().filter_map(first_wall).collect()
 }
 
-/// Returns the four rays through the viewport's points at this share of the way from its middle to
-/// its corners.
+/// Returns the rays through the four points of the viewport that are this fraction of the way from its
+/// middle to its corners.
 fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
     let half = 0.5 * share * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
         .map(|(x, y)| resolved.ray(half * DVec2::new(x, y)))
 }
 
-/// Returns the scene's spheres, if there are not too many.
+/// Returns the first `ASKED_SPHERES` spheres of the scene.
 fn balls_of(scene: &Scene) -> impl Iterator<Item = Bound> {
     let ball = |sphere: &Sphere| Bound { center: sphere.center, radius: sphere.radius };
     scene.spheres().iter().take(ASKED_SPHERES).map(ball)
 }
 
-/// Returns the spheres by ascending size, up to the first sphere that is out of scale with the
-/// smaller ones.
+/// Returns the spheres by ascending size, up to the first one that is out of scale with the smaller
+/// ones.
 fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
     let is_tame = |ball: &Bound| ball.center.abs().max_element() < 1e12;
     let mut balls: Vec<Bound> = balls_of(scene).filter(is_tame).collect();
@@ -403,9 +403,9 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
         fits
     });
     balls.truncate(in_scale.count());
-    // A sphere around the camera cannot be seen as a whole from near the camera.
+    // A sphere that contains the eye cannot be wholly in sight from near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
-    // A distant speck must not move the observer so far away that everything becomes a speck.
+    // A distant speck must not move the observer so far away that everything else becomes a speck.
     let can_be_seen = |ball: &Bound| ball.radius >= SPECK * (ball.center - eye).length();
     if balls.iter().any(can_be_seen) {
         balls.retain(can_be_seen);
@@ -423,26 +423,27 @@ fn lies_between(ball: &Bound, a: DVec3, b: DVec3) -> bool {
 /// arrows are one world unit long.
 const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
-/// Minimum length of the basis arrows in a small view, as a fraction of the view's height or width.
+/// Minimum length of the basis arrows in a small view, as a fraction of the smaller of its height and
+/// width.
 const ARROW_SHARE: f64 = 0.28;
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;
 
-/// Length of the view arrow, as a multiple of the basis arrows' length. Arrows in one
-/// direction do not hide each other, because their lengths differ.
+/// Length of the view arrow, as a multiple of the basis arrows' length. Arrows with the same direction
+/// differ in length so that they do not hide each other.
 pub const VIEW_LENGTH: f64 = 1.6;
 
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
-/// Space beyond an arrow's tip for its handle and its label, in points; at most this share of the
-/// view's height.
+/// Space beyond an arrow's tip for its handle and its label: in points, and at most as a fraction of
+/// the view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-/// The arrows that are drawn. For the arrows at the eye it holds unit vectors, and lengths as
-/// multiples of the basis arrows' length; the axes at the origin are included if they are near the
+/// The arrows that are drawn. An arrow at the eye is stored as a unit vector and a length, as a
+/// multiple of the basis arrows' length. The axes at the origin are included if they are near the
 /// camera.
 pub(super) struct Arrows {
     at_eye: Vec<(DVec3, f64)>,
@@ -468,13 +469,14 @@ impl Arrows {
             }));
         }
         if items.shows(Item::Eye) {
-            // No arrow, but a label.
+            // The eye has no arrow, but a label.
             at_eye.push((DVec3::ZERO, 0.0));
         }
         Arrows { at_eye, has_axes }
     }
 
-    /// Returns the tips, with space for their labels, for an observer at this depth from the eye.
+    /// Returns the tips, with space for their labels. `depth` is the depth of the eye from the
+    /// observer.
     pub(super) fn tips(
         &self,
         eye: DVec3,

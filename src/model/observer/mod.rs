@@ -1,4 +1,4 @@
-//! The observer of the world view, and the scene that its picture is traced with. The observer is a
+//! The observer of the world view, and the scene that is traced for its picture. The observer is a
 //! camera that moves around its target, independently of the edited camera.
 
 use pinhole_core::{
@@ -9,14 +9,14 @@ pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize};
 
 mod fit;
 
-/// The observer as an orbit around a target; world y is up.
+/// The observer of the world view, which orbits around a target. World y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
     /// The point that the observer looks at and turns around.
     target: DVec3,
     /// Angle from +z towards +x, in radians.
     azimuth: f64,
-    /// Angle above the target's level, in radians; always less than straight up or down.
+    /// Angle above the target's level, in radians; its magnitude is less than 90 degrees.
     elevation: f64,
     /// Distance from the target, in world units.
     distance: f64,
@@ -36,14 +36,14 @@ const DISTANCES: (f64, f64) = (1e-9, 1e12);
 const FARTHEST_TARGET: f64 = 1e12;
 
 impl Default for Observer {
-    /// Returns an observer of the canonical camera.
+    /// Returns an observer that shows the canonical camera.
     fn default() -> Self {
         Observer::frame_all(&Camera::CANONICAL, &Scene::default(), ViewSize::of_aspect(1.25))
     }
 }
 
 impl Observer {
-    /// Creates an observer at `distance` from `target`. Clamps values that are out of range.
+    /// Creates an observer at `distance` from `target`. Values that are out of range are clamped.
     pub fn new(target: DVec3, azimuth: f64, elevation: f64, distance: f64) -> Observer {
         Observer { target, azimuth, elevation, distance }.in_range()
     }
@@ -58,7 +58,7 @@ impl Observer {
         self.distance
     }
 
-    /// Clamps all values.
+    /// Clamps all values to their ranges.
     fn in_range(&self) -> Observer {
         let finite = |x: f64, otherwise: f64| if x.is_finite() { x } else { otherwise };
         Observer {
@@ -76,14 +76,14 @@ impl Observer {
         DVec3::new(run * sin, rise, run * cos)
     }
 
-    /// Returns the observer's right and up in the picture.
+    /// Returns the unit vectors to the right and upwards in the observer's picture.
     fn right_and_up(&self) -> (DVec3, DVec3) {
         let (sin, cos) = self.azimuth.sin_cos();
         let right = DVec3::new(cos, 0.0, -sin);
         (right, self.back().cross(right))
     }
 
-    /// Returns the observer as a camera, for a picture of this size in pixels.
+    /// Returns the observer as a camera with an image of this size in pixels.
     pub fn camera(&self, width: u32, height: u32) -> Camera {
         let size = |x: u32| x.clamp(1, ImageSize::MAX);
         let image = ImageSize::new(size(width), size(height)).unwrap_or(Camera::CANONICAL.image);
@@ -99,15 +99,15 @@ impl Observer {
         }
     }
 
-    /// Turns around the target by two angles in radians: to the right and up.
+    /// Turns around the target by two angles in radians: to the right and upwards.
     pub fn orbit(&mut self, right: f64, up: f64) {
         self.azimuth += right;
         self.elevation += up;
         *self = self.in_range();
     }
 
-    /// Moves sideways, as a hand drags the picture. The picture's content moves by these shares of
-    /// the picture's height to the right and down.
+    /// Moves sideways, like a hand that drags the picture. The picture's content moves to the right and
+    /// down by these fractions of the picture's height.
     pub fn pan(&mut self, right: f64, down: f64) {
         let per_height = extent_of_fov(FOV, self.distance);
         let (to_right, to_up) = self.right_and_up();
@@ -124,27 +124,27 @@ impl Observer {
     }
 }
 
-/// Returns the indices, ascending, of the spheres that would hide the camera from the observer.
-/// They contain the camera's eye but not the observer's.
+/// Returns the indices, ascending, of the spheres that would hide the camera from the observer: those
+/// that contain the camera's eye but not the observer's.
 pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u32> {
     let mut around = scene.spheres_around(camera_eye);
     around.retain(|index| scene.spheres()[*index as usize].implicit(observer_eye) >= 0.0);
     around
 }
 
-/// Returns the scene that the world view traces: the spheres without the planes, with the same
-/// indices.
+/// Returns the scene that is traced for the world view: the spheres without the planes. The indices of
+/// the spheres are unchanged.
 ///
-/// A plane is infinite. If it were traced, it would fill the picture up to its horizon and, seen
-/// from behind, hide the camera. The overlay draws the part of it near the target instead. A sphere
-/// [around the camera](enclosing) would hide it too, and is [`hidden`] so that the other spheres
-/// keep their indices; the overlay draws its outline.
+/// A plane is infinite. If it were traced, it would fill the picture up to its horizon and, seen from
+/// behind, hide the camera. The overlay draws the part of it near the target instead. A sphere [around
+/// the camera](enclosing) would hide the camera, too. It is replaced by a [`hidden`] sphere, so that
+/// the other spheres keep their indices, and the overlay draws its outline.
 pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
     let mut seen = scene.without_planes();
     for &index in enclosing {
         if let Some(sphere) = scene.spheres().get(index as usize) {
-            // A valid sphere stays valid when hidden; if one is not replaced, the picture is still
-            // correct.
+            // A valid sphere stays valid when it is hidden. If one is not replaced, the picture is
+            // still correct.
             let _ = seen.replace(index, Object::Sphere(hidden(sphere)));
         }
     }

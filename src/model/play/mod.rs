@@ -1,5 +1,5 @@
-//! Animations. The state at a phase depends only on the start and on the phase, never on the
-//! previous frame, so that the window and exported frames show the same.
+//! Animations. The state at a phase depends only on the start and the phase, never on the previous
+//! frame. The window and exported frames therefore show the same.
 
 mod player;
 
@@ -20,8 +20,8 @@ pub enum Kind {
     SwingUp,
     /// The eye moves once around at.
     Orbit,
-    /// The view turns upwards until it meets up, and beyond it: the picture flips. If the camera is
-    /// given by at, the eye moves round at; if it is given by view, the eye stays.
+    /// The view turns upwards until it meets up, and then beyond it, so that the picture flips. If the
+    /// camera is given by at, the eye moves around at; if it is given by view, the eye stays.
     OverTheTop,
     /// A point moves along the selected ray, from the eye to the object that the ray hits.
     Walk,
@@ -32,7 +32,7 @@ pub enum Kind {
 /// The t at which [`Kind::Walk`] ends if the ray hits nothing.
 const WALK_TO: f64 = 10.0;
 
-/// Number of steps of a turn, 15 degrees each, or of a walk along the ray.
+/// Number of single steps in a full turn, 15 degrees each, or in a walk along the ray.
 const STEPS: u64 = 24;
 
 impl Kind {
@@ -62,8 +62,7 @@ impl Kind {
         self.texts()[1]
     }
 
-    /// Returns the name that the history gives to the step from before the animation to where it
-    /// stopped.
+    /// Returns the name of the step that the history records for the animation's effect.
     pub fn step_name(self) -> &'static str {
         self.texts()[2]
     }
@@ -77,8 +76,8 @@ impl Kind {
         }
     }
 
-    /// Returns true if the animation moves the camera, which is a part of the document. Such an
-    /// animation ends where it began.
+    /// Returns true if the animation moves the camera, which is part of the document. Such an animation
+    /// ends where it began.
     pub fn moves_camera(self) -> bool {
         matches!(self, Kind::SwingUp | Kind::Orbit | Kind::OverTheTop)
     }
@@ -88,19 +87,20 @@ impl Kind {
         if self == Kind::Scan { start.pixels() } else { STEPS }
     }
 
-    /// Returns the phase of frame `k` of `n`. The last frame of a turn is one step before the
-    /// first; the last frame of any other animation is its end.
+    /// Returns the phase of frame `k` of `n`. If the animation moves the camera, its last frame is one
+    /// step before its end, which equals its start; otherwise the last frame shows the end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
         let intervals = if self.moves_camera() { n } else { n.saturating_sub(1) };
         let phase = |k: f64| k / f64::from(intervals.max(1));
         let phases = [phase(k.into()), phase(f64::from(k) + 0.5)];
-        // Where the view meets up, there is no picture, so that frame shows the moment just after.
+        // At the phase at which the view meets up, there is no picture, so use the phase half a frame
+        // later.
         let meets = self == Kind::OverTheTop && [0.25, 0.75].contains(&phases[0]);
         phases[usize::from(meets)]
     }
 }
 
-/// The state at the start.
+/// The state when an animation starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// The camera.
@@ -111,12 +111,12 @@ pub struct Start {
     pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
-    /// The distance of the point that a camera not given by `at` orbits; `None` for the point of
-    /// [`Camera::pivot`].
+    /// The distance at which a camera that is not given by `at` has its centre of orbit; `None` for the
+    /// point of [`Camera::pivot`].
     pub orbit: Option<f64>,
 }
 
-/// The state at a phase.
+/// The state of an animation at a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Still {
     /// The camera.
@@ -125,12 +125,12 @@ pub struct Still {
     pub selection: Selection,
     /// The parameter t of the point on the selected ray.
     pub ray_point_t: Option<f64>,
-    /// Number of pixels that the picture shows so far, row by row; `None` shows all.
+    /// Number of pixels that the picture shows so far, row by row; `None` if it shows all.
     pub scanned_pixels: Option<u64>,
 }
 
 impl Still {
-    /// Sets everything that an animation of this kind moves, and nothing else.
+    /// Sets everything that an animation of this kind changes, and nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
         match kind {
             Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => {
@@ -146,7 +146,7 @@ impl Still {
 }
 
 impl Start {
-    /// Creates the start from the present state and the selected ray's inspection.
+    /// Creates the start from the current state and the selected ray's inspection.
     pub fn new(
         document: &Document,
         session: &Session,
@@ -162,7 +162,7 @@ impl Start {
         }
     }
 
-    /// Returns the camera at every step of an animation; empty if the animation does not move the
+    /// Returns the cameras at all steps of an animation; empty if the animation does not move the
     /// camera.
     pub fn cameras(&self, kind: Kind) -> Vec<Camera> {
         let steps = if kind.moves_camera() { STEPS } else { 0 };
@@ -184,11 +184,10 @@ impl Start {
     /// Returns the state at a phase between 0, the start, and 1, the end.
     ///
     /// # Errors
-    /// Returns an error if the camera cannot be moved in this way, for example because it has no
-    /// basis.
+    /// Returns an error if the camera cannot be moved in this way, for example because it has no basis.
     pub fn at(&self, kind: Kind, phase: f64) -> Result<Still, SteerError> {
         let still = self.still();
-        // A full turn ends exactly at the start, bit for bit.
+        // A full turn ends bit for bit at the start.
         let turn = if phase >= 1.0 { 0.0 } else { phase };
         Ok(match kind {
             Kind::SwingUp => Still { camera: self.camera.swung(360.0 * turn)?, ..still },
@@ -206,8 +205,8 @@ impl Start {
         })
     }
 
-    /// Returns the camera after it has orbited by an angle, in radians. The vectors that it is
-    /// given by keep their lengths.
+    /// Returns the camera after it has orbited by an angle, in radians. The vectors by which it is
+    /// given keep their lengths.
     fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
         let camera = self.camera;
         match (camera.orientation, self.orbit) {
@@ -228,14 +227,14 @@ impl Start {
     }
 }
 
-/// Returns the camera at a share of the turn over the top. The backward direction is
+/// Returns the camera at a fraction of the turn over the top. The backward direction is
 ///
 /// ```text
 /// -view = |view| (cos(b) up/|up| + sin(b) e),   e perpendicular to up,
 /// ```
 ///
-/// where b goes from its first value to 0 at a quarter of the turn, where the view meets up, then
-/// to -pi at three quarters, and back to the first value. At these two points and at the end,
+/// where b falls from its initial value to 0 at a quarter of the turn, where the view meets up, then to
+/// -pi at three quarters, and on to the initial value minus 2 pi. At these two points and at the end,
 /// nothing is rounded.
 fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let (view, up) = (camera.view(), camera.up());
@@ -277,9 +276,9 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     is_finite.then_some(moved).ok_or(SteerError::OutOfRange)
 }
 
-/// Returns the distance, along view, of the object that a camera looks at: the first hit in the
-/// middle of its picture, or otherwise the middle of the spheres ahead. Returns `None` for a camera
-/// given by `at`, which already names the point, and if nothing is ahead.
+/// Returns the distance, measured along view, of the object that a camera looks at. This is the first
+/// hit in the middle of its picture or, if there is none, the middle of the spheres ahead. Returns
+/// `None` if nothing is ahead, and for a camera given by `at`, which already is such a point.
 fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     const ASKED_SPHERES: usize = 4096;
     if camera.orientation.has_at() {
@@ -298,7 +297,7 @@ fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     (distance.is_finite() && distance > 0.0).then_some(distance)
 }
 
-/// Returns the t at which a walk along a ray ends: the t of its first hit.
+/// Returns the t at which a walk along a ray ends: that of its first hit, or `WALK_TO` without a hit.
 pub(crate) fn ray_point_end(inspection: Option<&Inspection>) -> f64 {
     inspection.and_then(Inspection::first_hit).map_or(WALK_TO, |hit| hit.t)
 }

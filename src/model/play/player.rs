@@ -1,4 +1,4 @@
-//! The player of an animation: its phase, speed and whether it is running.
+//! The player of an animation: its phase, its speed, and whether it is running.
 
 use pinhole_core::Camera;
 use pinhole_core::steering::SteerError;
@@ -6,14 +6,14 @@ use pinhole_core::steering::SteerError;
 use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
 
-/// Maximum time between two frames that counts, in seconds. With it, the animation continues from
-/// where it was after the window has been hidden.
+/// Maximum time in seconds by which one frame advances the animation. After the window has been hidden,
+/// the animation therefore continues from where it was.
 const LONGEST: f64 = 0.5;
 
 /// Number of steps per second with reduced motion.
 const REDUCED: f64 = 2.0;
 
-/// Tolerance, as a fraction of a step, within which a phase counts as being on the step.
+/// Tolerance, as a fraction of a step, within which a phase counts as lying on a step.
 const ON_STEP: f64 = 1e-6;
 
 /// The player of an animation, which may be running or paused.
@@ -25,25 +25,25 @@ pub struct Player {
     pub start: Start,
     /// The phase, from 0, the start, to 1, the end.
     pub phase: f64,
-    /// True once the animation has run or has been moved; an animation that was only opened changes
+    /// True once the animation has been started or moved. An animation that was only opened changes
     /// nothing.
     pub begun: bool,
     /// True while the animation is running.
     pub running: bool,
-    /// Factor on the usual speed.
+    /// The speed, as a multiple of the usual one.
     pub speed: f64,
     /// True if the animation begins again after its end.
     pub loops: bool,
-    /// True if only whole steps are shown, two per second.
+    /// True for reduced motion: only whole steps are shown, two per second.
     pub reduced: bool,
-    /// The reason why it does not move.
+    /// The reason why the animation cannot move the camera, if it cannot.
     pub fault: Option<SteerError>,
-    /// The camera that the player showed last; if the document has another one, the camera was
-    /// edited.
+    /// The camera that the player showed last. If the document has another one, the user has edited it.
     pub(crate) shown: Camera,
-    /// The observer before and after it moved back to see the whole animation.
+    /// The observers before and after moving back to see the whole animation; `None` if it did not
+    /// move.
     pub(crate) stepped_back: Option<[Observer; 2]>,
-    /// Time of the last advance, in the window's seconds.
+    /// Time of the last advance, on the window's clock in seconds.
     time: Option<f64>,
 }
 
@@ -51,7 +51,7 @@ impl Player {
     /// The available speeds.
     pub const SPEEDS: [f64; 6] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
 
-    /// Creates a player at the start, not running.
+    /// Creates a paused player at the start.
     pub fn new(kind: Kind, start: Start) -> Player {
         Player {
             kind,
@@ -69,8 +69,8 @@ impl Player {
         }
     }
 
-    /// Returns the present state. If the animation cannot move the camera, stores the fault and
-    /// returns the start.
+    /// Returns the current state. If the animation cannot move the camera, stores the error and returns
+    /// the state at the start.
     pub fn still(&mut self) -> Still {
         if !self.begun {
             return self.start.still();
@@ -92,7 +92,7 @@ impl Player {
         }
     }
 
-    /// Advances the animation to this time if it is running.
+    /// Advances the animation to the time `now` if it is running.
     pub fn go_on(&mut self, now: f64) {
         let before = self.time.replace(now);
         let (true, Some(before)) = (self.running, before) else { return };
@@ -117,7 +117,7 @@ impl Player {
         }
     }
 
-    /// Pauses the animation and moves it by this number of single steps.
+    /// Pauses the animation and moves it by `by` single steps.
     pub fn step(&mut self, by: i64) {
         (self.begun, self.running) = (true, false);
         let steps = self.kind.steps(&self.start) as f64;
@@ -133,7 +133,7 @@ impl Player {
         self.phase = to / steps;
     }
 
-    /// Changes the speed by this number of [speeds](Player::SPEEDS).
+    /// Changes the speed by `by` positions in [`Player::SPEEDS`].
     pub fn faster(&mut self, by: i32) {
         let now = Player::SPEEDS.iter().position(|speed| *speed >= self.speed);
         let last = Player::SPEEDS.len() - 1;
@@ -141,11 +141,11 @@ impl Player {
         self.speed = Player::SPEEDS[next];
     }
 
-    /// Returns a description of the present phase.
+    /// Returns the current phase as text.
     pub fn position(&self) -> String {
         match self.kind {
             Kind::SwingUp | Kind::Orbit => format!("{:.0}°", 360.0 * self.phase),
-            // Its quarters are angles of their own.
+            // Its four quarters are different angles.
             Kind::OverTheTop => format!("{:.0} %", 100.0 * self.phase),
             Kind::Walk => {
                 format!("t = {}", pinhole_lecture::numbers::written(self.phase * self.start.end, 3))

@@ -1,12 +1,12 @@
-//! Answers as marks in the world view: the answers typed in the open exercise, and the right
-//! answers once they are no longer secret.
+//! Answers as marks in the world view: those typed in the open exercise, and the right ones once they
+//! have been revealed.
 
 use pinhole_core::{DVec2, DVec3, Ray};
 use pinhole_lecture::exercises::{Answer, Asked, Given};
 
 use crate::model::{Exercises, Feedback, Item, OverlayItems, TypedAnswer};
 
-/// A student's answer or the right answer, as the world view draws it, with its label.
+/// A student's answer or the right answer, as a labelled mark in the world view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnswerMark {
     /// The shape that is drawn.
@@ -17,36 +17,36 @@ pub struct AnswerMark {
     pub is_dashed: bool,
 }
 
-/// The shape of an answer in the world.
+/// The shape of a mark in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MarkShape {
-    /// u, v or w (0, 1 or 2), as an arrow from the eye.
+    /// A vector of the basis as an arrow from the eye; 0, 1 and 2 are u, v and w.
     BasisVector(usize, DVec3),
-    /// A direction, drawn from a point as an arrow of the direction's own length.
+    /// A direction, drawn as an arrow of the direction's own length from the ray's origin.
     Direction(Ray),
-    /// A ray up to this t, or up to the object that it hits if there is no t.
+    /// A ray, drawn up to this t or, without a t, up to the object that it hits.
     Ray(Ray, Option<f64>),
     /// The point of a ray at this t.
     OnRay(Ray, f64),
-    /// A point that is hit.
+    /// A hit point.
     Point(DVec3),
-    /// A normal at a point.
+    /// A point and the normal there.
     Normal(DVec3, DVec3),
 }
 
 impl AnswerMark {
-    /// Returns a right answer.
+    /// Creates the mark of a right answer.
     pub fn right(shape: MarkShape, label: impl Into<String>) -> AnswerMark {
         AnswerMark { shape, label: label.into(), is_dashed: false }
     }
 
-    /// Returns a student's answer.
+    /// Creates the mark of a student's answer.
     pub fn yours(shape: MarkShape, label: impl Into<String>) -> AnswerMark {
         AnswerMark { shape, label: label.into(), is_dashed: true }
     }
 }
 
-/// Describes the marks for screen readers: `drawn: u, your u (dashed)`.
+/// Describes the marks for screen readers, for example `drawn: u, your u (dashed)`.
 pub fn spoken(marks: &[AnswerMark]) -> String {
     let word = |mark: &AnswerMark| match mark.is_dashed {
         true => format!("{} (dashed)", mark.label),
@@ -61,18 +61,18 @@ pub fn spoken(marks: &[AnswerMark]) -> String {
 /// The vectors of a basis, in the order in which [`MarkShape::BasisVector`] numbers them.
 const BASIS: [Asked; 3] = [Asked::U, Asked::V, Asked::W];
 
-/// The answers to a part of the question; all of them are `None` if the question has no such part.
+/// The answers to one part of the question. All of them are `None` if the question has no such part.
 #[derive(Default)]
 struct Answered {
-    /// The typed numbers.
+    /// The numbers that were typed.
     typed: Option<Vec<f64>>,
-    /// The right numbers, once they may be seen.
+    /// The right numbers, once they have been revealed.
     right: Option<Vec<f64>>,
-    /// The typed numbers, unless they are known to be right.
+    /// The numbers that were typed, unless they are known to be right.
     yours: Option<Vec<f64>>,
 }
 
-/// Returns three finite numbers as a vector; `None` for any other numbers.
+/// Returns the numbers as a vector if there are three and all are finite; otherwise `None`.
 fn vector(numbers: &Option<Vec<f64>>) -> Option<DVec3> {
     let vector = DVec3::from_array(numbers.as_deref()?.try_into().ok()?);
     vector.is_finite().then_some(vector)
@@ -82,13 +82,13 @@ fn first(numbers: &Option<Vec<f64>>) -> Option<f64> {
     numbers.as_ref()?.first().copied()
 }
 
-/// Returns a typed answer, with the label `your NAME`.
+/// Creates the mark of a typed answer, with the label `your NAME`.
 fn your(shape: MarkShape, name: &str) -> AnswerMark {
     AnswerMark::yours(shape, format!("your {name}"))
 }
 
 impl Exercises {
-    /// Returns true if the right answer to this part may be seen.
+    /// Returns true if the right answer to this part may be revealed.
     fn may_be_seen(&self, typed: &TypedAnswer) -> bool {
         self.is_solved || typed.feedback.as_ref().is_some_and(Feedback::is_good)
     }
@@ -111,7 +111,7 @@ impl Exercises {
         Answered { yours: typed.clone().filter(|_| !is_right), typed, right }
     }
 
-    /// Returns those of the `usual` overlay items that do not give the answers away.
+    /// Returns the overlay items of `usual` that do not reveal an answer.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
         use Item::*;
         let hidden = [Handles, Loupe, Ray, Hit, Picture, PixelGrid, Marks];
@@ -127,7 +127,7 @@ impl Exercises {
         items.with(Basis, false)
     }
 
-    /// Returns the answers to draw in the scene of [`Exercises::document`].
+    /// Returns the answers as marks to draw in the scene of [`Exercises::document`].
     pub(crate) fn answer_marks(&self) -> Vec<AnswerMark> {
         let mut marks = Vec::new();
         for (index, (asked, name)) in BASIS.into_iter().zip(["u", "v", "w"]).enumerate() {
@@ -141,7 +141,8 @@ impl Exercises {
         marks
     }
 
-    /// Returns the ray that the question gives, or the ray of its camera through its (u, v).
+    /// Returns the ray that the question gives or, if it gives none, its camera's ray through its (u,
+    /// v). Returns `None` if it has neither.
     fn given_ray(&self) -> Option<Ray> {
         match self.question().given {
             Given::Sphere { ray, .. } => Some(ray),
@@ -149,7 +150,7 @@ impl Exercises {
         }
     }
 
-    /// Adds the rays, and the points on them at the answered t.
+    /// Adds marks for the rays, and for the points on them at the answered t.
     fn mark_rays(&self, marks: &mut Vec<AnswerMark>) {
         let Some(given) = self.given_ray() else { return };
         let t = self.answered(Asked::T);
@@ -174,7 +175,7 @@ impl Exercises {
         }
     }
 
-    /// Adds the points that the rays hit, and the normals there.
+    /// Adds marks for the points that the rays hit, and for the normals there.
     fn mark_hits(&self, marks: &mut Vec<AnswerMark>) {
         let (point, normal) = (self.answered(Asked::Point), self.answered(Asked::Normal));
         let right = vector(&point.right);
@@ -184,13 +185,13 @@ impl Exercises {
         if let (Some(at), Some(n)) = (right, vector(&normal.right)) {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));
         }
-        // The typed point, if there is one, gives no answer away.
+        // The typed point reveals nothing, so the normal is drawn there if it exists.
         if let (Some(at), Some(n)) = (vector(&point.typed).or(right), vector(&normal.yours)) {
             marks.push(your(MarkShape::Normal(at, n), "n"));
         }
     }
 
-    /// Returns the typed points of a question in two dimensions, with their labels.
+    /// Returns the typed points of a two-dimensional question, with their labels.
     pub(crate) fn points_in_plane(&self) -> Vec<(String, DVec2)> {
         let Given::Lines { origin, direction, .. } = self.question().given else {
             return Vec::new();
@@ -208,7 +209,7 @@ impl Exercises {
         points
     }
 
-    /// Returns the right t, if it is asked for.
+    /// Returns the right t; `None` if the question does not ask for it.
     pub(crate) fn right_t(&self) -> Option<f64> {
         let part = self.question().parts.iter().find(|part| part.asked == Asked::T)?;
         match &part.truth {
@@ -217,7 +218,7 @@ impl Exercises {
         }
     }
 
-    /// Returns true if all right answers may be seen.
+    /// Returns true if all right answers may be revealed.
     pub(crate) fn shows_all(&self) -> bool {
         self.answers.iter().all(|typed| self.may_be_seen(typed))
     }

@@ -1,5 +1,5 @@
-//! The open exercise, the typed answers, and the feedback on them. The questions and their answers
-//! come from [`pinhole_lecture`]; nothing is counted, stored or sent.
+//! The open exercise, the typed answers, and the feedback on them. The questions and the right answers
+//! come from [`pinhole_lecture`]. No score is kept, and nothing is stored or sent.
 
 use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::exercises::{
@@ -15,37 +15,37 @@ pub struct Exercises {
     question: Question,
     /// The seed of the question; `None` for the lecture's own question.
     seed: Option<u64>,
-    /// The typed answers, one for each part.
+    /// The typed answers, one for each part of the question.
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
-    /// The other questions with typed answers. Their own `kept` lists are empty.
+    /// The other questions for which answers were typed. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
 
-/// The typed answer to one part, and the feedback on it.
+/// The typed answer to one part of the question, and the feedback on it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct TypedAnswer {
-    /// The texts of the fields, one for each number.
+    /// The texts of the number fields.
     pub(crate) fields: Vec<String>,
     /// The answer to a yes-or-no question.
     pub(crate) yes: Option<bool>,
-    /// The feedback of the last check, if nothing has changed since.
+    /// The feedback of the last check; `None` if the answer has been edited since.
     pub(crate) feedback: Option<Feedback>,
 }
 
-/// The feedback on a part.
+/// The feedback on one part of the question.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Feedback {
     /// There is no answer yet.
     NotAnswered,
     /// Some of the numbers are missing.
     Missing,
-    /// The typed text is not a number, for this reason.
+    /// The typed text is not a number, for the reason given here.
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
-    /// The mistake follows from a mistake in another part, and is described there.
+    /// The mistake results from a mistake in another part, whose feedback describes it.
     Follows(Asked),
 }
 
@@ -74,7 +74,7 @@ impl Default for Exercises {
 }
 
 impl Exercises {
-    /// Creates the lecture's own question, or a similar one from a seed, without answers.
+    /// Opens the lecture's own question, or a similar one made from a seed, without answers.
     pub fn open(exercise: Exercise, seed: Option<u64>) -> Exercises {
         let question = Question::new(exercise, seed);
         let typed =
@@ -83,8 +83,8 @@ impl Exercises {
         Exercises { question, seed, answers, is_solved: false, kept: Vec::new() }
     }
 
-    /// Opens this question with the answers typed in it before, and keeps the answers of the
-    /// question that was open.
+    /// Opens this question, with the answers that were typed in it before. The answers to the previous
+    /// question are kept.
     pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
         if (self.question.exercise, self.seed) == (exercise, seed) {
             return;
@@ -103,7 +103,8 @@ impl Exercises {
         self.kept = kept;
     }
 
-    /// Opens the question from this seed without answers. The answers to other questions are kept.
+    /// Opens the question made from this seed, without answers. The answers to other questions are
+    /// kept.
     pub(crate) fn renew(&mut self, seed: u64) {
         self.show(self.question.exercise, Some(seed));
         self.clear();
@@ -115,7 +116,7 @@ impl Exercises {
         *self = Exercises { kept, ..Exercises::open(self.question.exercise, self.seed) };
     }
 
-    /// Returns the question.
+    /// Returns the open question.
     pub fn question(&self) -> &Question {
         &self.question
     }
@@ -147,7 +148,8 @@ impl Exercises {
         self.answers.iter().all(|typed| typed.feedback.as_ref().is_some_and(Feedback::is_good))
     }
 
-    /// Returns a document with the question's camera and the objects that its ray meets.
+    /// Returns a document with the question's camera and the objects that its ray meets; `None` if the
+    /// question has no camera.
     pub(crate) fn document(&self) -> Option<Document> {
         let question = &self.question;
         Some(Document {
@@ -161,7 +163,7 @@ impl Exercises {
 }
 
 impl TypedAnswer {
-    /// Returns the numbers if all fields are filled and can be evaluated.
+    /// Returns the typed numbers; `None` unless all fields are filled and can be evaluated.
     pub(crate) fn numbers(&self) -> Option<Vec<f64>> {
         match self.answer() {
             Ok(Answer::Numbers(numbers)) => Some(numbers),

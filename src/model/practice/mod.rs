@@ -9,10 +9,10 @@ use pinhole_lecture::{AnswerKind, Mistake, Vote};
 pub mod answer_marks;
 pub mod exercises;
 
-/// Maximum seed of a question or a vote. Its field calculates in `f64`, which is exact up to 2^53.
+/// Maximum seed of a question or a vote. The seed's number field uses `f64`, which is exact up to 2^53.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
 
-/// Returns the next seed; after the maximum comes 0.
+/// Returns the next seed. The maximum is followed by 0.
 pub(crate) fn next_seed(seed: u64) -> u64 {
     if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
@@ -22,22 +22,22 @@ pub(crate) fn next_seed(seed: u64) -> u64 {
 pub struct MistakesView {
     /// The chosen mistake.
     pub chosen: Mistake,
-    /// The open vote, shown in its place.
+    /// The open vote, which is shown in place of the chosen mistake.
     pub open_vote: Option<OpenVote>,
     /// The seed of the open vote, or of the next one.
     pub seed: u64,
-    /// True if a vote was requested, but no two mistakes can be distinguished in the picture.
+    /// True if a vote was requested, but the picture does not show two mistakes that can be told apart.
     pub nothing_shows: bool,
     /// True if a vote will open as soon as there is a picture.
     pub wants_vote: bool,
-    /// True if the user wants the map of differing pixels in place of the wrong picture.
+    /// True if the user wants to see the map of differing pixels in place of the wrong picture.
     pub wants_differences: bool,
 }
 
-/// A wrong picture without its name.
+/// An open vote: a wrong picture whose mistake the class names by voting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenVote {
-    /// The options, and the right one.
+    /// The options, and which one is right.
     pub vote: Vote,
     /// Index of the option that was voted for.
     pub answer: Option<usize>,
@@ -59,12 +59,12 @@ impl Default for MistakesView {
 }
 
 impl MistakesView {
-    /// Returns the mistake of the camera that is shown.
+    /// Returns the mistake whose picture is shown.
     pub fn shown(&self) -> Mistake {
         self.open_vote.as_ref().map_or(self.chosen, |open| open.vote.mistake())
     }
 
-    /// Returns true if the mistake's name may be seen.
+    /// Returns true if the name of the shown mistake may be revealed.
     pub fn is_revealed(&self) -> bool {
         self.open_vote.as_ref().is_none_or(|open| open.is_revealed)
     }
@@ -74,7 +74,7 @@ impl MistakesView {
         self.wants_differences && self.is_revealed()
     }
 
-    /// Opens the vote of the seed.
+    /// Opens the vote that is made from the current seed.
     pub fn ask(&mut self, camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) {
         let vote = Vote::new(camera, resolved, scene, self.seed);
         self.nothing_shows = vote.is_none();
@@ -83,7 +83,7 @@ impl MistakesView {
         self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
     }
 
-    /// Shows which option is right.
+    /// Reveals which option is right.
     pub fn reveal(&mut self) {
         if let Some(open) = &mut self.open_vote {
             open.is_revealed = true;
@@ -107,16 +107,17 @@ pub struct AnswersFile {
     pub path: PathBuf,
     /// The file's content.
     pub bytes: Vec<u8>,
-    /// The kind of answers, as determined by the file's first bytes.
+    /// The kind of answers, as detected from the file's first bytes; `None` if they are of no known
+    /// kind.
     pub kind: Option<AnswerKind>,
 }
 
-/// The answers that are graded.
+/// The answers to be graded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StudentAnswers {
     /// The file.
     pub file: Arc<AnswersFile>,
-    /// The number of the first row and column, 0 or 1.
+    /// The number of the first row and of the first column: 0 or 1.
     pub count_from: u32,
 }
 
@@ -127,8 +128,7 @@ impl StudentAnswers {
         name.to_string_lossy().into_owned()
     }
 
-    /// Returns true if the answers refer to rows and columns by number; a basis and a picture do
-    /// not.
+    /// Returns true if the answers number rows and columns; those for a basis or a picture do not.
     pub fn are_numbered(&self) -> bool {
         !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
     }

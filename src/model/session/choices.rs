@@ -1,5 +1,5 @@
-//! The choices stored in the settings: workspaces and layouts, the boundaries between the window's
-//! areas, shadings, and the colours that distinguish objects and vectors.
+//! The types of the choices in the settings: workspaces and layouts, the boundaries between the
+//! window's areas, shadings, and the colours that distinguish objects and vectors.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -50,7 +50,7 @@ impl Workspace {
         self.texts()[1]
     }
 
-    /// Returns the workspace's pages; the first one is shown when the workspace opens.
+    /// Returns the workspace's pages. The first one is shown when the workspace opens.
     pub fn pages(self) -> &'static [ViewLayout] {
         use ViewLayout::*;
         match self {
@@ -62,7 +62,7 @@ impl Workspace {
     }
 }
 
-/// The layouts that are tools and belong to no workspace.
+/// The layouts that are tools. They belong to no workspace.
 pub const TOOLS: &[ViewLayout] = &[ViewLayout::Translator, ViewLayout::Accuracy];
 
 /// A layout of the window, with its label, its description, and its name in lesson files. The name
@@ -92,15 +92,15 @@ pub enum ViewLayout {
     Exercises,
     /// The error map and the table of methods.
     Accuracy,
-    /// The derivation alone, for presenting.
+    /// The derivation alone, which only presenter mode shows.
     DerivationAlone,
     /// A student's answers and their grade.
     Answers,
 }
 
 impl ViewLayout {
-    /// The layouts that the user can choose. The derivation alone is for presenting, and the layout
-    /// for graded answers appears only once there are answers.
+    /// The layouts that the user can choose at any time. The derivation alone is for presenting, and
+    /// the layout for graded answers is available only when there are answers.
     pub const LISTED: [ViewLayout; 11] = {
         use ViewLayout::*;
         [
@@ -145,8 +145,8 @@ impl ViewLayout {
         Some(self.texts()[2]).filter(|name| !name.is_empty())
     }
 
-    /// Returns the workspace that the layout is a page of; `None` for tools and for layouts that
-    /// only presenter mode shows.
+    /// Returns the workspace that has the layout as a page; `None` for tools and for layouts that only
+    /// presenter mode shows.
     pub fn workspace(self) -> Option<Workspace> {
         Workspace::ALL.into_iter().find(|workspace| workspace.pages().contains(&self))
     }
@@ -157,7 +157,7 @@ impl ViewLayout {
     }
 }
 
-/// The window's colours, with their label in a menu.
+/// The brightness of the window's colours, with its label in a menu.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum ThemeName {
     /// The system's choice; dark if it has none.
@@ -170,7 +170,7 @@ pub enum ThemeName {
 }
 
 impl ThemeName {
-    /// All of them, in order.
+    /// All themes, in order.
     pub const ALL: [ThemeName; 3] = [ThemeName::System, ThemeName::Dark, ThemeName::Light];
 
     /// Returns the label in a menu.
@@ -193,7 +193,7 @@ pub fn shade_label(shade: Shade) -> &'static str {
     }
 }
 
-/// Returns a description of a shading's colours.
+/// Returns a description of the colours in this shading.
 pub fn shade_about(shade: Shade) -> &'static str {
     match shade {
         Shade::Lambert => "Lit from the eye",
@@ -203,38 +203,38 @@ pub fn shade_about(shade: Shade) -> &'static str {
     }
 }
 
-/// A boundary between two areas.
+/// A movable boundary between two areas of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Split {
-    /// The world view's share of the width when it is to the left of the camera view.
+    /// The world view's fraction of the width when it is to the left of the camera view.
     Views,
-    /// The world view's share of the height when it is above the camera view.
+    /// The world view's fraction of the height when it is above the camera view.
     Stack,
-    /// The world view's share of the width when the ghost's picture is shown.
+    /// The world view's fraction of the width when the ghost's picture is shown.
     CompareViews,
-    /// The world view's share of the width in practice.
+    /// The world view's fraction of the width in the practice workspace.
     PracticeViews,
-    /// The views' share of the width, to the left of the derivation or the translator.
+    /// The fraction of the width for the views, to the left of the derivation or the translator.
     Derivation,
-    /// The readouts' height, in points. All following values are heights in points, too.
+    /// The readouts' height in points. All following values are heights in points, too.
     Readouts,
-    /// Plot and table in the accuracy view.
+    /// The plot and the table of the accuracy view.
     Accuracy,
     /// The plot of f(p + t d).
     Plot,
-    /// The text about a wrong camera.
+    /// The text about the wrong camera.
     Mistakes,
-    /// Both cameras in numbers.
+    /// The numbers of both compared cameras.
     Compare,
-    /// The text about a student's answers.
+    /// The text about the student's answers.
     Answers,
 }
 
 const SHARE: RangeInclusive<f32> = 0.0..=1.0;
 const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
-/// Default and range of each boundary, in the enum's order.
+/// Default position and range of each boundary, in the order of [`Split`].
 const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
     (Split::Views, 0.54, SHARE),
     (Split::Stack, 0.55, SHARE),
@@ -295,11 +295,10 @@ impl From<Splits> for BTreeMap<Split, f32> {
     }
 }
 
-/// The greys of objects; neighbours in the list differ clearly.
+/// The greys of objects. Adjacent greys in the list differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
-/// A colour scheme that distinguishes objects and vectors, with its name in a menu and its
-/// description.
+/// A colour scheme that distinguishes objects and vectors, with its label and its description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Scheme {
     /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
@@ -308,12 +307,12 @@ pub enum Scheme {
     /// Colours that viewers with any kind of colour blindness can distinguish, by hue and by
     /// lightness.
     ColourBlind,
-    /// Greys only, for print: u, v, w differ by their dashes, heads and names.
+    /// Greys only, for print: u, v, w differ in their dashes, arrowheads and names.
     Grey,
 }
 
 impl Scheme {
-    /// All of them, in order.
+    /// All colour schemes, in order.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
     fn texts(self) -> [&'static str; 2] {
@@ -341,8 +340,8 @@ impl Scheme {
         self.texts()[1]
     }
 
-    /// Returns the colour of the object with this index, whose own colour is `own`. A grey object
-    /// stays grey, because floors and walls need not be distinguished.
+    /// Returns the colour of the object with this index, whose own colour is `own`. A grey object keeps
+    /// its colour, because floors and walls need not be distinguished.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {
         let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
         match self {

@@ -5,12 +5,12 @@ use pinhole_exchange::document::Document;
 
 use crate::model::overlay_items::Item;
 
-/// A handle in the world view. Objects are given by their index in the document.
+/// A handle in the world view. An object is given by its index in the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {
     /// The camera's position.
     Eye,
-    /// The point that the camera looks at; for a camera given by view, the tip of view.
+    /// The point that the camera looks at or, for a camera given by view, the tip of view.
     At,
     /// The tip of up.
     Up,
@@ -31,14 +31,14 @@ pub enum Handle {
 /// A corner of the viewport, as the camera sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Corner {
-    /// True on the right, where u is positive.
+    /// True for the corners on the right, where u is positive.
     pub is_right: bool,
-    /// True at the top, where v is positive.
+    /// True for the corners at the top, where v is positive.
     pub is_top: bool,
 }
 
 impl Corner {
-    /// All four, row by row.
+    /// All four corners, row by row.
     pub const ALL: [Corner; 4] = [
         Corner { is_right: false, is_top: true },
         Corner { is_right: true, is_top: true },
@@ -46,20 +46,20 @@ impl Corner {
         Corner { is_right: true, is_top: false },
     ];
 
-    /// Returns the signs of its u and v.
+    /// Returns the signs of the corner's u and v.
     pub fn signs(self) -> DVec2 {
         let sign = |is_positive| if is_positive { 1.0 } else { -1.0 };
         DVec2::new(sign(self.is_right), sign(self.is_top))
     }
 
-    /// Returns its position in the viewport.
+    /// Returns the corner's position in the viewport.
     pub fn uv(self, viewport: &Viewport) -> DVec2 {
         0.5 * self.signs() * DVec2::new(viewport.width, viewport.height)
     }
 }
 
 impl Handle {
-    /// Returns the index of the object that the handle belongs to.
+    /// Returns the index of the object to which the handle belongs; `None` if it belongs to none.
     pub fn object(self) -> Option<usize> {
         match self {
             Handle::Center(k) | Handle::Radius(k) | Handle::Point(k) => Some(k),
@@ -67,8 +67,8 @@ impl Handle {
         }
     }
 
-    /// Returns the overlay item that must be shown, in addition to the handles, so that this handle
-    /// exists.
+    /// Returns the overlay item that must be shown, in addition to the handles, for this handle to be
+    /// available.
     pub fn item(self) -> Item {
         match self {
             Handle::Eye => Item::Eye,
@@ -94,13 +94,13 @@ pub struct HandleState {
     pub over: Option<Handle>,
     /// The drag in progress.
     pub drag: Option<Drag>,
-    /// The objects whose handles are shown: the selected one and the hovered one.
+    /// The objects whose handles are shown: the selected one and the one under the pointer.
     pub objects: [Option<usize>; 2],
-    /// True until the pointer's button is released, once it was pressed for a drag.
+    /// True from the press that begins a drag until the mouse button is released.
     pub is_busy: bool,
 }
 
-/// The object of a drag: a handle or the camera view.
+/// What is dragged: a handle, or the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grabbed {
     /// A handle of the world view.
@@ -111,29 +111,29 @@ pub enum Grabbed {
     Orbit,
 }
 
-/// A drag, with the state at its beginning. Its effect is always computed from that state, so that
-/// dragging back to the start changes nothing.
+/// A drag, with the state at its beginning. The effect is always computed from that state, so a drag
+/// back to the start changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
-    /// The handle or view that is dragged.
+    /// The dragged handle or view.
     pub grabbed: Grabbed,
-    /// The values that the drag changes.
+    /// The values before the drag.
     pub before: HandleValues,
-    /// Position where the pointer was, in the viewport of the observer, or of the camera in its own
-    /// view.
+    /// Position of the pointer when the drag began, in the viewport of the observer or, for the camera
+    /// view, of the camera.
     pub begun_at: DVec2,
-    /// Position of the handle in the world.
+    /// Position of the handle in the world when the drag began.
     pub at: DVec3,
-    /// Length in the world at which an up vector of length 1 was drawn. With this length, the tip of up stays
-    /// under the pointer. 1 for other handles.
+    /// Length in the world at which an up vector of length 1 was drawn, used to keep the tip of up
+    /// under the pointer. It is 1 for other handles.
     pub length: f64,
-    /// Unit vector from a sphere's centre to the dragged point of its surface. It follows the
+    /// Unit vector from a sphere's centre to the dragged point of its surface, which follows the
     /// pointer.
     pub toward: DVec3,
 }
 
 impl Drag {
-    /// Returns the handle that is dragged.
+    /// Returns the dragged handle; `None` if the camera view is dragged.
     pub fn handle(&self) -> Option<Handle> {
         match self.grabbed {
             Grabbed::Handle(handle) => Some(handle),
@@ -142,7 +142,7 @@ impl Drag {
     }
 }
 
-/// The part of document and session that a drag can change, either before or after the change.
+/// The parts of document and session that a drag can change, at some moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandleValues {
     /// The edited camera.
@@ -154,13 +154,13 @@ pub struct HandleValues {
 }
 
 impl HandleValues {
-    /// Returns the current values, with the object of this index.
+    /// Reads the current values, including those of the object with this index.
     pub fn read(document: &Document, selection: Selection, object: Option<usize>) -> HandleValues {
         let object = object.and_then(|k| Some((k, document.object(k)?)));
         HandleValues { camera: document.camera, selection, object }
     }
 
-    /// Writes this part into document and session.
+    /// Writes the values into document and session.
     pub fn put(&self, document: &mut Document, selection: &mut Selection) {
         (document.camera, *selection) = (self.camera, self.selection);
         if let Some((k, object)) = self.object {

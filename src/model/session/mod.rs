@@ -19,50 +19,49 @@ mod choices;
 pub mod handles;
 pub mod presenting;
 
-/// Everything about the window that is not the document. A change to it never marks the document as
-/// edited.
+/// The state of the window other than the document. A change to it never marks the document as edited.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Session {
     /// The selected ray.
     pub selection: Selection,
-    /// The ray under the pointer, which is shown in place of the selected one.
+    /// The ray under the pointer, which is shown instead of the selected one.
     pub pointed_ray: Option<Selection>,
     /// The observer of the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
-    /// The t of the point p + t d that moves along the selected ray; `None` if there is none.
+    /// The t of the movable point p + t d on the selected ray; `None` if no point is shown.
     pub ray_point_t: Option<f64>,
-    /// Number of pixels that the camera's picture shows so far, row by row; `None` shows all.
+    /// Number of pixels that the camera's picture shows so far, row by row; `None` if it shows all.
     pub scanned_pixels: Option<u64>,
-    /// The camera to compare with.
+    /// The frozen camera with which the current one is compared.
     pub ghost: Option<Ghost>,
-    /// The lab of lines in two dimensions.
+    /// The state of the lab of lines.
     pub lines: LinesLab,
-    /// The concept that the mouse or the keyboard points at.
+    /// The concept under the pointer or with the keyboard focus.
     pub hovered: Option<Hovered>,
-    /// The concept that is highlighted while none is hovered.
+    /// The concept that is highlighted while the pointer is over none.
     pub highlighted: Option<Concept>,
-    /// True while Alt is held: pointing at a concept in the views dims everything else.
+    /// True while Alt is held. A concept under the pointer in a view then dims everything else.
     pub alt_dims: bool,
-    /// True while the question of a lesson's step waits for its answer: no number is shown.
+    /// True while the question of a lesson's step is not answered yet. No number is shown then.
     pub is_asking: bool,
-    /// The concepts with handles that the lesson's step mentions; `None` while no lesson is open.
+    /// The concepts with handles that the lesson's step mentions; `None` if no lesson is open.
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
-    /// The number of the derivation's lines that are shown, counted from the first one; `None`
-    /// shows all. The derivation determines how many lines there are.
+    /// The number of lines of the derivation that are shown, from the first one; `None` if all are. How
+    /// many lines there are depends on the derivation.
     pub revealed_lines: Option<usize>,
     /// The comparison of a wrong camera with the right one.
     pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
     pub exercises: Exercises,
-    /// A student's answers, to be graded.
+    /// A student's answers that are graded.
     pub answers: Option<StudentAnswers>,
-    /// Presenter mode, while it is on.
+    /// The state of presenter mode, while it is on.
     pub presenting: Option<Presenting>,
-    /// True if everything but the pointer's surroundings is dimmed.
+    /// True if everything except the surroundings of the pointer is dimmed.
     pub spotlight: bool,
-    /// The pen that draws over the views while presenting; `None` while it is not in use.
+    /// The pen for drawing over the views while presenting; `None` while it is not in use.
     pub pen: Option<Pen>,
     /// The state of the handles.
     pub handles: HandleState,
@@ -81,7 +80,7 @@ pub(crate) const LOUPE_PIXELS: (u32, u32) = (3, 15);
 /// Minimum and maximum zoom of the window.
 pub(crate) const ZOOM: (f32, f32) = (0.5, 4.0);
 
-/// Preferences, kept across runs.
+/// The user's preferences, kept across runs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
@@ -91,23 +90,24 @@ pub struct Settings {
     pub shade: Shade,
     /// The items of the overlay.
     pub items: OverlayItems,
-    /// Number of pixels that the loupe shows across and down; odd.
+    /// Number of pixels that the loupe shows across and down. It is odd.
     pub loupe_pixels: u32,
-    /// Significant digits of the readouts.
+    /// Number of significant digits of the readouts.
     pub digits: usize,
-    /// True if the derivation writes short exact forms, such as 1/√2, in place of decimals.
+    /// True if the derivation writes short exact forms, such as 1/√2, instead of decimals.
     pub exact_forms: bool,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// True if a change of viewport or image keeps the pixels' shape.
+    /// True if the pixels keep their shape when the viewport or the image changes.
     pub keep_pixel_shape: bool,
     /// True if distance, width and height change together, so that the picture stays the same.
     pub keep_picture: bool,
-    /// True if up stays as given while eye and at are dragged, even if the view comes near it.
+    /// True if up keeps its given value while eye and at are dragged, even if the view direction comes
+    /// near it.
     pub keep_up: bool,
-    /// The quantity that stays the same when the eye is moved in the world view.
+    /// The quantity that is kept when the eye is moved in the world view.
     pub eye_keeps: Keep,
-    /// True if the camera panel's part for teaching is unfolded.
+    /// True if the part of the camera panel for teaching is unfolded.
     pub teaching: bool,
     /// True if the side panel is hidden.
     pub hides_panel: bool,
@@ -115,21 +115,22 @@ pub struct Settings {
     pub unfolded: Unfolded,
     /// The boundaries between the window's areas.
     pub splits: Splits,
-    /// True if the plot of f(p + t d) compresses values beyond 1 unit.
+    /// True if the plot of f(p + t d) compresses values beyond 1.
     pub plot_compressed: bool,
-    /// The method that draws the camera's picture: the ladder, unless the user wants to see another
-    /// method's errors.
+    /// The method that draws the camera's picture. This is the ladder, unless the user wants to see the
+    /// errors of another method.
     pub method: Method,
-    /// The method of the error map.
+    /// The method whose errors the error map shows.
     pub compared: Method,
     /// Dark, light, or the system's choice.
     pub theme: ThemeName,
     /// The colour scheme.
     pub scheme: Scheme,
-    /// True if nothing moves by itself: there are no transitions, and animations advance in steps.
+    /// True if nothing moves by itself: there are no transitions, and animations advance in whole
+    /// steps.
     pub reduced_motion: bool,
-    /// Minimum text size while presenting, in points of a window of 1024 × 768; in a larger window
-    /// it is larger in proportion.
+    /// Minimum text size while presenting, in points for a window of 1024 × 768. It grows in proportion
+    /// to the window.
     pub smallest_text: f32,
     /// True if the numbers are shown below the views while presenting.
     pub presents_numbers: bool,
@@ -137,7 +138,7 @@ pub struct Settings {
     pub zoom: f32,
 }
 
-/// The sections of the side panel that are unfolded.
+/// The parts of the window that are unfolded: each field is true if that part is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Unfolded {
@@ -149,7 +150,7 @@ pub struct Unfolded {
     pub ray: bool,
     /// The scene's objects.
     pub objects: bool,
-    /// True if all numbers are shown below the views rather than one line of them.
+    /// True if all numbers are shown below the views, rather than one line of them.
     pub numbers: bool,
 }
 
@@ -185,8 +186,8 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Returns the settings with every value clamped to its range, because they come from a file
-    /// that anyone may have edited.
+    /// Returns the settings with every value clamped to its range. The settings come from a file that
+    /// anyone may have edited.
     #[must_use]
     pub fn in_range(mut self) -> Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
@@ -206,14 +207,15 @@ impl Session {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
     }
 
-    /// Returns the concepts that the step mentions or that are highlighted.
+    /// Returns the concepts that the lesson's step mentions or that are highlighted.
     pub fn spoken_of(&self) -> Vec<Concept> {
         let spoken = self.spoken.iter().flatten().copied();
         spoken.chain(self.highlighted()).chain(self.highlighted).collect()
     }
 
-    /// Returns true if everything but the highlighted concept is dimmed. The derivation and a
-    /// lesson's step dim everything else; pointing in a view does so only while Alt is held.
+    /// Returns true if everything except the highlighted concept is dimmed. The derivation and a
+    /// lesson's step always dim the rest; pointing at a concept in a view does so only while Alt is
+    /// held.
     pub fn dims(&self) -> bool {
         self.alt_dims || self.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
     }
@@ -230,7 +232,7 @@ impl Session {
             && (view.open_vote.is_some() || view.wants_vote)
     }
 
-    /// Keeps the selected position at the same place in the picture after an edit of the camera.
+    /// Keeps the selected position at the same place of the picture when the camera is edited.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         self.selection = self.selection.in_another_image(before.image, now.image);
         if self.settings.keep_picture {
@@ -239,16 +241,16 @@ impl Session {
     }
 }
 
-/// A frozen camera.
+/// A frozen camera, with which the current one is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {
     /// The camera as given.
     pub camera: Camera,
-    /// True if the ghost's picture is replaced by the map of the pixels that see another object.
+    /// True if a map of the pixels that see different objects is shown instead of the ghost's picture.
     pub shows_differences: bool,
 }
 
-/// Resolves the ghost with the current camera's image size, which the comparison needs.
+/// Resolves the ghost with the image size of the camera `now`, which the comparison requires.
 ///
 /// # Errors
 /// Returns an error if the ghost is an invalid camera.

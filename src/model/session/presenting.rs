@@ -1,14 +1,14 @@
-//! Presenter mode: the size of its text, the state that it returns to, and the pen's strokes over
-//! the views.
+//! Presenter mode: the size of its text, the state to which it returns, and the pen's strokes over the
+//! views.
 
 use crate::model::session::ViewLayout;
 
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
-    /// The layout that fills the window after a key press, and the layout that it replaced.
+    /// The layout that fills the window since a key was pressed, and the layout that it replaced.
     pub replaced: Option<(ViewLayout, ViewLayout)>,
-    /// True if the spotlight was on before.
+    /// True if the spotlight was on when presenter mode began.
     pub spotlight_before: bool,
 }
 
@@ -19,14 +19,14 @@ impl Presenting {
         *layout = full;
     }
 
-    /// Returns the layout to return to. If a lesson's step has set another layout in the meantime,
-    /// that one stays.
+    /// Returns the layout to return to. This is `now` if a lesson's step has set another layout in the
+    /// meantime.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
     }
 }
 
-/// The range of the setting of the smallest text, in points.
+/// The range of the minimum text size, in points.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
     /// The minimum.
@@ -42,36 +42,36 @@ pub struct Range {
 /// The range of [`crate::model::session::Settings::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
 
-/// Size of the smallest text while presenting, in points before zoom. It is the size of an index in
-/// a formula's fraction.
+/// Size of the smallest text in the window before zoom, in points. It is that of an index in a
+/// fraction.
 pub const WRITTEN: f32 = 12.0;
 
-/// Size of the projector that [`crate::model::session::Settings::smallest_text`] refers to, in
-/// points.
+/// The window size to which [`crate::model::session::Settings::smallest_text`] refers, in points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
 
-/// Returns the window's zoom while presenting. No text is smaller than the setting, and in a window
-/// larger than the projector everything keeps its share of the window. `window` is the window's
-/// size in points without zoom.
+/// Returns the window's zoom while presenting. No text is smaller than the setting. In a window larger
+/// than the projector's, everything is enlarged in proportion. `window` is the window's size in points
+/// without zoom.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
     larger * smallest_text / WRITTEN
 }
 
-/// The strokes that the pen has drawn while it is in use.
+/// The strokes drawn with the pen since it was taken up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pen {
-    /// Polylines through these points, as shares of the drawing area's width and height.
+    /// Polylines through these points, whose coordinates are fractions of the drawing area's width and
+    /// height.
     pub lines: Vec<Vec<[f32; 2]>>,
 }
 
 impl Pen {
-    /// Begins a line.
+    /// Begins a stroke.
     pub fn press(&mut self, at: [f32; 2]) {
         self.lines.push(vec![at]);
     }
 
-    /// Extends the last line to this point.
+    /// Extends the last stroke to this point.
     pub fn draw_to(&mut self, to: [f32; 2]) {
         if let Some(line) = self.lines.last_mut().filter(|line| line.last() != Some(&to)) {
             line.push(to);
