@@ -1,12 +1,12 @@
-//! Adaptive resolution: while the user drags something in a scene that is too slow to trace in one frame,
-//! pictures are traced with fewer pixels. As soon as the drag rests, they are traced with all pixels, unless
-//! the window would stop responding.
+//! Adaptive resolution. While the user drags something, a scene that is too slow to trace in one frame
+//! is traced with fewer pixels. Once the pointer rests, all pixels are traced, unless that would make
+//! the window stop responding.
 
 use std::time::Duration;
 
 use pinhole_core::{ImageSize, Raster};
 
-/// The step between traced rows and columns.
+/// The distance between traced rows and between traced columns, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Subsampling(u32);
 
@@ -17,10 +17,10 @@ impl Default for Subsampling {
 }
 
 impl Subsampling {
-    /// Full resolution: all pixels that can be shown are traced.
+    /// Full resolution: every pixel that the screen can show is traced.
     pub const NONE: Subsampling = Subsampling(1);
 
-    /// Lowest resolution: one row and one column in 8 are traced, so that motion can still be followed.
+    /// Lowest resolution: every 8th row and column is traced, which is enough to follow a motion.
     pub const MOST: Subsampling = Subsampling(8);
 
     /// Returns the pixels to trace for an image shown on `columns` x `rows` dots.
@@ -41,23 +41,23 @@ impl Subsampling {
     }
 }
 
-/// Longest time to trace a picture during a drag. It leaves enough time for the rest of a frame at 60 Hz.
+/// Longest time to trace a picture during a drag. It leaves time for the rest of a frame at 60 Hz.
 const BUDGET: Duration = Duration::from_millis(8);
 
-/// Largest share of the budget that a finer picture may take. With a share near 1, the next frame would
-/// become coarser again.
+/// Largest fraction of the budget that a finer picture may be expected to take. If it were near 1, the
+/// next frame would often become coarser again.
 const COMFORT: f64 = 0.6;
 
-/// Longest time to trace a picture at rest; the window does not respond during it.
+/// Longest time to trace a picture at rest. The window does not respond during this time.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Minimum number of objects for which tracing all pixels may take longer than [`LONGEST`].
+/// Number of objects from which tracing all pixels may take longer than [`LONGEST`].
 const MANY: usize = 200;
 
 /// Seconds without movement after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
-/// Chooses the subsampling from the times of earlier pictures.
+/// Chooses the subsampling from the time that earlier pictures took.
 #[derive(Debug)]
 pub(crate) struct AdaptiveResolution {
     budget: Duration,
@@ -65,9 +65,9 @@ pub(crate) struct AdaptiveResolution {
     moving: Subsampling,
     /// The subsampling at rest.
     resting: Subsampling,
-    /// Upper estimate of the time to trace all pixels.
+    /// Upper estimate of the time to trace a picture at full resolution.
     full: Duration,
-    /// Number of objects in the scene whose times were measured.
+    /// Number of objects in the scene that was measured.
     objects: usize,
     /// Time of the last move, in seconds.
     moved_at: f64,
@@ -87,19 +87,19 @@ impl Default for AdaptiveResolution {
 }
 
 impl AdaptiveResolution {
-    /// Creates an adaptive resolution with a time budget for pictures during a drag.
+    /// Creates an instance with a time budget for pictures during a drag.
     pub(crate) fn within(budget: Duration) -> AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
-    /// Returns the current subsampling; `moves` is true if the view is moving right now.
+    /// Returns the current subsampling. `moves` is true if the view is changing in this frame.
     pub(crate) fn now(&mut self, moves: bool, time: f64, objects: usize) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
         if objects != self.objects {
             self.objects = objects;
-            // The first picture is coarse; its time predicts how long all pixels would take.
+            // The first picture is coarse; its time predicts the time at full resolution.
             if objects >= MANY {
                 (self.moving, self.resting) = (Subsampling::MOST, Subsampling::MOST);
             }
@@ -107,12 +107,12 @@ impl AdaptiveResolution {
         if self.is_followed(time) { self.moving } else { self.resting }
     }
 
-    /// Returns true if a picture with this subsampling is traced more finely as soon as the drag rests.
+    /// Returns true if a picture with this subsampling will be traced more finely once the drag rests.
     pub(crate) fn is_made_finer(&self, shown: Subsampling) -> bool {
         shown > self.resting
     }
 
-    /// Returns the note on a picture with this subsampling; `None` at full resolution.
+    /// Returns the note for a picture with this subsampling; `None` at full resolution.
     pub(crate) fn message(&self, shown: Subsampling) -> Option<String> {
         if shown == Subsampling::NONE {
             None
@@ -124,15 +124,16 @@ impl AdaptiveResolution {
         }
     }
 
-    /// Returns true if something was moved recently.
+    /// Returns true if something was moved less than [`REST`] seconds ago.
     pub(crate) fn is_followed(&self, time: f64) -> bool {
         time - self.moved_at < REST
     }
 
-    /// Records the time that tracing new pictures took.
+    /// Records how long it took to trace new pictures.
     pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
         let step = f64::from(subsampling.0);
-        // The time is at most proportional to the number of pixels, which is proportional to 1 / step^2.
+        // The time grows at most in proportion to the number of pixels, which is proportional to 1 /
+        // step^2.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
         let next = if share > 1.0 {
             (step * share.sqrt()).ceil()

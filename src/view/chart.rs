@@ -1,15 +1,16 @@
-//! Charts: a scale along each side, grid lines with their numbers, and strokes that end at the edge.
-//! Everything is drawn with an egui painter: the window paints it, and figures write it to files.
+//! Charts: a scale along each side, grid lines with their numbers, and lines that end at the chart's
+//! edge. Everything is drawn with an egui painter, so the window and the exported figures share this
+//! code.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
 use pinhole_lecture::numbers::{power_of_ten, short, written};
 
-/// Maps values to positions along an edge of a chart, in points. The direction may be reversed.
+/// Maps values to positions along an edge of a chart, in points. Positions may run in either direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     is_logarithmic: bool,
-    /// The values at both ends of the edge; on a logarithmic scale, their decimal logarithms.
+    /// The values at the two ends of the edge; on a logarithmic scale, their decimal logarithms.
     range: [f64; 2],
     edge: [f32; 2],
 }
@@ -28,15 +29,15 @@ impl Scale {
         Scale { is_logarithmic: false, range, edge }
     }
 
-    /// Creates a logarithmic scale over whole decades that contain all positive values.
+    /// Creates a logarithmic scale over whole decades that includes all positive values.
     pub(crate) fn decades(values: impl Iterator<Item = f64>, edge: [f32; 2]) -> Scale {
         let [low, high] = exponents(values).unwrap_or([-1.0, 0.0]);
         let low = low.floor();
         Scale { is_logarithmic: true, range: [low, high.ceil().max(low + 1.0)], edge }
     }
 
-    /// Creates a logarithmic scale from a little below the smallest positive value to a little above the
-    /// largest.
+    /// Creates a logarithmic scale that extends slightly beyond the smallest and the largest positive
+    /// value.
     pub(crate) fn close(values: impl Iterator<Item = f64>, edge: [f32; 2]) -> Scale {
         let [low, high] = exponents(values).unwrap_or([0.0, 1.0]);
         let margin = (0.06 * (high - low)).max(0.12);
@@ -48,7 +49,7 @@ impl Scale {
         self.place(if self.is_logarithmic { value.log10() } else { value })
     }
 
-    /// Returns the position of a value, or of a decimal logarithm on a logarithmic scale.
+    /// Returns the position of a value; on a logarithmic scale, `value` is the decimal logarithm.
     fn place(&self, value: f64) -> f32 {
         let ([low, high], [from, to]) = (self.range, self.edge);
         // Positions far outside the chart look the same, and `f32` has a limited range.
@@ -62,18 +63,18 @@ impl Scale {
         low + f64::from(position - from) / f64::from(to - from) * (high - low)
     }
 
-    /// Returns true if a value lies between both ends.
+    /// Returns true if a value lies between the two ends of the scale.
     pub(crate) fn contains(&self, value: f64) -> bool {
         let value = if self.is_logarithmic { value.log10() } else { value };
         (self.range[0]..=self.range[1]).contains(&value)
     }
 
-    /// Returns the length of a unit in points, or of a decade on a logarithmic scale.
+    /// Returns the length of one unit in points; on a logarithmic scale, the length of one decade.
     pub(crate) fn unit(&self) -> f64 {
         f64::from((self.edge[1] - self.edge[0]).abs()) / (self.range[1] - self.range[0])
     }
 
-    /// Returns round values that are at least `gap` points apart.
+    /// Returns ticks at round values that are at least `gap` points apart.
     pub(crate) fn ticks(&self, gap: f32) -> Vec<Tick> {
         let least = f64::from(gap) / self.unit();
         if self.is_logarithmic { self.powers(least) } else { self.multiples(least) }
@@ -87,7 +88,7 @@ impl Scale {
         values.map(tick).collect()
     }
 
-    /// Returns the ticks at powers of ten and, if there is room, at other numbers between them.
+    /// Returns ticks at powers of ten and, if there is room, at round numbers between them.
     fn powers(&self, least: f64) -> Vec<Tick> {
         const DIGITS: [&[f64]; 3] = [&[1.0, 2.0, 3.0, 5.0, 7.0], &[1.0, 2.0, 5.0], &[1.0, 3.0]];
         let closest = |digits: &[f64]| {
@@ -96,7 +97,7 @@ impl Scale {
         };
         let digits = DIGITS.into_iter().find(|digits| closest(digits) >= least);
         let [low, high] = self.range;
-        // The exponents are multiples of the step, so that 1 is among the values if it is in range.
+        // The exponents are multiples of the step, so the value 1 has a tick if it is in range.
         let step = least.ceil().max(1.0) as i32;
         let mut ticks = Vec::new();
         let decades = low.floor() as i32..=high.ceil() as i32;
@@ -114,7 +115,8 @@ impl Scale {
     }
 }
 
-/// Returns the decimal logarithms of the smallest and the largest positive, finite value.
+/// Returns the decimal logarithms of the smallest and the largest positive, finite value; `None` if
+/// there is no such value.
 fn exponents(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let positive = values.filter(|value| *value > 0.0 && value.is_finite()).map(f64::log10);
     positive.map(|x| [x, x]).reduce(|[low, high], [x, _]| [low.min(x), high.max(x)])
@@ -135,8 +137,8 @@ pub(crate) struct GridInk {
     pub(crate) size: f32,
 }
 
-/// Draws a line from top to bottom at each tick, and the numbers below the chart. Leaves out a number that
-/// would touch the previous one or extend too far beyond the right edge.
+/// Draws a vertical line at each tick, with its number below the chart. Omits a number that would touch
+/// the previous one or extend too far beyond the right edge.
 pub(crate) fn columns(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk) {
     let gap = ink.size - 8.0;
     let mut free = rect.left() - 2.0 * gap;
@@ -152,7 +154,7 @@ pub(crate) fn columns(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridIn
     }
 }
 
-/// Draws a line from left to right at each tick.
+/// Draws a horizontal line at each tick.
 pub(crate) fn rows(painter: &Painter, rect: Rect, ticks: &[Tick], color: Color32) {
     for tick in ticks {
         painter.hline(rect.x_range(), tick.at, (1.0, color));
@@ -167,10 +169,10 @@ pub(crate) fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: Gri
     }
 }
 
-/// Dash and gap of an unbroken line.
+/// The dash and gap that stand for a solid line.
 pub(crate) const SOLID: [f32; 2] = [0.0; 2];
 
-/// Draws a polyline. The dash and the gap are in points; see [`SOLID`].
+/// Draws a polyline with the given dash and gap, in points. [`SOLID`] draws it without gaps.
 pub(crate) fn line(
     painter: &Painter,
     points: &[Pos2],
@@ -184,7 +186,7 @@ pub(crate) fn line(
     }
 }
 
-/// Draws an arrowhead with the direction and the length of `forwards`.
+/// Draws an arrowhead; `forwards` is its direction and its length.
 pub(crate) fn arrowhead(painter: &Painter, tip: Pos2, forwards: Vec2, color: Color32) {
     let (back, side) = (tip - forwards, 0.5 * forwards.rot90());
     let corners = vec![tip, back + side, back - side];
@@ -204,8 +206,8 @@ pub(crate) fn parts_inside(rect: Rect, points: &[Pos2]) -> Vec<Vec<Pos2>> {
     parts
 }
 
-/// Returns the part of a straight line inside a rectangle (Liang and Barsky, "A New Concept and
-/// Method for Line Clipping", 1984).
+/// Returns the part of a straight line inside a rectangle, or `None` if it lies outside (Liang and
+/// Barsky, "A New Concept and Method for Line Clipping", 1984).
 fn clipped(rect: Rect, from: Pos2, to: Pos2) -> Option<[Pos2; 2]> {
     let along = to - from;
     let (mut first, mut last) = (0.0_f32, 1.0_f32);

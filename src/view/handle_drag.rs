@@ -1,5 +1,5 @@
-//! The effect of dragging a handle: converts the pointer's position to a point of the world, and the point to
-//! the values that the handle changes.
+//! The effect of dragging a handle: converts the pointer's position to a point in the world, and that
+//! point to new values of the document.
 
 use pinhole_core::steering::{
     DragAlong, Keep, SteerError, Steered, nice_step, pixel_in_world, rounded_to, snapped,
@@ -13,20 +13,20 @@ use crate::model::interaction::STEP_POINTS;
 use crate::model::session::Settings;
 use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
-/// A handle's drag, with the observer and the settings that determine what stays fixed.
+/// The drag of a handle, with the observer and the settings that determine what stays fixed.
 #[derive(Clone, Copy, Debug)]
 pub struct HandleDrag<'a> {
     /// The handle.
     pub handle: Handle,
     /// The drag.
     pub drag: &'a Drag,
-    /// The observer.
+    /// The observer, in whose picture the handle is dragged.
     pub observer: &'a ResolvedCamera,
     /// Dots per point.
     pub scale: f32,
     /// The settings.
     pub settings: &'a Settings,
-    /// The quantity that stays when the eye moves.
+    /// The quantity that stays fixed when the eye moves.
     pub eye_keeps: Keep,
     /// True if values snap to multiples of a round step.
     pub snaps: bool,
@@ -39,7 +39,7 @@ pub struct Dragged {
     pub values: HandleValues,
     /// Unit vector from the centre of a sphere to the point of its surface that is being dragged.
     pub toward: DVec3,
-    /// True if up was turned too, because the view direction came near it.
+    /// True if the up vector was turned too, because the view direction came close to it.
     pub up_went_along: bool,
 }
 
@@ -61,7 +61,7 @@ impl HandleDrag<'_> {
         self.put(self.observer.dragged(at, begun_at, uv, self.along()?)?)
     }
 
-    /// Returns the result of moving the handle to a point of the world, or as close to it as possible.
+    /// Returns the result of moving the handle to a point in the world, or as close to it as possible.
     ///
     /// # Errors
     /// Returns an error if the handle cannot be moved there.
@@ -101,7 +101,7 @@ impl HandleDrag<'_> {
         Ok(dragged)
     }
 
-    /// Returns the line or plane of the drag.
+    /// Returns the line or plane along which the handle is dragged.
     fn along(&self) -> Result<DragAlong, CameraError> {
         let camera = &self.drag.before.camera;
         Ok(match self.handle {
@@ -117,8 +117,8 @@ impl HandleDrag<'_> {
         })
     }
 
-    /// Rounds a number to the precision of the pointer, or snaps it; `per` is the number's change per world
-    /// unit.
+    /// Rounds a number to the precision of the pointer, or snaps it to a round step. `per` is the
+    /// change of the number per unit of length in the world.
     fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
         if self.snaps {
             return snapped(value, step_of(self.observer, self.drag.at, self.scale)?);
@@ -126,7 +126,7 @@ impl HandleDrag<'_> {
         rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?)
     }
 
-    /// Rounds or snaps a number if the drag changed it; otherwise returns it unchanged, to the last bit.
+    /// Rounds or snaps a number that the drag changed. Otherwise returns it unchanged, to the last bit.
     fn changed(&self, from: f64, to: f64, per: f64) -> Result<f64, SteerError> {
         if from == to { Ok(to) } else { self.number(to, per) }
     }
@@ -136,8 +136,9 @@ impl HandleDrag<'_> {
         Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
     }
 
-    /// Returns the steered camera. If that camera has no basis, returns `set` instead, so that the fields
-    /// show the fault. If the settings keep up fixed, always returns `set` for a camera with an up vector.
+    /// Returns the camera that the drag sets, steered. If it has an up vector, returns `set` unchanged
+    /// in two cases: if the settings keep up fixed, or if steering finds no basis, so that the fields
+    /// show the fault.
     fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
@@ -147,8 +148,8 @@ impl HandleDrag<'_> {
         steered
     }
 
-    /// Returns the camera with the dragged up vector, even if it is parallel to the view: the fields then
-    /// show the fault.
+    /// Returns the camera with the dragged up vector. It may be parallel to the view direction; the
+    /// input fields then show the fault.
     fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
         let (camera, length) = (self.drag.before.camera, self.drag.length);
         let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
@@ -160,9 +161,10 @@ impl HandleDrag<'_> {
         Ok(Camera { orientation, ..camera })
     }
 
-    /// Returns the camera with a corner of its viewport at a point, or as close to it as possible; the
-    /// viewport's centre stays. To keep the pixels' shape, the corner moves to the point of the diagonal
-    /// nearest to the pointer. An invalid size is kept as it is, so that the fields show the fault.
+    /// Returns the camera with a corner of its viewport at a point, or as close to it as possible, and
+    /// the viewport's centre unchanged. If the pixels keep their shape, the corner moves to the point
+    /// of the diagonal nearest to the pointer. An invalid size is not corrected, so that the input
+    /// fields show the fault.
     fn corner(&self, corner: Corner, point: DVec3) -> Result<Camera, SteerError> {
         if self.settings.keep_picture {
             return self.distance(point);
@@ -194,17 +196,18 @@ impl HandleDrag<'_> {
         Ok(Camera { viewport, ..camera })
     }
 
-    /// Returns the camera with the plane of its viewport moved to pass through a point.
+    /// Returns the camera with the plane of its viewport moved through a point.
     fn distance(&self, point: DVec3) -> Result<Camera, SteerError> {
         let camera = self.drag.before.camera;
         let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        // An invalid distance is set unchanged, without the lock, so that the fields show the fault.
+        // An invalid distance is set as it is, without keeping the picture, so that the input fields
+        // show the fault.
         let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
         Ok(scaled.flatten().unwrap_or(set))
     }
 
-    /// Returns the pixel nearest to a point of the viewport.
+    /// Selects the pixel nearest to a point of the viewport.
     fn pixel(&self, point: DVec3) -> Result<Selection, CameraError> {
         let HandleValues { camera, selection, .. } = self.drag.before;
         let resolved = camera.resolve()?;

@@ -1,11 +1,14 @@
-//! Handles that the user drags in the world view: eye, at, the tip of up, the viewport, spheres and planes.
-//! This module is pure; `ui::scene::dragging` handles pointer input.
+//! The handles that the user drags in the world view: at the eye, the target (at), the tip of the up
+//! vector, the viewport, spheres and planes. This module is pure; `ui::scene::dragging` handles the
+//! pointer.
 //!
-//! This module places the handles on the screen, hit-tests them, gives their names and values, and makes the
-//! marks that the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates the effect of a drag.
+//! It places the handles on the screen, hit-tests them, formats their names and values, and creates the
+//! marks that the overlay draws. [`handle_drag`](crate::view::handle_drag) calculates the effect of a
+//! drag.
 //!
-//! No gizmo crate is used: the gizmos for egui edit one transform at a time, but a viewport has corners and a
-//! sphere has a radius. They also do not draw through the overlay, whose marks go into figures.
+//! No gizmo crate is used, for two reasons. The gizmos for egui edit one transform at a time, but a
+//! viewport has corners and a sphere has a radius. They also bypass the overlay, whose marks appear in
+//! figures.
 
 use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
 use pinhole_exchange::document::Document;
@@ -16,22 +19,23 @@ use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState,
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
-/// Distance from an arrow's tip to its handle, in points.
+/// Distance from the tip of the up arrow to its handle, in points.
 const BEYOND: f64 = 10.0;
 
-/// Maximum distance between two handles that count as overlapping, as a share of the pointer's reach.
+/// Maximum distance between two handles that count as overlapping, as a fraction of the hit-test
+/// radius.
 const TOGETHER: f64 = 0.4;
 
-/// The document and the observer for which handles are placed.
+/// The document and the observer, from which the positions of handles are computed.
 #[derive(Clone, Copy)]
 pub struct Stage<'a> {
     /// The document.
     pub document: &'a Document,
     /// The document's camera, if it has a basis.
     pub resolved: Option<&'a ResolvedCamera>,
-    /// The selected ray.
+    /// The selected pixel or point of the viewport.
     pub selection: Selection,
-    /// The overlay items that are drawn.
+    /// The overlay items that are shown.
     pub items: OverlayItems,
     /// The observer.
     pub observer: &'a ResolvedCamera,
@@ -39,7 +43,7 @@ pub struct Stage<'a> {
     pub scale: f32,
 }
 
-/// A handle with its position.
+/// A handle and its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedHandle {
     /// The handle.
@@ -48,7 +52,7 @@ pub struct PlacedHandle {
     pub at: DVec3,
     /// The position on the observer's screen, in dots.
     pub spot: DVec2,
-    /// The length in the world at which an up vector of length 1 is drawn; 1 for all handles but the tip of up.
+    /// The length in the world at which an up vector of length 1 is drawn; 1 for all other handles.
     pub length: f64,
     /// Unit vector from a sphere's centre to its radius handle.
     pub toward: DVec3,
@@ -63,8 +67,8 @@ impl PlacedHandle {
     }
 }
 
-/// Returns all handles in the observer's picture, drawn or not. If several are at the same position, the
-/// first one is preferred.
+/// Returns all handles in the observer's picture, whether they are drawn or not, in order of
+/// preference: among handles at the same position, the first one is chosen.
 pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     if !stage.items.shows(Item::Handles) {
         return Vec::new();
@@ -75,7 +79,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
         true => vec![Handle::Center(k), Handle::Radius(k)],
         false => vec![Handle::Point(k)],
     };
-    // A user who has chosen an object wants to move it, even if at lies in its centre.
+    // An object chosen by the user comes first, so that it can be moved even if the point `at` lies in
+    // its centre.
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
     let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
@@ -97,8 +102,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     placed.collect()
 }
 
-/// Returns the handle nearest to a position, at most `reach` away; both are in dots. If other handles overlap
-/// it, returns the first of them, or the one after the handle that was clicked last.
+/// Returns the handle nearest to a position, if it is within `reach`; both are in dots. If several
+/// handles overlap there, returns the first of them, or the one after the handle that was clicked last.
 pub fn hit(
     placed: &[PlacedHandle],
     at: DVec2,
@@ -115,7 +120,7 @@ pub fn hit(
 }
 
 impl Stage<'_> {
-    /// Returns true if there is no room for handles on the viewport.
+    /// Returns true if the viewport is drawn too small for handles.
     fn is_viewport_small(&self) -> bool {
         let Some(resolved) = self.resolved else { return false };
         let spot = |corner: Corner| {
@@ -126,14 +131,15 @@ impl Stage<'_> {
         a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
     }
 
-    /// Returns the distance in the world between the handle of up and the tip of its arrow, which keeps the
+    /// Returns the distance in the world from the tip of the up arrow to its handle. The gap keeps the
     /// arrowhead visible.
     fn beyond_up(&self) -> f64 {
         let eye = self.document.camera.eye;
         overlay::length_of_points(self.observer, eye, BEYOND, self.scale)
     }
 
-    /// Returns the length in the world at which an up vector of length 1 is drawn; `None` if it is not visible.
+    /// Returns the length in the world at which an up vector of length 1 is drawn; `None` if the arrow
+    /// is not drawn.
     fn up_length(&self) -> Option<f64> {
         let camera = &self.document.camera;
         let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
@@ -169,7 +175,7 @@ impl Stage<'_> {
         }
     }
 
-    /// Returns the position of a point on the observer's screen, in dots; `None` outside the
+    /// Returns the position of a point on the observer's screen, in dots; `None` if it lies outside the
     /// picture.
     fn spot(&self, at: DVec3) -> Option<DVec2> {
         let projected = self.observer.project(at);
@@ -207,8 +213,8 @@ pub fn label(handle: Handle, document: &Document) -> String {
     name.to_owned()
 }
 
-/// Returns the text of a handle's value, such as `eye = (1, 0, 0)`. Rows and columns are counted from 1 if
-/// `from_one` is set.
+/// Returns the text of a handle's value, such as `eye = (1, 0, 0)`. If `from_one` is true, rows and
+/// columns are counted from 1.
 pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
     let number = |x: f64| written(x, digits);
@@ -248,12 +254,12 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
     }
 }
 
-/// Length, in points, of the lines along which a handle moves, on each side of the handle.
+/// Length of a guide line on each side of the handle, in points.
 const GUIDE_POINTS: f64 = 46.0;
 
-/// Returns the marks that the overlay draws for the handles. The handles of eye, at and the tip of up are
-/// always drawn. Other handles are drawn if they are hovered, held or chosen, or if they change one of the
-/// concepts in `spoken`.
+/// Returns the marks that the overlay draws for the handles. The handles of the eye, the target and the
+/// tip of the up vector are always drawn. Other handles are drawn if they are hovered, dragged or
+/// chosen, or if they change one of the concepts in `spoken`.
 pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());
@@ -285,13 +291,13 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
     }
 }
 
-/// Returns true if both handles are the same, or belong to the same viewport.
+/// Returns true if the handles are the same, or if both belong to the viewport's frame.
 fn belong_together(handle: Handle, other: Handle) -> bool {
     let is_of_viewport = |handle| matches!(handle, Handle::Corner(_) | Handle::Distance);
     handle == other || (is_of_viewport(handle) && is_of_viewport(other))
 }
 
-/// Returns true if the handle changes the value that the concept names.
+/// Returns true if the handle changes the value that the concept stands for.
 fn is_about(handle: Handle, concept: Concept) -> bool {
     match handle {
         Handle::Corner(_) => concept == Concept::Viewport,
@@ -309,7 +315,7 @@ fn knob(handle: Handle) -> Knob {
     }
 }
 
-/// Returns the lines or the ring along which a handle moves; none for a handle that moves freely.
+/// Returns the lines or the ring along which a handle moves; empty if it moves freely.
 fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
     let PlacedHandle { handle, at, .. } = *over;
     let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);

@@ -1,11 +1,11 @@
-//! Headless drawing: draws with egui into a picture, without a window.
+//! Draws a user interface made with egui into a picture, without a window.
 
 use egui::epaint::{ClippedPrimitive, ClippedShape};
 use egui::{Color32, RawInput, Rect, Vec2, ViewportId};
 
 use super::painter::SoftwarePainter;
 
-/// One pass of a user interface: the shapes that it drew, and the data needed to paint them into pixels.
+/// One pass of a user interface: the drawn shapes, and the data needed to rasterize them.
 #[derive(Debug)]
 pub struct UiPass {
     /// The drawn shapes, in points.
@@ -17,8 +17,8 @@ pub struct UiPass {
 }
 
 impl UiPass {
-    /// Runs the first pass of a context, on a screen of `size` pixels with `pixels_per_point` pixels per
-    /// point. A later pass would lack the glyphs that the first one uploads.
+    /// Runs the first pass of `ctx` on a screen of `size` pixels, with `pixels_per_point` pixels per
+    /// point. `ctx` must be new: only its first pass uploads all the glyphs.
     pub fn draw(
         ctx: &egui::Context,
         size: [usize; 2],
@@ -34,7 +34,7 @@ impl UiPass {
         UiPass { shapes: output.shapes, primitives, painter, pixels_per_point }
     }
 
-    /// Draws it over pixels.
+    /// Paints the user interface over the existing pixels.
     pub fn paint(&self, pixels: &mut [Color32], size: [usize; 2]) {
         self.painter.paint(pixels, size, self.pixels_per_point, &self.primitives);
     }

@@ -1,5 +1,5 @@
-//! The lab of lines: draws both lines in the plane with their handles, and substitutes one line into the
-//! other, step by step in words and numbers.
+//! The lines lab: draws two lines in the plane with their handles, and shows step by step, in words and
+//! numbers, how one line is substituted into the other.
 
 use std::cmp::Ordering;
 
@@ -22,7 +22,8 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// Maximum width of the numbers next to the drawing, in points and as a share of the total width.
+/// Maximum width of the numbers to the right of the drawing: in points, and as a fraction of the total
+/// width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text, with its formulas typeset.
@@ -30,7 +31,7 @@ pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
-/// Draws the plane with both lines, and the substitution. Draws no background and takes no input.
+/// Draws the plane with both lines, and the substitution. Draws no background and ignores input.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (left, right) = parts(area);
@@ -39,14 +40,14 @@ pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// Returns the areas of the plane and of the numbers next to it.
+/// Returns the area of the plane and the area of the numbers to its right.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
     (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
-/// Shows, step by step, the substitution, the point where both lines meet, and f at the current t.
+/// Shows, step by step, the substitution, the point where the lines meet, and f at the current t.
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
@@ -89,8 +90,8 @@ fn added(x: f64, digits: usize) -> String {
     format!("{sign} {}", number(x.abs(), digits))
 }
 
-/// Returns all steps with the current numbers: the name of each step, and its formula in the form that
-/// [`notation::formula`] takes.
+/// Returns the name and the formula of each step, with the current numbers. The formulas are in the
+/// notation of [`notation::formula`].
 fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
     let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
     let (line, p, d) = (s.line, s.ray.p, s.ray.d);
@@ -159,10 +160,10 @@ const REGIONS: f32 = 23.0;
 /// Half the side of the square around a handle that reacts to the pointer, in points.
 pub(crate) const GRASP: f32 = 13.0;
 
-/// Maximum number of points drawn.
+/// Maximum number of generated points that are drawn.
 const MOST_POINTS: usize = 400;
 
-/// A part of the plane, drawn in a rectangle with y upwards and the same scale on both axes.
+/// A part of the plane, drawn in a rectangle with y pointing up and the same scale on both axes.
 pub(crate) struct PlaneView {
     painter: Painter,
     pub(crate) rect: Rect,
@@ -171,7 +172,7 @@ pub(crate) struct PlaneView {
     colors: &'static Colors,
 }
 
-/// Draws both lines without any hint where they meet.
+/// Draws both lines, but nothing that shows where they meet.
 pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
@@ -181,8 +182,8 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     plane.coordinates(&mut plane.labels());
 }
 
-/// Draws the plane for an exercise: the line, p, and rings at the typed answers. Draws the solution only if
-/// `may_be_seen` is true.
+/// Draws the plane for an exercise: the line, the point p, and a ring at each typed answer. Draws the
+/// solution only if `may_be_seen` is true.
 pub(crate) fn draw_exercise(
     ui: &Ui,
     rect: Rect,
@@ -251,7 +252,7 @@ impl PlaneView {
         self.to_plane(self.rect.center())
     }
 
-    /// Returns the distance from the centre to a corner. No visible point is farther from the centre.
+    /// Returns the distance from the centre to a corner; every visible point lies within it.
     fn reach(&self) -> f64 {
         0.5 * f64::from(self.rect.size().length()) / self.unit()
     }
@@ -260,8 +261,8 @@ impl PlaneView {
         LabelLayout::new(self.painter.clone(), self.colors.halo, self.rect.shrink(3.0))
     }
 
-    /// Paints everything except the background. Returns a description of the generated points, if the ray is
-    /// valid.
+    /// Paints everything except the background. Returns a description of the generated points, or
+    /// `None` if the parametric line is invalid.
     pub(crate) fn paint(
         &self,
         lab: &LinesLab,
@@ -307,7 +308,7 @@ impl PlaneView {
         description
     }
 
-    /// Fills the visible part of the plane where f has this sign.
+    /// Fills the visible part of the plane where f has the given sign.
     fn half_plane(&self, line: &ImplicitLine, sign: f64, fill: Color32) {
         let rect = self.rect;
         let corners = [rect.left_bottom(), rect.right_bottom(), rect.right_top(), rect.left_top()];
@@ -327,7 +328,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws the visible part of a straight line between two points of the plane.
+    /// Draws the visible part of the line segment between two points of the plane.
     fn line(&self, from: DVec2, to: DVec2, stroke: Stroke, dashes: [f32; 2]) {
         for part in chart::parts_inside(self.rect, &[from, to].map(|end| self.to_screen(end))) {
             chart::line(&self.painter, &part, stroke, dashes);
@@ -401,7 +402,7 @@ impl PlaneView {
         let direction = line.direction().normalize_or_zero();
         let normal = direction.perp();
         let middle = line.nearest_to(self.center());
-        // Positions along the line; the first ones are far from its handles.
+        // Positions along the line. The first ones are far from the handles.
         let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
         let anchors = |points: f64| {
             let half = 0.5 * f64::from(self.rect.height()) / self.unit();
@@ -418,7 +419,8 @@ impl PlaneView {
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 
-    /// Draws the parametric line, dashed before p and solid from p onwards; then the generated points, and d.
+    /// Draws the parametric line, dashed before p and solid after p, then the generated points and the
+    /// vector d.
     fn parametric(&self, lab: &LinesLab) {
         let (ParametricLine { p, d }, ray) = (lab.ray, self.colors.ray);
         let (first, last) = self.range_of_t(&lab.ray);
@@ -434,7 +436,7 @@ impl PlaneView {
             let stroke = Stroke::new(1.5, self.colors.halo);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
-        // d is an arrow; its head has a size in screen points.
+        // d is drawn as an arrow; the size of its head is in points.
         let [from, to] = [p, p + d].map(|end| self.to_screen(end));
         let size = 26.0_f32.min(0.8 * from.distance(to));
         let head = size * (to - from).normalized();
@@ -442,7 +444,8 @@ impl PlaneView {
         chart::arrowhead(&self.painter, to, head, ray);
     }
 
-    /// Returns the visible points of the trail; if there are too many, every second, third, and so on.
+    /// Returns the visible points of the trail. If there are too many, only every second, third, or
+    /// n-th one.
     fn generated(&self, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
         let (trail, (low, high)) = (lab.trail, self.range_of_t(&lab.ray));
         let (first, last) = (trail.first.max(low), trail.last.min(high));
@@ -450,14 +453,14 @@ impl PlaneView {
         lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
     }
 
-    /// Returns the range of t in which the line may be visible.
+    /// Returns a range of t that contains every visible point of the line.
     fn range_of_t(&self, ray: &ParametricLine) -> (f64, f64) {
         let middle = ray.nearest_t(self.center());
         let reach = self.reach() / ray.d.length();
         (middle - reach, middle + reach)
     }
 
-    /// Writes t at the generated points that have room for it. Returns a description of the points.
+    /// Writes t at each generated point that has room for it. Returns a description of the points.
     fn trail(&self, lab: &LinesLab, labels: &mut LabelLayout) -> String {
         let font = Font { size: SMALL, color: self.colors.ray, bold: false };
         let left = left_of(lab.ray.d);
@@ -477,7 +480,7 @@ impl PlaneView {
         description
     }
 
-    /// Labels the parts of the line with t < 0 and t > 0.
+    /// Labels the two parts of the line, with t < 0 and t > 0.
     fn sides(&self, lab: &LinesLab, labels: &mut LabelLayout) {
         let direction = lab.ray.d.normalize_or_zero();
         let font = Font { size: SMALL + 2.0, color: self.colors.ray, bold: false };
@@ -490,7 +493,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws a cross where both lines meet, and writes t of that point.
+    /// Draws a cross where the lines meet, and writes the t of that point.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
             Substitution::new(lab.line(), lab.ray)
@@ -514,7 +517,7 @@ impl PlaneView {
         labels.write(&text, font, below(17.0).chain(below(30.0)));
     }
 
-    /// Returns the position of a handle on the screen, if the user can reach it.
+    /// Returns the position of a handle on the screen, or `None` if the user cannot reach it.
     pub(crate) fn in_sight(&self, lab: &LinesLab, handle: LineHandle) -> Option<Pos2> {
         let at = self.to_screen(lab.position_of(handle)?);
         self.rect.expand(GRASP).contains(at).then_some(at)
@@ -538,14 +541,14 @@ impl PlaneView {
         painter.circle(at, radius, fill, Stroke::new(width, edge));
     }
 
-    /// Writes p, d and t at their handles.
+    /// Writes the names of p, d and t at their handles.
     fn names(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let right = -left_of(lab.ray.d);
         let of_ray = Font { size: NAMES + 1.0, color: self.colors.ray, bold: true };
         let of_t = Font { size: NAMES, color: self.colors.ink, bold: false };
         let t = format!("t = {}", number(lab.t, digits));
         for (handle, text, font, toward) in [
-            // To the left of d, and backwards.
+            // To the left of d, and towards its tail.
             (LineHandle::P, "p", of_ray, -right.rot90() - right),
             (LineHandle::T, t.as_str(), of_t, right),
             (LineHandle::Tip, "d", of_ray, right),

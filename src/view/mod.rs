@@ -1,5 +1,5 @@
-//! Everything that the window shows, as pure functions of the document and the session.
-//! [`derive`](mod@derive) combines them and caches what has not changed.
+//! Computes everything that the window shows from the document and the session, with pure functions.
+//! [`derive`](mod@derive) combines them and caches the results.
 
 pub mod accuracy;
 pub mod adaptive_resolution;

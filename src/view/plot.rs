@@ -1,5 +1,5 @@
-//! The plot of f(p + t d): its objects, the range of t, each curve's unit, and a description of
-//! each curve. This module is pure; the arithmetic is in [`pinhole_lecture`].
+//! The plot of f(p + t d): its objects, the range of t, and the unit and a description of each curve.
+//! This module is pure; the arithmetic is in [`pinhole_lecture`].
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -10,16 +10,16 @@ use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeetin
 
 use crate::model::inspection::Inspection;
 
-/// Maximum number of curves, so that their dashes can be distinguished.
+/// Maximum number of curves. More dash patterns could not be told apart.
 pub const MOST: usize = 8;
 
-/// Multiple of the first hit's t beyond which zeros are described only in words.
+/// Zeros beyond this multiple of the first hit's t are described in words but lie outside the plot.
 const FAR: f64 = 8.0;
 
 /// Number of intervals between the samples of a curve.
 const SAMPLES: usize = 160;
 
-/// The samples (t, height) of each curve, by ascending t.
+/// The samples (t, height) of each curve, in ascending order of t.
 pub type Samples = Vec<Vec<(f64, f64)>>;
 
 /// Everything that the plot shows.
@@ -35,7 +35,7 @@ pub struct Plot {
     pub compressed: bool,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
-    /// The t of the point marked on the ray, and each curve's f there.
+    /// The t of the point marked on the ray, and the value of each curve's f there.
     pub ray_point_t: Option<(f64, Arc<Vec<f64>>)>,
 }
 
@@ -44,15 +44,15 @@ pub struct Plot {
 pub struct Curve {
     /// The object, with its names and its colour.
     pub named: Named,
-    /// Index among the curves, which selects the dashes.
+    /// Index among the curves, which selects the dash pattern.
     pub index: usize,
     /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
     /// The unit of f in the plot.
     unit: ImplicitUnit,
-    /// The value of f at the eye.
+    /// The value of f at the start of the ray, the eye.
     at_eye: f64,
-    /// The vertex of a sphere's parabola, and its curvature a.
+    /// For a sphere, the vertex of the parabola and its curvature a.
     vertex: Option<(ParabolaVertex, f64)>,
 }
 
@@ -69,8 +69,8 @@ pub struct Named {
     pub color: Rgb,
 }
 
-/// Returns the objects to show: all of them if there are only a few; otherwise the objects that the ray meets
-/// first, then the objects behind the eye.
+/// Returns the objects to show. With at most [`MOST`] objects, these are all of them; otherwise, first
+/// the objects that the ray hits, then the objects behind the eye.
 pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     if scene.len() <= MOST {
         return (0..scene.len() as u32).collect();
@@ -87,7 +87,7 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     shown
 }
 
-/// Returns the curves of some objects.
+/// Returns the curves of the given objects. Objects without a valid f are left out.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
     let curve = |(index, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
@@ -120,14 +120,14 @@ pub fn samples(
     curves.iter().map(sampled).collect()
 }
 
-/// Returns each curve's f at t.
+/// Returns the value of each curve's f at t; NaN if it cannot be computed.
 pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
     let value = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
     curves.iter().map(|curve| value(curve).unwrap_or(f64::NAN)).collect()
 }
 
-/// Returns the plot's range of t. It contains the eye, the viewport, the point marked on the ray, and all
-/// zeros that are not too far away.
+/// Returns the plot's range of t. It includes the eye, the viewport, the point marked on the ray, and
+/// all zeros that are not too far away.
 pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
@@ -142,7 +142,7 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
 }
 
 impl Curve {
-    /// Returns true if the curve is a straight line: the curve of a plane.
+    /// Returns true if the curve is a straight line, as for a plane.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()
     }
@@ -164,12 +164,13 @@ impl Curve {
         }
     }
 
-    /// Returns the height of a value of f.
+    /// Returns the height at which a value of f is drawn.
     pub(crate) fn height(&self, f: f64, compressed: bool) -> f64 {
         height_of(f / self.unit.value, compressed)
     }
 
-    /// Returns samples in ascending order of t, evenly spaced but denser around a parabola's vertex.
+    /// Returns samples in ascending order of t: evenly spaced, with more of them around a parabola's
+    /// vertex.
     fn samples(
         &self,
         along: &AlongRay,
@@ -252,10 +253,9 @@ impl Curve {
     }
 }
 
-/// Returns the height, with the same sign, at which a value of f in its curve's unit is drawn: the value itself,
-/// so that a plane's curve is a straight line and a sphere's is a parabola. If `compressed`, a value beyond 1 is
-/// compressed logarithmically: a height larger by 1 means a value e times as large, so that distant values are
-/// visible, too.
+/// Returns the height at which a value `y` of f, in its curve's unit, is drawn. It is `y` itself or, if
+/// `compressed` and |y| > 1, `1 + ln |y|` with the sign of `y`, so that distant values remain visible.
+/// Without compression a plane's curve is a straight line, and a sphere's is a parabola.
 pub(crate) fn height_of(y: f64, compressed: bool) -> f64 {
     if compressed && y.abs() > 1.0 { (1.0 + y.abs().ln()).copysign(y) } else { y }
 }

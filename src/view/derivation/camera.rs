@@ -1,5 +1,5 @@
-//! Derivation of the camera: u, v, w from view and up, or the checks of a basis that the user gives directly;
-//! then the view ray of a pixel or of a position (u, v).
+//! Derivation of the camera: u, v, w from the view direction and up, or the checks of a basis that the
+//! user entered directly; then the view ray of a pixel or of a position (u, v).
 
 use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
@@ -58,7 +58,7 @@ fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> 
     lines
 }
 
-/// Returns the line of a given vector.
+/// Creates the line of a given vector.
 fn given_line(
     name: Formula,
     as_given: GivenVector,
@@ -69,7 +69,7 @@ fn given_line(
     DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
-/// Returns the line that derives w, or the reason why there is no w.
+/// Returns the line that derives w. If there is no w, the line's note says why.
 fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<DerivedLine> {
     let formula = equation(W, normalize(negative(VIEW)));
     let (Some(view), Some(backwards), Some(w)) =
@@ -81,12 +81,13 @@ fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<Derived
     Some(DerivedLine::new(Concept::W, followed(formula, quotient, numbers.vector(w))))
 }
 
-/// Returns both factors of a cross product in numbers.
+/// Returns the two factors of a cross product as numbers.
 fn factors(cross: &Cross, numbers: NumberFormat) -> Formula {
     times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector))
 }
 
-/// Returns the lines of `up x w` and of its length, which is the area of the parallelogram.
+/// Returns the lines of `up x w` and of its length, the area of the parallelogram spanned by both
+/// vectors.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     let sides = [times(UP, W), factors(cross, numbers), numbers.vector(cross.product)];
     let mut lines = vec![DerivedLine::chain(Concept::UpCrossW, sides)];
@@ -101,8 +102,8 @@ fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     lines
 }
 
-/// Returns a vector divided by its length, in numbers. If the vector has length 1 and its coordinates would
-/// be rounded, it keeps its exact form.
+/// Returns a vector divided by its length, in numbers. If the length is 1 and the coordinates would be
+/// rounded, returns the vector alone, in its exact form.
 fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
     if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
@@ -111,7 +112,7 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     fraction(decimals, divisor)
 }
 
-/// Returns the symbols, the substituted numbers, and the result. Omits the numbers if they equal the result.
+/// Returns `symbols = substituted = result`, without `substituted` if it equals the result.
 fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
     if result == substituted {
         return equation(symbols, result);
@@ -119,7 +120,7 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
     equation(equation(symbols, substituted), result)
 }
 
-/// Returns the line at which the derivation fails, with the reason.
+/// Creates the line at which the derivation fails, with the reason as its note.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> DerivedLine {
     let why = why.map_or_else(String::new, symbols::typeset_message);
     DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
@@ -164,8 +165,8 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
     lines
 }
 
-/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no ray, so
-/// that the user can drag back a number that was dragged too far.
+/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no
+/// ray, so that the user can correct a number that was dragged too far.
 pub(super) fn ray_givens(
     camera: &Camera,
     selection: Selection,
@@ -273,8 +274,8 @@ fn of_pixel(
 ) -> Vec<DerivedLine> {
     let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
-    // If pixels are counted from 0, the centre of a pixel lies half a pixel after its index; if they are
-    // counted from 1, it lies half a pixel before it.
+    // Counted from 0, the centre of a pixel lies half a pixel after its index; counted from 1, half a
+    // pixel before it.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
     let whole = |n: u32| number(&n.to_string());
@@ -298,7 +299,7 @@ fn of_pixel(
     ]
 }
 
-/// Describes the position of a given (u, v) in the image.
+/// Describes where a given (u, v) lies in the image.
 fn position_note(
     resolved: &ResolvedCamera,
     inspection: &Inspection,

@@ -1,13 +1,13 @@
-//! The derivation of every number of the camera and of the selected ray, line by line in the
-//! lecture's order. Each line has its symbols, the numbers substituted for them, and the result.
-//! The derivation can be exported as LaTeX, and as Markdown with `$formulas$`.
+//! The derivation of every number of the camera and of the selected ray, line by line in the lecture's
+//! order. Each line has the symbols, the numbers substituted for them, and the result. The derivation
+//! can be exported as LaTeX, or as Markdown with `$formulas$`.
 //!
 //! This module is pure: it turns the document, the view settings and the derived values into
 //! [`DerivedSection`]s of [`DerivedLine`]s. All arithmetic is in [`pinhole_lecture`].
 //!
 //! - `camera`: the lines of the basis and of the view ray;
 //! - `objects`: the lines of the intersection with one object;
-//! - `numbers`: numbers as formulas, and the names in the lecture's formulas.
+//! - `numbers`: formulas for numbers, vectors and the lecture's names.
 
 use std::fmt::{self, Write as _};
 
@@ -25,7 +25,7 @@ mod camera;
 mod numbers;
 mod objects;
 
-/// Maximum number of listed objects. If there are more, the objects that the ray hits first are listed.
+/// Maximum number of listed objects. In a larger scene, the objects that the ray hits first are listed.
 pub const LISTED: usize = 6;
 
 /// The whole derivation.
@@ -50,16 +50,16 @@ pub struct DerivedSection {
     pub lines: Vec<DerivedLine>,
 }
 
-/// One step: symbols, substituted numbers, result.
+/// One step: the symbols, the substituted numbers, and the result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivedLine {
     /// The formula.
     pub formula: Formula,
-    /// The concept that the line is about.
+    /// The concept that the line is about, if any.
     pub concept: Option<Concept>,
-    /// Other concepts that highlight the line.
+    /// Other concepts for which the line is highlighted.
     pub also: &'static [Concept],
-    /// The note behind it; may be empty.
+    /// The note after the formula; may be empty.
     pub note: String,
     /// True if the derivation fails here; the note then says why.
     pub is_fault: bool,
@@ -76,7 +76,7 @@ impl DerivedLine {
         }
     }
 
-    /// Returns the line of an equation with several sides; the last side is the result.
+    /// Creates the line of an equation with several sides, of which the last is the result.
     fn chain<const N: usize>(concept: Concept, sides: [Formula; N]) -> DerivedLine {
         let mut sides = sides.into_iter();
         let first = sides.next();
@@ -98,7 +98,8 @@ impl DerivedLine {
 }
 
 impl fmt::Display for DerivedLine {
-    /// Writes the formula, followed by the note. A note may contain brackets, so it is not put in brackets.
+    /// Writes the formula and the note, separated by a semicolon. A note may itself contain
+    /// parentheses.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let DerivedLine { formula, note, .. } = self;
         match note.is_empty() {
@@ -114,8 +115,9 @@ impl Derivation {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
-    /// Returns the number of lines up to the last one about this concept, or about the basis vector that is
-    /// derived from it. If there is no such line, returns the total number of lines.
+    /// Returns the number of lines up to and including the last one about this concept, or about the
+    /// basis vector that is derived from it. Without a concept or such a line, returns the number of
+    /// all lines.
     pub fn lines_through(&self, concept: Option<Concept>) -> usize {
         let concept = concept.map(|concept| match concept {
             Concept::View | Concept::Backwards => Concept::W,
@@ -158,13 +160,13 @@ pub fn left_out(count: usize) -> String {
 pub struct DerivationInputs<'a> {
     /// The document.
     pub document: &'a Document,
-    /// The camera with its basis.
+    /// The camera with its basis; `None` if it has no basis.
     pub resolved: Option<&'a ResolvedCamera>,
     /// The scene, if all objects are valid.
     pub scene: Option<&'a Scene>,
-    /// The selected ray.
+    /// The selected ray and its hits; `None` if there is no ray.
     pub inspection: Option<&'a Inspection>,
-    /// Selection, sections and digits.
+    /// The selection, the sections, the number format, and the fault.
     pub settings: DerivationSettings,
 }
 
@@ -223,7 +225,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     derivation
 }
 
-/// Returns the selected ray and its derivation.
+/// Returns the selected ray and its derivation, or `None` if there is no valid ray.
 fn exact_ray(
     resolved: &ResolvedCamera,
     selection: Selection,
@@ -243,7 +245,7 @@ fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
     }
 }
 
-/// Adds only the given numbers of the objects, and the reason why there is no derivation.
+/// Adds the given numbers of the objects. If an object is faulty, adds the reason after its numbers.
 fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
     let DerivationInputs { document, settings, .. } = *inputs;
     let faulty = match settings.fault {
@@ -287,8 +289,8 @@ fn add_objects(
     }
 }
 
-/// Returns all objects if there are only a few. Otherwise returns the objects that the ray hits first, then
-/// the first objects of the scene.
+/// Returns the objects to list: all of them, if there are at most [`LISTED`]; otherwise the objects
+/// that the ray hits first, then the first objects of the scene.
 fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     let count = scene.len() as u32;
     if scene.len() <= LISTED {
@@ -325,7 +327,7 @@ impl Derivation {
         }
     }
 
-    /// Writes LaTeX with amsmath: a heading and an `align*` for each section.
+    /// Writes LaTeX with amsmath: a heading and an `align*` environment for each section.
     fn to_latex(&self) -> String {
         let mut out = String::from("% needs \\usepackage{amsmath}\n");
         // Writing to a string cannot fail.

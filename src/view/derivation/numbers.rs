@@ -1,10 +1,10 @@
 //! Numbers, vectors and the lecture's names as formulas.
 //!
-//! A number is written in its exact form if the user wants exact forms, and if the form is recognised and
-//! short ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
+//! A number is written in its exact form if the settings ask for exact forms and the form is recognised
+//! and short ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
 //!
-//! `=` is used only for an exact value: an exact form, a given number with all its digits, or a decimal that
-//! terminates. All other decimals are rounded and follow `≈`.
+//! `=` is used only before an exact value: an exact form, a given number with all its digits, or a
+//! terminating decimal. All other decimals are rounded and follow `≈`.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::{NumberForm, Rounding, VectorForm};
@@ -20,24 +20,24 @@ use crate::view::formula::{
 pub struct NumberFormat {
     /// The rounding of decimals.
     pub rounding: Rounding,
-    /// True if short exact forms are written instead of decimals.
+    /// True if numbers with a short exact form are written in that form instead of as decimals.
     pub exact: bool,
     /// True if rows and columns are counted from 1, as some courses do.
     pub from_one: bool,
 }
 
-/// Maximum number of digits of a decimal that counts as exact; a number with more digits counts as rounded.
-/// Of all numbers with random digits, about one in a thousand has this few digits.
+/// Maximum number of digits of a decimal that counts as exact; a decimal with more digits counts as
+/// rounded. About one in a thousand random numbers has so few digits.
 const EXACT_DIGITS: usize = 12;
 
 impl NumberFormat {
-    /// Returns the rounded number.
+    /// Returns the number as a decimal, which is marked as rounded unless it is exact.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns true if the displayed digits are the exact number, except for rounding errors.
+    /// Returns true if the displayed digits are the number's exact value, apart from rounding errors.
     fn is_whole(self, x: f64) -> bool {
         let digits = self.rounding.text(x);
         let shown = digits.parse();
@@ -46,7 +46,7 @@ impl NumberFormat {
             || recognised().is_some_and(|form| shown == Ok(form.value()))
     }
 
-    /// Returns a given number as a formula; it is exact if all its digits are shown.
+    /// Returns a given number as a formula. The number counts as exact if all its digits are shown.
     pub(super) fn given(self, name: Given, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         let shown = match self.form(x) {
@@ -57,18 +57,19 @@ impl NumberFormat {
         given(name, shown)
     }
 
-    /// Returns a given vector.
+    /// Returns a given vector as a formula.
     pub(super) fn given_vector(self, name: GivenVector, v: DVec3) -> Formula {
         let coordinates = name.coordinates().into_iter().zip(v.to_array());
         tuple(coordinates.map(|(name, x)| self.given(name, x)))
     }
 
-    /// Returns the vector with rounded coordinates.
+    /// Returns the vector with its coordinates as decimals.
     pub(super) fn decimals(self, v: DVec3) -> Formula {
         tuple(v.to_array().map(|x| self.decimal(x)))
     }
 
-    /// Returns the number's exact form, if that form is short and the digits are not exact.
+    /// Returns the number's exact form if the settings ask for it, the form is short, and the decimal
+    /// is not exact.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
         if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
@@ -80,23 +81,25 @@ impl NumberFormat {
         if self.exact { recognised().filter(|_| !are_whole()) } else { None }
     }
 
-    /// Returns the exact form if there is one, otherwise the rounded number.
+    /// Returns the number in its exact form if it has one, otherwise as a decimal.
     pub(super) fn scalar(self, x: f64) -> Formula {
         self.form(x).map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the exact form if there is one, otherwise the rounded vector.
+    /// Returns the vector in its exact form if it has one, otherwise with decimals.
     pub(super) fn vector(self, v: DVec3) -> Formula {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// Returns the number as a denominator: in its exact form, unless that form is itself a fraction.
+    /// Returns the number as a denominator: in its exact form unless that form is a fraction, otherwise
+    /// as a decimal.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below && form.denominator == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns a recognised vector. Coordinates with short decimals are written as decimals.
+    /// Returns the formula of a recognised vector. Coordinates with short decimals are written as
+    /// decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));
@@ -110,7 +113,7 @@ impl NumberFormat {
         if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
-    /// Converts an angle from radians to a number of degrees.
+    /// Converts an angle in radians to a formula in degrees.
     pub(super) fn degrees(self, angle: f64) -> Formula {
         match self.decimal(angle.to_degrees()) {
             Formula::Number(digits) => Formula::Number(digits + "°"),
@@ -132,7 +135,7 @@ pub(super) fn related(value: Formula) -> Formula {
     row([relation.into(), value])
 }
 
-/// Returns the number of significant digits of a written number.
+/// Returns the number of significant digits in the text of a number.
 fn significant_digits(text: &str) -> usize {
     let mantissa = text.split('e').next().unwrap_or_default();
     let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();

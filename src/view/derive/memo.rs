@@ -1,5 +1,5 @@
-//! Caches: each holds the value of the last input. Also reuses the memory of a view's pictures, because new
-//! memory costs as much as painting into it.
+//! Caches that hold the value for the last input, and the reuse of a view's image buffers: allocating
+//! new memory costs as much as painting into it.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::view::derive::Shown;
 use crate::view::derive::picture::{OnWork, WorkKind, watched};
 use crate::view::overlay::{Drawing, Style};
 
-/// A value, and the key from which it was made.
+/// The last value that was computed, with the key from which it was computed.
 #[derive(Debug)]
 pub(super) struct Memo<K, V>(Option<(K, V)>);
 
@@ -21,7 +21,7 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V: Clone> Memo<K, V> {
-    /// Returns the value made from `key`. Calls `make` only if the key differs from the last one.
+    /// Returns the value for `key`. Calls `make` only if `key` differs from the last key.
     pub(super) fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
         if let Some(value) = self.known(|known| *known == key) {
             return value.clone();
@@ -31,22 +31,22 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
         value
     }
 
-    /// Removes and returns the cached value, unless it was made from `key`.
+    /// Removes and returns the cached value if it belongs to a key other than `key`.
     pub(super) fn take_other(&mut self, key: &K) -> Option<V> {
         self.0.take_if(|(known, _)| known != key).map(|(_, value)| value)
     }
 }
 
 impl<K, V> Memo<K, V> {
-    /// Returns the cached value if `is_same` holds for the key that it was made from.
+    /// Returns the cached value if `is_same` returns true for its key.
     pub(super) fn known(&self, is_same: impl FnOnce(&K) -> bool) -> Option<&V> {
         self.0.as_ref().filter(|(key, _)| is_same(key)).map(|(_, value)| value)
     }
 }
 
 impl<K: PartialEq> Memo<K, Subsampling> {
-    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key. It ensures
-    /// that a coarser picture never replaces a finer one.
+    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key. A
+    /// coarser picture thus never replaces a finer one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let subsampling =
             self.known(|known| *known == key).map_or(wanted, |known| wanted.min(*known));
@@ -55,16 +55,16 @@ impl<K: PartialEq> Memo<K, Subsampling> {
     }
 }
 
-/// Maximum number of a view's pictures in use at a time: one is being painted, the window still shows the
-/// last one, and the texture of a third may be uploading.
+/// Maximum number of a view's images in use at a time: one is being painted, the window still shows the
+/// previous one, and a third may be uploading as a texture.
 const MOST: usize = 3;
 
-/// The last pictures of a view. A new picture takes the memory of one that is no longer shown.
+/// The last images of a view. A new image reuses the buffer of one that is no longer shown.
 #[derive(Debug, Default)]
 pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
 
 impl SpareImages {
-    /// Returns memory for a picture; the caller must paint every pixel of it.
+    /// Returns a buffer of pixels with arbitrary contents; the caller must paint every pixel.
     fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
         let size_in_dots = size.map(|n| n as usize);
         let is_free =
@@ -76,8 +76,8 @@ impl SpareImages {
         }
     }
 
-    /// Returns a view of `size` pixels that `draw` paints, and keeps its memory so that later pictures can
-    /// reuse it.
+    /// Returns an image of `size` pixels that `draw` has painted, and keeps a reference to it, so that
+    /// its buffer can be reused later.
     pub(super) fn draw(
         &mut self,
         size: [u32; 2],

@@ -1,5 +1,6 @@
-//! Derivation of everything that the window shows from the document. It is a pure function, with caches keyed
-//! by its inputs, so that an idle window does no work and a drag recomputes only what it changes.
+//! Derives everything that the window shows from the document. The derivation is a pure function with
+//! caches keyed by its inputs, so an idle window does no work and a drag recomputes only what it
+//! changes.
 
 use std::sync::Arc;
 
@@ -27,7 +28,7 @@ mod picture;
 mod second_picture;
 mod views;
 
-/// Computes [`Derived`] values. The result depends only on the arguments; the caches only save work.
+/// Computes [`Derived`] values. The result depends only on the arguments; the caches only save time.
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Objects,
@@ -37,7 +38,7 @@ pub struct Deriver {
     derivations: Derivations,
     plots: Plots,
     second: SecondPictures,
-    /// The camera's last picture without a fault in the document.
+    /// The camera's last picture from a document without a fault.
     last_good: Option<GoodPicture>,
 }
 
@@ -47,15 +48,15 @@ impl Deriver {
         self.pictures.traced + self.world_views.pictures.traced + self.second.count
     }
 
-    /// Derives everything that is shown of a document.
+    /// Derives everything that the window shows of a document.
     ///
-    /// A caller may keep [`Derived::scene`], which never changes; but then the next edit of an object copies
-    /// the scene.
+    /// A caller may keep [`Derived::scene`], but the next edit of an object must then copy the whole
+    /// scene.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
         self.derive_watched(document, session, sizes, &|_| ())
     }
 
-    /// Does the same as [`Deriver::derive`], and reports to `watch` which kind of work takes the time.
+    /// Like [`Deriver::derive`], but also reports to `watch` which kind of work was just finished.
     pub fn derive_watched(
         &mut self,
         document: &Document,
@@ -64,8 +65,8 @@ impl Deriver {
         watch: OnWork<'_>,
     ) -> Derived {
         let inputs = Inputs { document, session, sizes, watch };
-        // Runs on one of rayon's threads. From another thread, each parallel step would have to wake those
-        // threads and wait for them.
+        // Runs on one of rayon's threads. From any other thread, each parallel step would have to wake
+        // those threads and wait for them.
         rayon::join(|| self.derived(inputs), || ()).0
     }
 
@@ -108,7 +109,8 @@ impl Deriver {
         derived
     }
 
-    /// Derives the views, the derivation and the plot in parallel, since none depends on another.
+    /// Derives the views, the derivation and the plot in parallel, since they do not depend on each
+    /// other.
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
         let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
         let good = self.last_good.as_ref();
@@ -146,7 +148,7 @@ fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlight
     })
 }
 
-/// The inputs of a derivation.
+/// The arguments of [`Deriver::derive_watched`].
 #[derive(Clone, Copy)]
 struct Inputs<'a> {
     document: &'a Document,
@@ -155,8 +157,8 @@ struct Inputs<'a> {
     watch: OnWork<'a>,
 }
 
-/// Sizes of the views in physical pixels (`None` for views that are not shown), and other view
-/// settings.
+/// The sizes of the views in physical pixels, and other settings of the views. The size of a view that
+/// is not shown is `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ViewSizes {
     /// Width and height of the world view.
@@ -169,21 +171,21 @@ pub struct ViewSizes {
     pub scale: f32,
     /// Colours of the world view.
     pub style: Style,
-    /// The purpose of the pictures.
+    /// Whether the pictures are for the window or for a figure.
     pub purpose: Purpose,
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
-    /// True if the user is dragging something; slow work is then postponed if possible.
+    /// True if the user is dragging something. Slow work is then postponed if possible.
     pub under_hand: bool,
 }
 
 /// The purpose of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Purpose {
-    /// A view of the window; the marks are painted into the picture.
+    /// A view in the window. The marks are painted into the picture.
     #[default]
     Window,
-    /// A figure; the marks stay separate from the picture.
+    /// A figure. The marks stay separate from the picture.
     Figure {
         /// True if the picture is transparent where no ray hits anything.
         clear: bool,
@@ -197,18 +199,19 @@ impl Purpose {
     }
 }
 
-/// Everything that one frame shows. Panels, views and readouts only read it, so they all show the same frame.
+/// Everything that one frame shows. Panels, views and readouts all read from it, so they agree with
+/// each other.
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
-    /// The camera with its basis.
+    /// The camera with its basis; `None` if it has no basis.
     pub resolved: Option<ResolvedCamera>,
-    /// The angle between up and the view direction.
+    /// The angle between up and the view direction; `None` if it is undefined.
     pub up_angle: Option<UpAngle>,
-    /// The selected ray.
+    /// The selected ray and its hits; `None` if there is no ray.
     pub inspection: Option<Arc<Inspection>>,
-    /// The scene, if all objects are valid.
+    /// The scene; `None` if an object is invalid.
     pub scene: Option<Arc<Scene>>,
-    /// The reason why the pictures are older than the document, if they are.
+    /// The fault because of which the pictures are older than the document; `None` if they are current.
     pub fault: Option<Fault>,
     /// The camera view.
     pub camera_view: Option<Shown>,
@@ -216,44 +219,46 @@ pub struct Derived {
     pub world_view: Option<Shown>,
     /// Number of decisions that each step of the ladder made for the camera's picture.
     pub steps: Option<Steps>,
-    /// Counts of the objects that the renderer dropped and examined for the camera's picture.
+    /// Numbers of objects that the renderer dropped and examined for the camera's picture.
     pub counts: Option<Counts>,
-    /// The subsampling of the camera's and of the observer's picture.
+    /// The subsampling of the camera's picture and of the observer's picture.
     pub subsampling: [Subsampling; 2],
-    /// The reason why only the ladder drew the scene although another method was chosen.
+    /// The reason why the ladder drew the scene although another method was chosen; `None` if there is
+    /// no such reason.
     pub too_many: Option<TooMany>,
-    /// The ladder's answer for the shown pixels, if another method is compared with it.
+    /// The ladder's answers for the shown pixels, if another method is compared with it.
     pub truth: Option<Arc<Frame>>,
-    /// The method that drew the camera's picture, if it was not the ladder.
+    /// The answers of the method that drew the camera's picture, if it was not the ladder.
     pub drawn_by: Option<Arc<Compared>>,
     /// The derivation of all numbers, if the layout shows it.
     pub derivation: Option<Arc<Derivation>>,
-    /// The functions f(p + t d) of all objects, if the layout shows them.
+    /// The functions f(p + t d) of the objects, if the layout shows them.
     pub plot: Option<Plot>,
-    /// The second picture, if the page has one and there is a picture.
+    /// The second picture, if the page has one and it could be made.
     pub second_view: Option<Shown>,
-    /// The method of the error map, and its errors, if the second picture is an error map.
+    /// The errors of the error map's method, if the second picture is an error map.
     pub compared: Option<Arc<Compared>>,
     /// The wrong camera and the right one, if the second picture is a wrong camera's.
     pub wrong_camera: Option<Arc<ComparedCamera>>,
     /// The camera compared with the ghost, if the second picture is the ghost's.
     pub against_ghost: Option<Arc<AgainstGhost>>,
-    /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade them
-    /// against.
+    /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade
+    /// them with.
     pub grading: Option<Grading>,
-    /// The answers that the world view draws: a student's, and the right ones.
+    /// The answers that the world view marks: a student's answers and the right ones.
     pub answer_marks: Arc<[AnswerMark]>,
-    /// The observer's traced frame in the world view.
+    /// The observer's traced frame, over which the world view is drawn.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }
 
-/// A finished view: pixels to present and labels to write on them.
+/// A finished view: the pixels to show, and the labels to write on them.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// The pixels, at physical resolution.
     pub image: Arc<ColorImage>,
     /// The labels, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
-    /// The marks painted over the image, or to be painted by a figure. Marks with a concept react to the pointer.
+    /// The marks painted into the image, or left for a figure to draw. Marks with a concept react to
+    /// the pointer.
     pub marks: Arc<Vec<Mark>>,
 }

@@ -1,4 +1,4 @@
-//! The scene made of the document's objects. It is kept between frames, and changed in place while the
+//! The scene made from the document's objects. It is kept between frames and changed in place while the
 //! objects are edited.
 
 use std::sync::Arc;
@@ -9,50 +9,51 @@ use pinhole_exchange::document::{CsvSpheres, Document, Item};
 use crate::model::observer::{hidden, traced_scene};
 use crate::model::session::Scheme;
 
-/// The objects of a document in which all objects are valid.
+/// The scene and the colours of the last document whose objects were all valid.
 #[derive(Clone, Debug)]
 pub(super) struct GoodWorld {
     pub(super) scene: Arc<Scene>,
     pub(super) colors: Arc<Vec<Rgb>>,
-    /// Generation number of the shapes; it changes when they do.
+    /// Generation number of the shapes; it increases whenever a shape changes.
     pub(super) generation: u64,
-    /// Generation number of the colours; it changes when they do.
+    /// Generation number of the colours; it increases whenever a colour changes.
     pub(super) palette: u64,
 }
 
-/// Indices of the spheres that would hide the camera from the observer, ascending.
+/// Indices of the spheres that would hide the camera from the observer, in ascending order.
 pub(super) type Enclosing = Arc<Vec<u32>>;
 
-/// The scene of the last document that had no fault.
+/// The scene of the last document whose objects were all valid.
 ///
-/// If one sphere of a million is dragged, only that sphere is replaced. This requires that no view still
-/// holds a reference to the scene at the next [`Objects::update`]; otherwise all spheres are copied.
+/// If one sphere of a million is dragged, only that sphere is replaced. This requires that no view
+/// still refers to the scene at the next [`Objects::update`]; otherwise all spheres are copied.
 #[derive(Debug, Default)]
 pub(super) struct Objects {
     good: Option<GoodWorld>,
-    /// The spheres of the CSV file in the good world.
+    /// The spheres from the CSV file in [`Objects::good`].
     csv: Option<CsvSpheres>,
-    /// The colour scheme of the good world.
+    /// The scheme of the colours in [`Objects::good`].
     scheme: Scheme,
-    /// The scene of the good world as the observer sees it, without the spheres of these indices.
+    /// The scene that the observer sees, without the spheres of these indices.
     observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
-/// Maximum number of changed objects that are replaced one by one; if more have changed, the scene is built
-/// again.
+/// Maximum number of changed objects that are replaced one by one. If more have changed, the scene is
+/// rebuilt.
 const FEW: usize = 64;
 
 impl Objects {
-    /// Returns the world of the last document that had no fault.
+    /// Returns the objects of the last document whose objects were all valid; `None` if there was no
+    /// such document yet.
     pub(super) fn good(&self) -> Option<&GoodWorld> {
         self.good.as_ref()
     }
 
-    /// Updates the scene from the document. The cost is proportional to the number of objects that are not
-    /// from a file, unless objects were added or removed.
+    /// Updates the scene from the document. Unless objects were added or removed, the cost is
+    /// proportional to the number of objects that are not from the CSV file.
     ///
     /// # Errors
-    /// Returns the first invalid object; the good world then stays as it was.
+    /// Returns an error for the first invalid object; the last valid scene is then kept unchanged.
     pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
         check(document)?;
         let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;
@@ -60,7 +61,8 @@ impl Objects {
         match (&mut self.good, changed) {
             (Some(good), Some(changed)) => {
                 if !changed.is_empty() {
-                    // The observer's scene shares the spheres unless some are hidden.
+                    // The observer's scene shares its spheres with this one unless some are hidden. It
+                    // is dropped so that the spheres can be changed in place.
                     self.observed.take_if(|(hidden, _)| hidden.is_empty());
                     replace(good, self.observed.as_mut(), &changed)?;
                 }
@@ -77,8 +79,8 @@ impl Objects {
         Ok(())
     }
 
-    /// Returns the scene of the good world without planes and without the spheres that hide the camera; see
-    /// [`traced_scene`].
+    /// Returns the last valid scene as the observer sees it, without planes and without the spheres
+    /// that hide the camera; see [`traced_scene`].
     pub(super) fn observed(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
         match &self.observed {
@@ -91,7 +93,7 @@ impl Objects {
         self.observed.as_ref().map(|(_, observed)| Arc::clone(observed))
     }
 
-    /// Returns the objects whose shape changed; `None` if the scene must be built again.
+    /// Returns the objects whose shape changed, or `None` if the scene must be rebuilt.
     fn changed(&self, good: &GoodWorld, document: &Document) -> Option<Vec<(u32, Object)>> {
         let GoodWorld { scene, .. } = good;
         let is_same_kind = scene.spheres().len() == document.sphere_count()
@@ -135,7 +137,7 @@ fn check(document: &Document) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Returns the items whose shape differs from that in the good world, with their indices.
+/// Returns the items whose shape differs from the known one, with their indices.
 fn different<'a, S: Copy + PartialEq>(
     items: &'a [Item<S>],
     known: &'a [S],
@@ -147,7 +149,7 @@ fn different<'a, S: Copy + PartialEq>(
         .map(move |(index, (item, _))| (index, object(item.shape)))
 }
 
-/// Replaces objects by checked ones, also in the observer's scene.
+/// Replaces objects by valid ones, in the scene and in the observer's scene.
 fn replace(
     good: &mut GoodWorld,
     observed: Option<&mut (Enclosing, Arc<Scene>)>,

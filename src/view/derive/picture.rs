@@ -1,5 +1,6 @@
-//! The camera's picture: as the ladder draws it, as another method draws it, and their difference. Tracing
-//! reports its work to an [`OnWork`] callback. The caller measures the time, so this module needs no clock.
+//! The camera's picture: drawn by the ladder, drawn by another method, and the difference between them.
+//! Tracing reports its work to an [`OnWork`] callback, whose owner measures the time, so this module
+//! needs no clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -20,12 +21,12 @@ use crate::view::derive::second_picture::SecondPicture;
 use crate::view::derive::{Derived, Inputs, opaque};
 use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
-/// Maximum number of intersection tests that a method may do for one picture. This is about a second of work,
+/// Maximum number of intersection tests that a method may do for one picture. They take about a second,
 /// during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// The reason why only the ladder draws a picture: every other method tests every object at every pixel,
-/// which would take more than [`MOST_QUESTIONS`] tests.
+/// The reason why a picture is drawn by the ladder instead of the chosen method: every method but the
+/// ladder tests every object at every pixel, which would take more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooMany {
     /// Number of objects in the scene.
@@ -53,14 +54,14 @@ impl fmt::Display for TooMany {
     }
 }
 
-/// A method's picture compared with the truth.
+/// A method's picture, compared with the ladder's exact answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     /// The method.
     pub method: Method,
-    /// Every pixel compared with the ladder's.
+    /// The error of every pixel.
     pub comparison: Comparison,
-    /// The method's answers for the pixels.
+    /// The method's answers for all pixels.
     pub frame: Frame,
 }
 
@@ -70,11 +71,11 @@ pub(super) struct GoodPicture {
     pub(super) resolved: ResolvedCamera,
     pub(super) picture: Arc<Picture>,
     pub(super) inspection: Arc<Inspection>,
-    /// Number of decisions at each step of the ladder.
+    /// Number of decisions that each step of the ladder made.
     pub(super) steps: Steps,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
-    /// Counts of the objects that the renderer dropped and examined for the picture.
+    /// Numbers of objects that the renderer dropped and examined for the picture.
     pub(super) counts: Counts,
     /// The answers of other methods.
     pub(super) others: OtherMethods,
@@ -86,7 +87,7 @@ pub(super) struct GoodPicture {
 #[derive(Clone, Debug)]
 pub(super) struct OtherMethods {
     method: Method,
-    /// The reason why no other method is compared with the ladder although the user asked for one.
+    /// The reason why no method is compared with the ladder although the user chose one.
     too_many: Option<TooMany>,
     /// The ladder's answers, if another method is compared with them.
     truth: Option<Arc<Frame>>,
@@ -97,7 +98,7 @@ pub(super) struct OtherMethods {
 }
 
 impl GoodPicture {
-    /// Copies the data about the picture that the readouts show.
+    /// Copies the data that the readouts show about the picture.
     pub(super) fn describe(&self, derived: &mut Derived) {
         derived.drawn_by.clone_from(&self.others.drawn_by);
         derived.too_many = self.others.too_many;
@@ -107,28 +108,30 @@ impl GoodPicture {
     }
 }
 
-/// The inputs of a trace: the camera, the generation number of the objects, and the pixels.
+/// The inputs of a trace: the camera, the generation number of the objects, and the traced pixels.
 type TraceKey = (ResolvedCamera, u64, Raster);
 
-/// The inputs of a picture's colours: the method, the trace, the shading, the generation number of the
-/// palette, and whether the picture is transparent where nothing is hit.
+/// The inputs of a picture's colours: the method, the inputs of the trace, the shading, the generation
+/// number of the palette, and a flag that is true if the picture is transparent where no object is hit.
 type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
-/// A picture, the number of decisions at each step of the ladder, and its counts of objects.
+/// A picture, the number of decisions at each step of the ladder, and the numbers of dropped and
+/// examined objects.
 type MadePicture = (Arc<Picture>, Steps, Counts);
 
 /// A cache of the camera's pictures.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<TraceKey, Arc<Frame>>,
-    /// Frames that can be recoloured without tracing. They have the objects and, if the shading reads it,
-    /// `t`.
+    /// The last frame, which can be recoloured without tracing. It contains the objects and, if the
+    /// key's flag is true, `t`.
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
-    /// Frames traced by the picture's method, and by the error map's method if that is a different one.
+    /// The answers of the picture's method, and those of the error map's method if it is a different
+    /// one.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, MadePicture>,
-    /// The last two pictures. Tracing into new memory takes twice as long, so the next picture reuses
-    /// the memory of the one before the last.
+    /// The last two pictures. Tracing into newly allocated memory takes twice as long, so the next
+    /// picture reuses the memory of the older one.
     shown: Vec<Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
@@ -139,7 +142,7 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    /// Returns the camera's picture, traced only at the pixels that the screen shows.
+    /// Returns the camera's picture, which is traced only at the pixels that the screen can show.
     pub(super) fn get(
         &mut self,
         inputs: Inputs<'_>,
@@ -151,17 +154,18 @@ impl Pictures {
         let inspection = self.inspection.get((resolved, world.generation, selection), |_| {
             Arc::new(Inspection::new(&resolved, &world.scene, selection))
         });
-        // If only the world view is open, the picture is still shown on the viewport there.
+        // If only the world view is open, it still shows the picture on the viewport.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
         let trace_key = (resolved, world.generation, subsampling.raster(resolved.image(), size));
         let settings = &session.settings;
-        // If a method is too slow for the full picture, it is not used during a drag either.
+        // A method that is too slow for the full picture is not used during a drag either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
         let others = self.other_methods(inputs, &trace_key, world, too_many);
-        // The picture on the viewport in the world view is opaque: it hides the objects behind it.
+        // On the viewport in the world view, the picture is opaque, since it hides the objects behind
+        // it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (others.method, trace_key, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &others, watch);
@@ -190,8 +194,8 @@ impl Pictures {
         GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, others }
     }
 
-    /// Returns the answers of the ladder and of the other methods, if the picture or the error map needs
-    /// them.
+    /// Returns the answers of the ladder and of other methods as far as the picture or the error map
+    /// needs them.
     fn other_methods(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
@@ -205,7 +209,7 @@ impl Pictures {
         let is_compared = settings.method != Method::Ladder || with_map;
         let too_many = too_many.filter(|_| is_compared);
         let method = too_many.map_or(settings.method, |_| Method::Ladder);
-        // Only a comparison needs all digits of t.
+        // All digits of t are needed only for a comparison.
         let truth = (is_compared && too_many.is_none()).then(|| {
             self.truth.get(trace_key.clone(), |(resolved, _, raster)| {
                 self.traced += 1;
@@ -222,7 +226,7 @@ impl Pictures {
         OtherMethods { method, too_many, truth, drawn_by, compared }
     }
 
-    /// Returns the camera's picture, drawn by the ladder or by the other method.
+    /// Returns the camera's picture, drawn by the ladder or by the chosen method.
     fn picture(
         &mut self,
         key: &PictureKey,
@@ -260,7 +264,7 @@ impl Pictures {
     }
 }
 
-/// Takes the memory of a picture that is no longer shown.
+/// Takes the pixel buffer of a picture that is no longer shown; `None` if all are in use.
 fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
@@ -306,12 +310,12 @@ fn compare(
     })
 }
 
-/// The kind of work done since the last report.
+/// A kind of work, to which the time since the last report is attributed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorkKind {
     /// Planning, tracing and colouring pixels.
     Trace,
-    /// Drawing over the pictures.
+    /// Drawing marks over the pictures.
     Overlay,
     /// All other work.
     Rest,
@@ -320,11 +324,11 @@ pub enum WorkKind {
 /// A callback that receives the kind of work that was just finished.
 pub type OnWork<'a> = &'a (dyn Fn(WorkKind) + Sync);
 
-/// A picture's frame and its opaque pixels.
+/// A traced frame, and the opaque pixels of its picture.
 pub(super) type PaintedFrame = (Frame<f32>, Vec<egui::Color32>);
 
-/// Traces a frame with the given `outputs`. Returns the frame and the opaque pixels of the picture, which
-/// both reuse the memory of `spare` if it has the same size.
+/// Traces a frame with the given `outputs`. Returns the frame and the opaque pixels of its picture.
+/// Both reuse the memory of `spare` if its raster and its outputs are the same.
 pub(super) fn trace_picture(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -347,13 +351,13 @@ pub(super) fn trace_picture(
             retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
             return (frame, pixels);
         }
-        // Zeroed memory costs nothing until a thread fills its part.
+        // Zeroed memory has no cost until a thread writes to its part.
         let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
         (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
     })
 }
 
-/// Returns the opaque pixels of a frame, which must have all outputs that the shading reads.
+/// Returns the opaque pixels of a frame, which must have all the outputs that the shading reads.
 pub(super) fn repainted<T: Depth>(
     frame: &Frame<T>,
     scene: &Scene,
@@ -363,7 +367,7 @@ pub(super) fn repainted<T: Depth>(
     watched(watch, WorkKind::Trace, || shade(frame, scene, mode, color_of, opaque))
 }
 
-/// Traces `t` with all its digits, and the objects.
+/// Traces the objects, and `t` with all its digits.
 pub(super) fn trace_truth(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -373,7 +377,8 @@ pub(super) fn trace_truth(
     watched(watch, WorkKind::Trace, || Arc::new(trace(scene, camera, raster, Outputs::default())))
 }
 
-/// Runs `run` and reports it as `work`.
+/// Calls `run` and reports its time as `work`. Any time before the call is reported as
+/// [`WorkKind::Rest`].
 pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -> R) -> R {
     watch(WorkKind::Rest);
     let done = run();
@@ -381,20 +386,21 @@ pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -
     done
 }
 
-/// Colours of pixels not scanned yet: squares in two greys, which no picture of spheres contains.
+/// Colours of pixels that are not scanned yet: a checkerboard of two greys, unlike any picture of
+/// spheres.
 const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 
-/// Number of squares along a picture's shorter side.
+/// Number of checkerboard squares along the picture's shorter side.
 const SQUARES: usize = 16;
 
-/// Returns the picture with only the first `scanned_pixels` pixels of the image, in row order.
+/// Returns the picture with only the first `scanned_pixels` pixels of the image, row by row.
 pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());
     let (rows, columns) = (picture.raster.rows(), picture.raster.columns());
     let side = (rows.len().min(columns.len()) / SQUARES).max(1);
     for (i, (row, pixels)) in rows.iter().zip(part.pixels.chunks_mut(columns.len())).enumerate() {
-        // Number of finished columns of this row.
+        // Number of scanned pixels in this row.
         let done = scanned_pixels.saturating_sub(u64::from(*row) * width);
         let from = columns.partition_point(|column| u64::from(*column) < done);
         for (j, pixel) in pixels.iter_mut().enumerate().skip(from) {

@@ -1,6 +1,6 @@
-//! The second picture, next to the camera's. It shows the errors of another method, the picture of a wrong
-//! camera or of the ghost, or a student's wrong answers. The world view draws that camera, its ray, and the
-//! student's answer together with the right answer.
+//! The second picture, shown next to the camera's. It is an error map, the picture of a wrong camera or
+//! of the ghost (a frozen camera), or the map of a student's answers. The world view marks the same
+//! camera or ray, and the student's answer together with the right one.
 
 use std::sync::Arc;
 
@@ -43,12 +43,11 @@ pub enum SecondPicture {
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
-    /// The ghost with the image size of the edited camera, so that the two are compared pixel by pixel.
+    /// The ghost with the image size of the edited camera, so that both can be compared pixel by pixel.
     pub ghost: ResolvedCamera,
-    /// The difference from the ghost to the edited camera.
+    /// The change from the ghost to the edited camera.
     pub difference: CameraDifference,
-    /// The number of compared pixels, and the number of those pixels in which the cameras see different
-    /// objects.
+    /// The number of compared pixels, and how many of them show different objects to the two cameras.
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
@@ -57,21 +56,22 @@ pub struct AgainstGhost {
 /// A grade, or the reason why there is none.
 pub type Grading = Result<Arc<Graded>, Arc<str>>;
 
-/// The inputs of the pictures of a wrong camera: the right camera, the generation numbers of the objects and of
-/// their colours, the pixels, the shading, and the mistake.
+/// The inputs of a wrong camera's pictures: the right camera, the generation numbers of the objects and
+/// of their colours, the traced pixels, the shading, and the mistake.
 type WrongKey = (Camera, [u64; 2], Raster, Shade, Mistake);
 
-/// The inputs of the pictures of the ghost, as in [`WrongKey`]: both cameras, the objects, the pixels, the
-/// shading, and the selected ray.
+/// The inputs of the ghost's pictures: both cameras, the generation numbers of the objects and of their
+/// colours, the traced pixels, the shading, and the selected ray.
 type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
 
-/// The inputs of the map of a student's answers: their grade, and the size in dots.
+/// The inputs of the map of a student's answers: the graded answers, and the size in dots.
 type MapKey = (Same<Graded>, [u32; 2]);
 
-/// The picture of another camera, and the map of the pixels that differ from the edited camera's picture.
+/// The picture of another camera, and the map of the pixels in which it differs from the edited
+/// camera's.
 type Pair = [Arc<Picture>; 2];
 
-/// A cache of the second pictures: the last one of each kind, and the view of the current one.
+/// A cache of the second pictures: the last picture of each kind, and the view of the current one.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
     error_map: Memo<Same<Compared>, Arc<Picture>>,
@@ -87,8 +87,8 @@ pub(super) struct SecondPictures {
 }
 
 impl SecondPictures {
-    /// Updates the second picture and the data behind it, if the page has one. `world` is `None` while there is
-    /// a fault.
+    /// Updates the second picture and the data that belongs to it, if the page has one. `world` is
+    /// `None` while the document has a fault.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -102,12 +102,14 @@ impl SecondPictures {
         let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
         let picture = match kind {
             SecondPicture::ErrorMap => {
-                // A highlighted concept belongs to the current document.
+                // The highlighted concept belongs to the current document, which an older picture does
+                // not show.
                 view.highlighted = highlighted(inputs).filter(|_| world.is_some());
                 self.error_map(derived, good)
             }
             SecondPicture::WrongCamera => {
-                // Both items belong to the right camera; in this picture their positions would be wrong.
+                // Both items belong to the right camera; in the wrong camera's picture their positions
+                // would be wrong.
                 view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
                 self.wrong_camera(derived, inputs, good, world)
             }
@@ -167,7 +169,7 @@ impl SecondPictures {
             (Arc::new(wrong), pictures)
         };
         let (wrong, pictures) = match world {
-            // Shows an older picture only if it belongs to the same mistake.
+            // An older picture is shown only if it is of the same mistake.
             None => self.wrong_camera.known(|key| key.4 == mistake)?.clone(),
             Some(world) => {
                 let numbers = [world.generation, world.palette];
@@ -178,7 +180,8 @@ impl SecondPictures {
                 })
             }
         };
-        // A mark would give away the answer to a vote.
+        // A mark would give away the answer to a vote, so it is shown only after the answer is
+        // revealed.
         if let (Some(world), Ok(camera), true) = (world, &wrong.camera, mistakes_view.is_revealed())
         {
             let marks = of_mistake(camera, &world.scene, session.shown_selection());
@@ -224,10 +227,12 @@ impl SecondPictures {
         resolved: &ResolvedCamera,
         world: &GoodWorld,
     ) -> Option<Arc<Picture>> {
-        // The document's own colours count, even if the window shows others; its note does not.
+        // Colours are the document's own, even if the window shows others. The note does not affect the
+        // grade.
         let document = Document { note: String::new(), ..document.clone() };
         let key = (document, session.answers.clone()?);
-        // Grading traces many variants of the student's program, so it waits until the drag rests.
+        // Grading traces many variants of the student's program, so it is postponed until the drag
+        // rests.
         if sizes.under_hand && self.grading.known(|known| *known == key).is_none() {
             return None;
         }
@@ -256,7 +261,7 @@ fn raster(inputs: Inputs<'_>, good: &GoodPicture) -> Raster {
     good.subsampling.raster(good.resolved.image(), size)
 }
 
-/// Traces both cameras; returns `None` if the ghost sees nothing.
+/// Traces both cameras. Returns `None` if the ghost has no basis.
 fn ghost_picture(
     ((camera, now), ghost): ((&Camera, &ResolvedCamera), &Camera),
     world: &GoodWorld,
@@ -285,13 +290,14 @@ fn ghost_picture(
     Some((Arc::new(against), pictures))
 }
 
-/// Returns the map of differences between the pictures of two cameras. Pixels with equal objects are pale,
-/// and pixels with different objects are dark.
+/// Returns the map of differences between the pictures of two cameras. Pixels with the same object are
+/// pale, and pixels with different objects are dark.
 fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
         (true, false) => Color32::from_gray(0xc4),
-        // The ghost sees nothing here; only the ghost sees an object; the two see different objects.
+        // In this order: only the edited camera sees an object; only the ghost does; they see different
+        // objects.
         (false, _) if *ghost == NO_OBJECT => Color32::from_rgb(0xc8, 0x10, 0x58),
         (false, true) => Color32::from_rgb(0x00, 0x4a, 0x86),
         (false, false) => Color32::from_rgb(0x3a, 0x18, 0x40),
@@ -310,8 +316,8 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
 }
 
-/// Returns the map of the answers, with as many pixels as the screen shows. A pixel that stands for several
-/// answers is wrong if any of these is wrong.
+/// Returns the map of the answers, with as many pixels as the screen shows. A pixel that represents
+/// several answers shows the worst of them. Returns `None` if the answers have no map.
 fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image = graded.image;
@@ -328,13 +334,13 @@ fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     Some(Picture { pixels, image, raster })
 }
 
-/// Returns the camera with which the world view compares the edited one: a mistake's, or the frozen one.
+/// Returns the camera that the world view compares with the edited one: the wrong camera, or the ghost.
 pub(super) fn ghost_camera(
     Inputs { document, session, .. }: Inputs<'_>,
     derived: &Derived,
 ) -> Option<GhostCamera> {
     if session.settings.layout == ViewLayout::Mistakes {
-        // The ghost would give away the answer to the class.
+        // Before the reveal, the wrong camera would give away the answer to the class.
         let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
         let is_shown = !is_secret && derived.fault.is_none();
         let wrong = derived.wrong_camera.as_ref().filter(|_| is_shown)?;
@@ -344,7 +350,7 @@ pub(super) fn ghost_camera(
     resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
 }
 
-/// Returns the wrong camera's ray for the selected pixel.
+/// Returns a mark for the wrong camera's ray through the selected pixel; empty if there is no such ray.
 fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<AnswerMark> {
     let ray = match selection.inside(wrong.image()) {
         Selection::Pixel(pixel) => wrong.ray(pixel),
@@ -355,8 +361,9 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
     vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
 }
 
-/// Returns the student's answer for the selected pixel if it is wrong. If the file has no answer for
-/// that pixel, returns the worst answer together with the right one.
+/// Returns marks for the wrong vectors of a basis or, otherwise, for the student's answer at the
+/// selected pixel if it is wrong. If the file has no answer for that pixel, marks the worst answer and
+/// the right one.
 fn of_answers(
     graded: &Graded,
     camera: &ResolvedCamera,
@@ -399,8 +406,8 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
     (0..count).find(|index| graded.pixel(*index) == Some(pixel))
 }
 
-/// Returns the ray or the hit that an answer gives. If the answer gives only t of a hit, the hit lies on the
-/// right ray.
+/// Returns a mark for the ray or the hit that an answer gives. If the answer gives only the t of a hit,
+/// the hit is placed on the right ray.
 fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {

@@ -1,10 +1,9 @@
-//! The views with their caches: the world view (the observer's picture, with the camera and everything else
-//! drawn in it), the camera view, the derivation, and the plot of f(p + t d).
+//! The views and their caches: the world view (the observer's picture with the camera drawn in it), the
+//! camera view, the derivation, and the plot of f(p + t d).
 //!
-//! The camera's own picture is lit from its eye, so a ball is brightest in its middle and looks flat. The
-//! observer's picture is lit from above the observer's left shoulder, as in a printed figure. The light
-//! reaches around a ball and passes through other objects: no ray to the light is traced, so there are no
-//! shadows.
+//! The camera's own picture is lit from its eye, so a sphere is brightest in its middle and looks flat.
+//! The observer's picture is lit from above the observer's left shoulder, as in a printed figure. There
+//! are no shadows: the light passes through other objects, and it also reaches around each sphere.
 
 use std::sync::Arc;
 
@@ -33,7 +32,7 @@ use crate::view::handles::{self, Stage};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
-/// Caches of the world view and of the pictures that it is drawn over.
+/// A cache of the world view and of the pictures over which it is drawn.
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
@@ -42,8 +41,8 @@ pub(super) struct WorldViews {
 }
 
 impl WorldViews {
-    /// Returns the observer's picture, and the world view that is drawn over it, with the last good picture on
-    /// the viewport; `None` if the view is not shown.
+    /// Returns the observer's picture and the world view drawn over it, with the camera's picture on
+    /// the viewport. Returns `None` if the view is not shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -108,7 +107,7 @@ pub(super) struct CameraViews {
 }
 
 impl CameraViews {
-    /// Returns the camera view with a good picture, if the view is shown.
+    /// Returns the camera view of a picture; `None` if the view is not shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -117,7 +116,8 @@ impl CameraViews {
     ) -> Option<Shown> {
         let size = inputs.sizes.camera?;
         let shown = CameraView {
-            // A highlighted concept belongs to the current document, so it is not shown in an older picture.
+            // The highlighted concept belongs to the current document, so it is not shown in an older
+            // picture.
             highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
             loupe: good.loupe.clone(),
             ..camera_view(inputs, good, size)
@@ -131,7 +131,7 @@ impl CameraViews {
     }
 }
 
-/// Returns the view of a picture without a highlighted concept and without a loupe.
+/// Returns the view of a picture, without a highlighted concept and without the loupe.
 pub(super) fn camera_view(
     Inputs { session, sizes, .. }: Inputs<'_>,
     good: &GoodPicture,
@@ -151,10 +151,10 @@ pub(super) fn camera_view(
     }
 }
 
-/// The scene as the observer sees it.
+/// The observer's picture of the scene.
 #[derive(Debug)]
 pub(super) struct WorldPicture {
-    /// The frame with `t` and object, which the overlay reads.
+    /// The frame with `t` and objects, which the overlay reads.
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
     pub(super) enclosing: Enclosing,
@@ -162,7 +162,8 @@ pub(super) struct WorldPicture {
     pub(super) subsampling: Subsampling,
 }
 
-/// The inputs of a trace: the observer, the generation number of the objects, and the hidden spheres.
+/// The inputs of a trace: the observer, the generation number of the objects, and the spheres hidden
+/// from the observer.
 type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 
 /// A cache of the observer's pictures.
@@ -170,18 +171,18 @@ type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
     fineness: Memo<WorldTraceKey, Subsampling>,
-    /// Frames that can be recoloured without a trace.
+    /// The last frame, which can be recoloured without tracing.
     frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
-    /// The picture; the last part of the key is the generation number of the palette.
+    /// The last picture. The last part of the key is the generation number of the palette.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
-    /// Number of times the observer's view was traced.
+    /// Number of pictures of the observer traced so far.
     pub(super) traced: u64,
 }
 
 impl WorldPictures {
-    /// Returns the observer's picture of the good objects, without those that would hide the camera;
-    /// `None` if there have been no good objects yet.
+    /// Returns the observer's picture of the last valid scene, without the spheres that would hide the
+    /// camera; `None` if there was no valid scene yet.
     pub(super) fn get(
         &mut self,
         Inputs { document, sizes, watch, .. }: Inputs<'_>,
@@ -212,7 +213,8 @@ impl WorldPictures {
                     fresh = Some(traced.1);
                     return Arc::new(traced.0);
                 }
-                // The overlay looks up the object at every dot.
+                // The overlay looks up the object at every dot, so the frame must have a value for each
+                // of them.
                 fresh = Some(raster.spread(image, &traced.1));
                 Arc::new(traced.0.spread())
             });
@@ -244,13 +246,13 @@ impl WorldPictures {
     }
 }
 
-/// Direction of the light, in the observer's u, v, w.
+/// Direction towards the light, in the observer's u, v, w.
 const TOWARD: DVec3 = DVec3::new(-0.45, 0.65, 0.61);
 
-/// Share of the light that comes from the observer's eye.
+/// Fraction of the light that comes from the observer's eye.
 const FROM_EYE: f64 = 0.3;
 
-/// Paints the spheres of a frame; all other pixels stay.
+/// Lights the spheres of a frame; all other pixels keep their colours.
 pub(super) fn paint_key_light(
     frame: &Frame<f32>,
     scene: &Scene,
@@ -284,12 +286,13 @@ fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward
     let ray = camera.ray_of_pixel(pixel);
     let out = (ray.at(t) - center).normalize_or_zero();
     let facing = -out.dot(ray.direction.normalize_or_zero());
-    // From inside, the other side of the surface is seen.
+    // If the eye is inside the sphere, it sees the inner side of the surface.
     let wrapped = 0.5 + 0.5 * facing.signum() * out.dot(toward);
     (FROM_EYE * facing.abs() + (1.0 - FROM_EYE) * wrapped).clamp(0.0, 1.0)
 }
 
-/// Number of decimals in the derivation while presenting: few enough to be read from the back row.
+/// Number of decimals in the derivation while presenting, low enough that the numbers are legible from
+/// the back row.
 const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
@@ -322,7 +325,7 @@ impl Derivations {
             },
             fault: derived.fault,
         };
-        // The document is compared before it is cloned, because it can be large.
+        // The document may be large, so it is compared before it is cloned.
         let is_same = |(known, chosen): &(Document, DerivationSettings)| {
             *chosen == settings && known == document
         };
@@ -341,8 +344,8 @@ impl Derivations {
     }
 }
 
-/// The inputs of the curves: the camera, the generation number of the objects, the ray, and the objects that
-/// have a curve.
+/// The inputs of the curves: the camera, the generation number of the objects, the ray, and the objects
+/// with a curve.
 type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 
 /// A cache of the curves, their samples, and their values at the point marked on the ray.
@@ -351,12 +354,12 @@ pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], bool), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that curves were made; it identifies the current curves.
+    /// Number of times that the curves were computed; it identifies the current ones in the other keys.
     made: u64,
 }
 
 impl Plots {
-    /// Returns the plot, if the layout shows it and there is a ray.
+    /// Returns the plot; `None` if the layout does not show it or there is no ray.
     pub(super) fn get(
         &mut self,
         Inputs { document, session, sizes, .. }: Inputs<'_>,

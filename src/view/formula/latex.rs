@@ -1,10 +1,10 @@
-//! Formulas as LaTeX with amsmath, which Markdown's `$...$` also accepts.
+//! Formulas as LaTeX with amsmath, in a form that Markdown's `$...$` also accepts.
 
 use pinhole_exchange::is_hidden;
 
 use super::{Arrangement, Formula, Operator};
 
-/// Writes a formula for math mode.
+/// Writes a formula for LaTeX's math mode.
 pub(crate) fn math(formula: &Formula) -> String {
     match formula {
         Formula::Scalar(name) => named("mathit", name),
@@ -32,8 +32,8 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// Writes a formula for math mode, with `&` before its first relation so that an `align` environment aligns
-/// the lines there.
+/// Writes a formula for math mode, with `&` before its first relation, where an `align` environment
+/// aligns the lines.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -42,13 +42,13 @@ pub(crate) fn aligned(formula: &Formula) -> String {
     }
 }
 
-/// Writes text for text mode: escapes LaTeX's special characters, and replaces the characters that
-/// LaTeX's fonts lack.
+/// Writes text for LaTeX's text mode. Escapes special characters, and replaces characters that LaTeX's
+/// fonts lack.
 pub(crate) fn text(text: &str) -> String {
     text.chars().map(letter).collect()
 }
 
-/// Signs that only math mode has, and how LaTeX writes them there.
+/// Signs that exist only in math mode, with the way to write them there.
 const SIGNS: [(&str, &str); 16] = [
     ("−", "-"),
     ("×", r"\times"),
@@ -68,7 +68,7 @@ const SIGNS: [(&str, &str); 16] = [
     ("|", "|"),
 ];
 
-/// Returns how math mode writes a sign; `None` for every sign that text mode has as well.
+/// Returns the way to write a sign in math mode; `None` for a sign that text mode has as well.
 fn sign(text: &str) -> Option<&'static str> {
     SIGNS.iter().find(|(sign, _)| *sign == text).map(|(_, latex)| *latex)
 }
@@ -94,7 +94,7 @@ fn letter(c: char) -> String {
     }
 }
 
-/// Writes a name: one letter as a symbol, several letters as a word.
+/// Writes a name: a single letter as a symbol, several letters as a word in this style.
 fn named(style: &str, name: &str) -> String {
     match name.len() {
         1 => name.to_owned(),
@@ -137,7 +137,7 @@ fn row(parts: &[Formula]) -> String {
         if k > 0 && !close {
             out.push(' ');
         }
-        // A minus after another operator is a sign, not a subtraction.
+        // A minus after another operator is a sign, so it must not be spaced as a subtraction.
         let after_sign = k > 0 && matches!(parts[k - 1], Formula::Operator(o) if o.is_binary());
         match part {
             Formula::Operator(Operator::Negative) if after_sign => out.push_str("{-}"),

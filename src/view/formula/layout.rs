@@ -1,14 +1,15 @@
-//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX, but without
-//! TeX's refinements. Also breaks formulas into lines.
+//! Lays out a formula as positioned text and strokes, and breaks formulas into lines. As in TeX, the
+//! parts are boxes on a common baseline, but TeX's refinements are left out.
 //!
-//! [`lines`] aligns formulas at their first relation: the part before it ends at the column's indent, and
-//! every later line begins there with a relation. A line holds at most one form of a vector. The next form
-//! begins a new line even if there is room, so that nothing jumps while numbers change.
+//! [`lines`] aligns formulas at their first relation. The part before the relation ends at the column's
+//! indent, and every later line begins there with a relation. A line holds at most one form of a
+//! vector. The next form begins a new line even if there is room, so that nothing jumps while numbers
+//! change.
 //!
-//! A formula that is too wide is broken before `=` and other relations. A piece that is still too wide is
-//! broken before `+`, `×` and other operators. A term that is only a little too wide is then set a little
-//! smaller; otherwise its vectors are written as columns; if that is not enough, its text shrinks until it
-//! fits. No line is wider than the column.
+//! A formula that is too wide is broken before `=` and other relations, and a piece that is still too
+//! wide before `+`, `×` and other operators. If a term is still too wide, it is first set slightly
+//! smaller; then its vectors are written as columns; finally its text shrinks until it fits. No line is
+//! wider than the column.
 
 use crate::model::{Given, symbols};
 use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
@@ -18,7 +19,7 @@ use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
 pub enum Face {
     /// Upright, for digits, operators and words.
     Upright,
-    /// Italic, for scalars; their text is already in italic letters.
+    /// Italic, for scalars. Their text already consists of Unicode's italic letters.
     Italic,
     /// Bold, for vectors.
     Bold,
@@ -30,8 +31,8 @@ pub trait TextMeasure {
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
-/// A piece of text. Positions are relative to the start of the first baseline, x to the right and y
-/// down.
+/// A piece of text. Positions are relative to the start of the first baseline, with x to the right and
+/// y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextRun {
     /// The text.
@@ -42,11 +43,11 @@ pub struct TextRun {
     pub size: f32,
     /// The colour.
     pub ink: SymbolInk,
-    /// The start of its baseline.
+    /// The start of the text's baseline.
     pub at: [f32; 2],
 }
 
-/// A stroke: the bar of a fraction, a bracket.
+/// A stroke, such as a fraction bar or a bracket.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
     /// The corners.
@@ -57,12 +58,12 @@ pub struct Rule {
     pub ink: SymbolInk,
 }
 
-/// The box of a given number, around its baseline like the box of a text.
+/// The box of a given number. Its extents are measured from the baseline, as for text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenBox {
     /// The number.
     pub given: Given,
-    /// The start of its baseline.
+    /// The start of the number's baseline.
     pub at: [f32; 2],
     /// Width of the box.
     pub width: f32,
@@ -72,7 +73,8 @@ pub struct GivenBox {
     pub descent: f32,
 }
 
-/// A formula with positions. Its box extends `ascent` above its baseline and `descent` below it.
+/// A formula whose parts have positions. Its box extends `ascent` above the baseline and `descent`
+/// below it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Width of the box.
@@ -89,8 +91,8 @@ pub struct Layout {
     pub givens: Vec<GivenBox>,
 }
 
-/// Lengths in ems: the extents of text above and below its baseline; the height of fraction bars, of the
-/// minus sign and of the middle of brackets (`AXIS`); gaps; the width of strokes.
+/// Lengths in ems: the extents of text above and below its baseline; the height of fraction bars, minus
+/// signs and the middle of brackets (`AXIS`); three sizes of gaps; the width of strokes.
 const ASCENT: f32 = 0.76;
 const DESCENT: f32 = 0.24;
 const AXIS: f32 = 0.34;
@@ -98,17 +100,17 @@ const THIN: f32 = 0.17;
 const MEDIUM: f32 = 0.24;
 const WIDE: f32 = 0.34;
 const STROKE: f32 = 0.066;
-/// Sizes of superscripts and subscripts, and of fractions, relative to their surroundings.
+/// Sizes of scripts and of the parts of fractions, relative to the surrounding text.
 const SMALL: f32 = 0.72;
 const FRACTION: f32 = 0.88;
-/// Height, in ems, above which parentheses are drawn as strokes.
+/// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
 /// Lays out a formula in one line, with an em of `size`.
 pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> Layout {
     match formula {
         Formula::Scalar(name) => {
-            // In mathematical italics, a name of several letters would read as a product.
+            // In mathematical italics, a name with several letters would look like a product.
             let text = match name.len() {
                 1 => name.chars().map(symbols::italic).collect(),
                 _ => (*name).to_owned(),
@@ -177,7 +179,7 @@ impl Layout {
         self.ascent + self.descent
     }
 
-    /// Adds another box whose baseline starts at (x, y).
+    /// Adds another box, with the start of its baseline at (x, y).
     pub(super) fn put(&mut self, mut other: Layout, x: f32, y: f32) {
         let moved = |[a, b]: [f32; 2]| [a + x, b + y];
         other.runs.iter_mut().for_each(|run| run.at = moved(run.at));
@@ -198,7 +200,7 @@ impl Layout {
     }
 }
 
-/// Returns the gap between two successive parts.
+/// Returns the gap between two adjacent parts.
 pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
     size * match gap(before, after) {
         Gap::None => 0.0,
@@ -255,7 +257,7 @@ fn root(inner: Layout, size: f32) -> Layout {
     whole
 }
 
-/// Adds a small part to the right of a base, with its baseline `shift` ems lower.
+/// Adds a superscript or subscript to a base, with its baseline `shift` ems lower.
 fn script(
     base: &Formula,
     small: &Formula,
@@ -286,7 +288,7 @@ fn column(boxes: Vec<Layout>, size: f32) -> Layout {
     whole
 }
 
-/// The delimiters on both sides of a tall part.
+/// The pair of delimiters that enclose a part.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Fence {
     Bar,
@@ -306,7 +308,7 @@ fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn TextMeasure) -> La
     whole
 }
 
-/// Encloses a part in two delimiters of its height.
+/// Encloses a part in two delimiters that are as tall as the part.
 fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
     let (top, bottom) = (-inner.ascent - 0.04 * size, inner.descent + 0.04 * size);
     let pad = match fence {
@@ -339,23 +341,23 @@ fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
     whole
 }
 
-/// The column in which lines are set.
+/// The column in which formulas are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Column {
     /// Size of the em.
     pub size: f32,
     /// Width of the column.
     pub width: f32,
-    /// Position of the first relation, where every later line begins. If the part before the first relation
-    /// is wider, the relation moves to the right.
+    /// Position of the first relation and start of every later line. If the part before the first
+    /// relation is wider than the indent, that relation moves to the right.
     pub indent: f32,
 }
 
-/// Distance between two lines, in ems.
+/// Gap between two lines, in ems.
 const LEADING: f32 = 0.42;
 
-/// Returns the width of the part before a formula's first relation, including the gap after it; 0 if there is
-/// no such part.
+/// Returns the width of the part before a formula's first relation, including the gap after it; 0 if
+/// there is no relation or nothing before it.
 pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> f32 {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -395,8 +397,9 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -
     set.stacked()
 }
 
-/// Returns true if two pieces that begin with relations must not share a line. This holds for two forms of a
-/// vector, and for `≈ a = b`: it would say that a equals b, although b equals the left side.
+/// Returns true if two pieces that begin with relations must not share a line. This applies to two
+/// forms of a vector, and to `≈ a = b`, which would claim that a equals b, although b is the exact
+/// value of the left side.
 fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
@@ -404,7 +407,7 @@ fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
         || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }
 
-/// Splits a row into pieces, each of which starts at a part for which `begins` holds.
+/// Splits a row into pieces. A new piece starts at each part for which `begins` returns true.
 fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
     let mut cuts = vec![0];
     cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
@@ -412,11 +415,11 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
     cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
 }
 
-/// Relative size of a piece that is a little too wide.
+/// Relative size of a term that is slightly too wide.
 const TIGHT: f32 = 0.88;
 
-/// Lays out a piece that is too wide for a line. Sets it a little smaller if that is enough; otherwise writes
-/// vectors as columns, and shrinks the text further if necessary.
+/// Lays out a piece that is too wide for a line: slightly smaller if that is enough; otherwise with its
+/// vectors as columns, and with smaller text if necessary.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeasure) -> Layout {
     let tight = row(parts, TIGHT * size, measure);
     if tight.width <= width {
@@ -427,7 +430,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
     if single.width <= width {
         return single;
     }
-    // Widths are proportional to the size, except for rounding in the fonts.
+    // Widths are proportional to the text size, except for rounding in the fonts.
     let mut smaller = size;
     let mut single = single;
     for _ in 0..8 {
@@ -440,7 +443,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeas
     single
 }
 
-/// Writes the vectors in a formula as columns.
+/// Returns the formula with its vectors written as columns.
 fn upright(formula: &Formula) -> Formula {
     match formula {
         Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Arrangement::Column),
@@ -455,18 +458,18 @@ fn upright(formula: &Formula) -> Formula {
     }
 }
 
-/// The lines of a formula while they are filled.
+/// Builds the lines of a formula.
 struct LineBuilder<'a> {
     column: Column,
     /// Start of the first line.
     start: f32,
     done: Vec<Layout>,
-    /// The unfinished line, and its last part.
+    /// The unfinished line and its last part, after which the next piece may be added.
     open: Option<(Layout, &'a Formula)>,
 }
 
 impl<'a> LineBuilder<'a> {
-    /// Ends the open line, so that the next piece begins a new one.
+    /// Ends the open line. The next piece begins a new one.
     fn end_line(&mut self) {
         self.done.extend(self.open.take().map(|(line, _)| line));
     }
@@ -486,7 +489,7 @@ impl<'a> LineBuilder<'a> {
         }
     }
 
-    /// Adds a piece to the open line if it fits there, otherwise to a new line.
+    /// Adds a piece to the open line if it fits, otherwise to a new line.
     fn add(&mut self, parts: &'a [Formula], piece: Layout) {
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
         let indent = if self.done.is_empty() { self.start } else { self.column.indent };
@@ -505,7 +508,7 @@ impl<'a> LineBuilder<'a> {
         }
     }
 
-    /// Stacks the lines in one layout.
+    /// Stacks all lines in one layout.
     fn stacked(mut self) -> Layout {
         self.end_line();
         let mut whole = Layout::default();

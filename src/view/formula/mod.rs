@@ -1,13 +1,13 @@
 //! Formulas in the lecture's notation: a tree, its layout, and its text forms.
 //!
-//! - this file: the tree, without fonts and colours, and its form as one line of plain text for screen
-//!   readers, the clipboard and tests;
+//! - this file: the tree, without fonts and colours, and its form as a line of plain text for screen
+//! readers, the clipboard and tests;
 //! - `latex`: the tree as LaTeX;
-//! - `layout`: the tree as positioned text and strokes, in lines of a given width.
+//! - `layout`: the tree as positioned text and strokes, broken into lines of a given width.
 //!
-//! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has its colour from
-//! the views, a [`Formula::Scalar`] is italic. Plain text writes vectors whose name is a single letter in
-//! Unicode's bold letters, so that `𝐮` and `u` differ. Nothing is painted here.
+//! Vectors and scalars are different kinds of names. A [`Formula::Vector`] is bold and has the colour
+//! that it has in the views; a [`Formula::Scalar`] is italic. Plain text writes a vector whose name is
+//! one letter as a Unicode bold letter, so that `𝐮` and `u` differ. Nothing is painted here.
 
 use std::fmt::{self, Write as _};
 
@@ -31,9 +31,9 @@ pub enum Formula {
     Word(String),
     /// Digits, as written by [`number`].
     Number(String),
-    /// Rounded digits.
+    /// Digits of a rounded number, as written by [`rounded`].
     Rounded(String),
-    /// A given number, which the user can change in place.
+    /// A given number, which the user can edit in place.
     Given(Given, Box<Formula>),
     /// An operator between two parts, or a sign before one.
     Operator(Operator),
@@ -64,10 +64,10 @@ pub enum Arrangement {
     Column,
 }
 
-/// A colour of the views.
+/// A colour of text, the same as in the views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolInk {
-    /// The colour of other text.
+    /// The colour of ordinary text.
     Text,
     /// The colour of u.
     U,
@@ -75,7 +75,7 @@ pub enum SymbolInk {
     V,
     /// The colour of w.
     W,
-    /// The colour of the given vectors and points: at, view, up.
+    /// The colour of the vectors and points that the user gives: at, view, up.
     Given,
     /// The colour of the selected ray.
     Ray,
@@ -112,13 +112,14 @@ impl Operator {
         }
     }
 
-    /// Returns true for a relation between two sides. Lines are broken before relations first.
+    /// Returns true for a relation between two sides. A formula that is too long is broken before its
+    /// relations first.
     pub fn is_relation(self) -> bool {
         matches!(self, Operator::Equals | Operator::Approximately)
     }
 
-    /// Returns true for an operator between two terms or factors. Lines are broken before such an operator
-    /// only if necessary.
+    /// Returns true for an operator between two terms or factors. A formula is broken before such an
+    /// operator only if breaking it before relations is not enough.
     fn is_binary(self) -> bool {
         use Operator::{Dot, Minus, Plus, Times};
         matches!(self, Plus | Minus | Times | Dot)
@@ -142,7 +143,7 @@ pub fn rounded(text: &str) -> Formula {
 }
 
 fn signed(text: &str, digits: impl Fn(String) -> Formula) -> Formula {
-    // An exponent may be negative, too.
+    // A negative exponent has a minus sign, too.
     let written = |text: &str| digits(text.replace('-', "−"));
     match text.strip_prefix(['-', '−']) {
         Some(positive) => row([Operator::Negative.into(), written(positive)]),
@@ -155,7 +156,7 @@ pub fn word(text: impl Into<String>) -> Formula {
     Formula::Word(text.into())
 }
 
-/// Returns a row; rows within it are flattened.
+/// Creates a row. Rows among its parts are flattened, and a single part is returned as it is.
 pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
     let mut flat = Vec::new();
     for part in parts {
@@ -207,7 +208,7 @@ pub fn negative(inner: Formula) -> Formula {
     row([Operator::Negative.into(), inner])
 }
 
-/// Returns a number that the user can change in place.
+/// Returns a number that the user can edit in place.
 pub fn given(given: Given, inner: Formula) -> Formula {
     Formula::Given(given, Box::new(inner))
 }
@@ -218,7 +219,8 @@ pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
 }
 
 impl Formula {
-    /// Returns true if the formula begins with a minus and so needs parentheses after an operator.
+    /// Returns true if the formula begins with a minus sign and therefore needs parentheses after an
+    /// operator.
     pub fn is_negative(&self) -> bool {
         match self {
             Formula::Operator(Operator::Negative) => true,
@@ -228,13 +230,13 @@ impl Formula {
         }
     }
 
-    /// Puts the formula in parentheses if it begins with a minus.
+    /// Puts the formula in parentheses if it begins with a minus sign.
     #[must_use]
     pub fn guarded(self) -> Formula {
         if self.is_negative() { parentheses(self) } else { self }
     }
 
-    /// Returns true if the formula has rounded digits before its first relation.
+    /// Returns true if rounded digits occur before the formula's first relation.
     pub fn begins_rounded(&self) -> bool {
         self.parts().iter().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
     }
@@ -248,7 +250,7 @@ impl Formula {
         self.has(&|part| matches!(part, Formula::Tuple(..)))
     }
 
-    /// Returns true if `is_such` holds for the formula or for any part of it.
+    /// Returns true if `is_such` returns true for the formula or for any part of it.
     fn has(&self, is_such: &dyn Fn(&Formula) -> bool) -> bool {
         let has = |part: &Formula| part.has(is_such);
         is_such(self)
@@ -265,7 +267,7 @@ impl Formula {
             }
     }
 
-    /// Returns true for a relation. Formulas are aligned at their first relation.
+    /// Returns true for a relation. The lines of a derivation are aligned at their first relation.
     fn is_relation(&self) -> bool {
         matches!(self, Formula::Operator(operator) if operator.is_relation())
     }
@@ -352,8 +354,8 @@ fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Writes an operator and its operand. The operator applies only to the next part, so an operand with several
-/// parts gets parentheses.
+/// Writes an operator and its operand. The operator applies only to the part that follows it, so an
+/// operand with several parts gets parentheses.
 fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match inner {
         Formula::Given(_, inner) => write_guarded(sign, inner, f),
@@ -362,7 +364,7 @@ fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt
     }
 }
 
-/// Writes the numerator of a fraction written with `/`; a product needs no parentheses there.
+/// Writes the numerator of a fraction written with `/`. A product needs no parentheses there.
 fn write_numerator(inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
     match inner {

@@ -1,4 +1,4 @@
-//! The picture in the window, and its update with each new frame.
+//! The pixels of the window, and how a new frame updates them.
 
 use std::collections::HashSet;
 
@@ -7,14 +7,14 @@ use egui::{Color32, Mesh, Rect, TextureId};
 
 use super::{PixelRect, SoftwarePainter};
 
-/// Maximum number of separate rectangles. Drawing more of them would cost more than drawing the area between
-/// them too.
+/// Maximum number of rectangles that are updated separately. More of them would cost more to draw than
+/// the whole picture.
 const MANY: usize = 16;
 
 /// The pixels of the window, and the frame from which they were drawn.
 ///
-/// A new frame is drawn only where it differs from the last one: if the pointer moves over a button, only the
-/// button is repainted.
+/// A new frame is drawn only where it differs from the last one. If the pointer moves over a button,
+/// only the button is redrawn.
 #[derive(Debug, Default)]
 pub struct Canvas {
     pixels: Vec<Color32>,
@@ -22,7 +22,7 @@ pub struct Canvas {
     shown: Option<ShownFrame>,
 }
 
-/// The data from which the pixels were drawn, except the textures.
+/// The data from which the pixels were drawn, except for the textures.
 #[derive(Debug)]
 struct ShownFrame {
     primitives: Vec<ClippedPrimitive>,
@@ -43,7 +43,7 @@ impl Canvas {
 
     /// Draws a frame on an opaque background. Returns the rectangles in which pixels may have changed.
     ///
-    /// `changed` are the textures that were set since the last call.
+    /// `changed` contains the textures that were set since the last call.
     pub fn show(
         &mut self,
         painter: &SoftwarePainter,
@@ -78,8 +78,8 @@ impl Canvas {
 }
 
 impl ShownFrame {
-    /// Returns disjoint rectangles outside of which both frames look the same; `None` if the whole
-    /// picture must be drawn.
+    /// Returns disjoint rectangles that contain all differences between two frames; `None` if the whole
+    /// picture must be redrawn.
     fn difference(
         &self,
         new: &Self,
@@ -135,7 +135,7 @@ fn texture(primitive: &ClippedPrimitive) -> Option<TextureId> {
     }
 }
 
-/// The areas found so far in which two frames differ.
+/// The areas in which two frames differ, as far as they have been compared.
 struct ChangedAreas {
     rects: Vec<PixelRect>,
     scale: f32,
@@ -151,7 +151,7 @@ impl ChangedAreas {
         }
     }
 
-    /// Adds the area in which two primitives with the same index in their frames differ.
+    /// Adds the area in which two primitives at the same index differ.
     fn compare(&mut self, old: &ClippedPrimitive, new: &ClippedPrimitive) {
         if same(old, new) {
             return;
@@ -169,7 +169,7 @@ impl ChangedAreas {
         }
     }
 
-    /// Merges overlapping rectangles; returns `None` if a partial update is no longer worthwhile.
+    /// Merges overlapping rectangles. Returns `None` if redrawing the whole picture is better.
     fn disjoint(mut self) -> Option<Vec<PixelRect>> {
         let mut disjoint: Vec<PixelRect> = Vec::new();
         while let Some(mut rect) = self.rects.pop() {
@@ -183,8 +183,8 @@ impl ChangedAreas {
     }
 }
 
-/// Returns the extent of the triangles that differ. Equal triangles at the start and the end of the meshes
-/// are skipped, since the triangles below and above a change usually stay the same.
+/// Returns the bounding box of the triangles that differ. Equal triangles at the start and at the end
+/// of both meshes are skipped, since a change usually affects only the triangles between them.
 fn changed_triangles(old: &Mesh, new: &Mesh) -> Rect {
     let count = |mesh: &Mesh| mesh.indices.len() / 3;
     let (old_count, new_count) = (count(old), count(new));

@@ -1,12 +1,12 @@
 //! A software painter: draws egui's tessellated shapes into pixels, without a graphics driver.
 //!
-//! It follows the rules of egui's GPU renderer on an `Rgba8Unorm` target: colours are premultiplied
-//! and blended in gamma space, a pixel is drawn if its centre is inside, and clip rectangles are
-//! rounded to whole pixels. So a window looks the same with either.
+//! It follows the rules of egui's GPU renderer on an `Rgba8Unorm` target: colours are premultiplied and
+//! blended in gamma space, a pixel is drawn if its centre is inside the shape, and clip rectangles are
+//! rounded to whole pixels. A window therefore looks the same with either renderer.
 //!
-//! [`SoftwarePainter`] holds the textures and draws; [`Canvas`] remembers the last frame and redraws only
-//! the parts that differ. This file also has the rectangles of pixels and the sub-pixel grid that
-//! vertices are snapped to.
+//! [`SoftwarePainter`] holds the textures and draws; [`Canvas`] keeps the last frame and redraws only
+//! the parts that differ. This file also contains the rectangles of pixels and the sub-pixel grid to
+//! which vertices are snapped.
 
 use std::collections::{HashMap, HashSet};
 
@@ -22,10 +22,10 @@ mod canvas;
 mod texture;
 mod triangle;
 
-/// Number of pixels below which one thread is faster than several.
+/// Number of pixels below which a single thread is faster than several.
 const WORTH_SHARING: usize = 1 << 14;
 
-/// Draws textured triangles. Holds the textures, which egui sends once and then only refers to.
+/// Draws textured triangles. Holds the textures, since egui sends each of them only once.
 #[derive(Debug, Default)]
 pub struct SoftwarePainter {
     textures: HashMap<TextureId, Texture>,
@@ -39,7 +39,7 @@ impl SoftwarePainter {
         Self { triangles_only: true, ..Self::default() }
     }
 
-    /// Stores new and changed textures; call it before drawing. Returns the ids of these textures.
+    /// Stores new and changed textures, and returns their ids. Must be called before drawing.
     pub fn set_textures(&mut self, delta: &mut TexturesDelta) -> HashSet<TextureId> {
         let mut changed = HashSet::new();
         for (id, deltas) in delta.set.drain() {
@@ -57,15 +57,15 @@ impl SoftwarePainter {
         changed
     }
 
-    /// Drops the textures that are no longer needed, after drawing.
+    /// Removes the textures that are no longer needed. Must be called after drawing.
     pub fn free_textures(&mut self, delta: &mut TexturesDelta) {
         for id in delta.free.drain() {
             self.textures.remove(&id);
         }
     }
 
-    /// Draws over the pixels, which are rows of length `size[0]` from top to bottom. Does nothing if the
-    /// length of the slice does not match `size`.
+    /// Draws over the pixels, which are rows of length `size[0]` from top to bottom. Does nothing if
+    /// the length of `pixels` does not match `size`.
     pub fn paint(
         &self,
         pixels: &mut [Color32],
@@ -77,7 +77,8 @@ impl SoftwarePainter {
         self.paint_within(pixels, size, pixels_per_point, primitives, &whole, None);
     }
 
-    /// Draws the parts inside disjoint rectangles, over the given background or over the present pixels.
+    /// Draws only inside disjoint rectangles: over the background `ground`, or over the existing pixels
+    /// if it is `None`.
     pub(crate) fn paint_within(
         &self,
         pixels: &mut [Color32],
@@ -95,7 +96,7 @@ impl SoftwarePainter {
         let scene = Scene::new(self, pixels_per_point, primitives, size);
         let pixels = &mut pixels[all.top * size[0]..all.bottom * size[0]];
         let rows = all.bottom - all.top;
-        // There are more pieces than threads, because text is rarely spread evenly.
+        // There are more pieces than threads, because text is rarely distributed evenly.
         let pieces = if all.area() < WORTH_SHARING { 1 } else { 4 * rayon::current_num_threads() };
         let rows_per_piece = rows.div_ceil(pieces).max(8);
         let draw = |(piece, pixels): (usize, &mut [Color32])| {
@@ -115,17 +116,17 @@ impl SoftwarePainter {
     }
 }
 
-/// Some rows of the picture, and the rectangle of them that may be drawn on.
+/// Some rows of the picture, and the rectangle to which drawing is limited.
 struct Band<'a> {
     pixels: &'a mut [Color32],
     width: usize,
-    /// The picture's row at which `pixels` starts.
+    /// The picture's row to which the first row of `pixels` belongs.
     top: usize,
     clip: PixelRect,
 }
 
 impl Band<'_> {
-    /// Returns the pixels of one row from `first` to before `end`.
+    /// Returns the pixels of a row in the columns `first..end`.
     #[inline(always)]
     fn run(&mut self, row: usize, first: usize, end: usize) -> &mut [Color32] {
         let start = (row - self.top) * self.width;
@@ -133,7 +134,7 @@ impl Band<'_> {
     }
 }
 
-/// The meshes to draw, with data that all pieces of the picture share.
+/// The meshes to draw, and the data that all pieces of the picture share.
 struct Scene<'a> {
     scale: f32,
     triangles_only: bool,
@@ -154,7 +155,7 @@ impl<'a> Scene<'a> {
         size: [usize; 2],
     ) -> Self {
         let meshes = primitives.iter().filter_map(|primitive| {
-            // Callbacks need a graphics driver, which this painter does not have; the program creates none.
+            // Callbacks need a graphics driver, so they are skipped. The program creates none.
             let Primitive::Mesh(mesh) = &primitive.primitive else { return None };
             let texture = painter.textures.get(&mesh.texture_id)?;
             if !mesh.is_valid() || texture.texels().is_empty() {
@@ -194,7 +195,7 @@ impl<'a> Scene<'a> {
             rest = tail;
             let triangle = [a, b, c].map(|&index| &mesh.vertices[index as usize]);
             let [p, q, r] = triangle.map(|vertex| vertex.pos.y);
-            // Most triangles are in other pieces of the picture.
+            // Most triangles lie in other pieces of the picture.
             if (p < above && q < above && r < above) || (p > below && q > below && r > below) {
                 continue;
             }
@@ -216,11 +217,11 @@ impl<'a> Scene<'a> {
 /// whether a pixel's centre is inside is exact, so neighbours neither overlap nor leave gaps.
 const STEPS: i64 = 256;
 
-/// Maximum coordinate of a vertex, in pixels. Coordinates are clamped to it, so that their products fit into
-/// an `i64`.
+/// Maximum coordinate of a vertex, in pixels. Coordinates are clamped to it so that their products fit
+/// into an `i64`.
 const FAR: f32 = 1_000_000.0;
 
-/// A rectangle of pixels, right and bottom exclusive.
+/// A rectangle of pixels; the right and bottom edges are exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelRect {
     /// First column.
@@ -234,23 +235,23 @@ pub struct PixelRect {
 }
 
 impl PixelRect {
-    /// Returns the rectangle of a whole picture.
+    /// Returns the rectangle that covers a whole picture.
     pub fn whole([width, height]: [usize; 2]) -> Self {
         Self { left: 0, top: 0, right: width, bottom: height }
     }
 
-    /// Converts egui's clip rectangle to a GPU's scissor rectangle, rounded to whole pixels and limited to
-    /// the picture.
+    /// Converts egui's clip rectangle to a GPU's scissor rectangle, rounded to whole pixels and clipped
+    /// to the picture.
     fn scissor(clip: Rect, scale: f32, size: [usize; 2]) -> Self {
         Self::rounded(clip * scale, size, f32::round, f32::round)
     }
 
-    /// Returns all pixels that a rectangle can touch, and one extra pixel on each side.
+    /// Returns all pixels that a rectangle can touch, with a margin of one pixel on each side.
     fn around(rect: Rect, scale: f32, size: [usize; 2]) -> Self {
         Self::rounded(rect * scale, size, |x| x.floor() - 1.0, |x| x.ceil() + 1.0)
     }
 
-    /// Rounds a rectangle in pixels, and limits it to the picture.
+    /// Rounds a rectangle in pixels and clips it to the picture.
     fn rounded(
         Rect { min, max }: Rect,
         [width, height]: [usize; 2],
@@ -263,7 +264,7 @@ impl PixelRect {
         Self { left, top, right: to(high(max.x), width), bottom: to(high(max.y), height) }
     }
 
-    /// Returns the intersection of both.
+    /// Returns the intersection of two rectangles, which may be empty.
     pub fn intersect(self, other: Self) -> Self {
         Self {
             left: self.left.max(other.left),
@@ -273,7 +274,7 @@ impl PixelRect {
         }
     }
 
-    /// Returns the smallest rectangle around both.
+    /// Returns the smallest rectangle that contains both rectangles.
     pub fn union(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -283,7 +284,7 @@ impl PixelRect {
         }
     }
 
-    /// Returns true if it has no pixels.
+    /// Returns true if the rectangle contains no pixels.
     pub fn is_empty(self) -> bool {
         self.left >= self.right || self.top >= self.bottom
     }
@@ -294,22 +295,22 @@ impl PixelRect {
     }
 }
 
-/// Converts pixels to steps.
+/// Converts a coordinate in pixels to sub-pixel steps, rounded to the nearest step.
 #[inline(always)]
 fn snap(pixels: f32) -> i64 {
-    // For a positive number, truncation equals the floor and needs no call into the C library.
+    // For a positive number, truncation equals the floor and does not call the C library.
     const SHIFT: i64 = 1 << 40;
     let steps = f64::from(pixels.clamp(-FAR, FAR)) * STEPS as f64;
     (steps + (SHIFT as f64 + 0.5)) as i64 - SHIFT
 }
 
-/// Returns the first pixel whose centre is at or after a position in steps.
+/// Returns the first pixel whose centre is at or after a position in sub-pixel steps.
 #[inline(always)]
 fn first_centre(steps: i64) -> i64 {
     (steps + STEPS / 2 - 1).div_euclid(STEPS)
 }
 
-/// Limits a range of pixels to `from..to`.
+/// Clips the range of pixels `first..end` to `from..to`.
 #[inline(always)]
 fn limit(first: i64, end: i64, from: usize, to: usize) -> (usize, usize) {
     let first = first.clamp(from as i64, to as i64);

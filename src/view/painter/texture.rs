@@ -1,5 +1,5 @@
-//! Textures, stored in memory as egui sends them and sampled texel by texel; and colour arithmetic, as on a
-//! GPU with an `Rgba8Unorm` target and egui's blend state.
+//! Textures, stored as egui sends them and sampled texel by texel, and the colour arithmetic of a GPU
+//! with an `Rgba8Unorm` target and egui's blend state.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
 #[derive(Debug)]
 pub(super) struct Texture {
     pub(super) size: [usize; 2],
-    /// The image as egui sent it. An image that replaces the whole texture is not copied.
+    /// The image as egui sent it. It is shared, not copied, until a part of it is replaced.
     image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
-    /// True if no texel is transparent; a copy then gives the same result as a blend.
+    /// True if all texels are opaque. Copying a texel then gives the same result as blending it.
     pub(super) opaque: bool,
 }
 
@@ -25,7 +25,7 @@ impl Texture {
         Self { size: image.size, image, options, opaque }
     }
 
-    /// Returns the texels, in rows from the top.
+    /// Returns the texels, row by row from the top.
     #[inline(always)]
     pub(super) fn texels(&self) -> &[Color32] {
         &self.image.pixels
@@ -57,7 +57,7 @@ impl Texture {
         }
     }
 
-    /// Returns the filter that a GPU uses at this number of texels per pixel.
+    /// Returns the filter that a GPU would use for this number of texels per pixel.
     pub(super) fn filter(&self, texels_per_pixel: f64) -> TextureFilter {
         if texels_per_pixel > 1.0 + 1e-6 {
             self.options.minification
@@ -66,7 +66,7 @@ impl Texture {
         }
     }
 
-    /// Returns the texel index of a coordinate, wrapped at the edges; `axis` 0 is across, 1 is
+    /// Returns the index of a texel after wrapping it at the texture's edges. `axis` is 0 across and 1
     /// down.
     #[inline(always)]
     pub(super) fn wrap(&self, index: i64, axis: usize) -> usize {
@@ -87,7 +87,7 @@ impl Texture {
         unpack(self.texels()[down * self.size[0] + across])
     }
 
-    /// Returns the colour at a position whose coordinates are in texels.
+    /// Returns the filtered colour at a position in texels.
     #[inline(always)]
     pub(super) fn sample(&self, u: Coordinate, v: Coordinate, filter: TextureFilter) -> Rgba {
         match filter {
@@ -108,7 +108,7 @@ impl Texture {
         }
     }
 
-    /// Returns the colour at a position in egui's coordinates, from 0 to 1.
+    /// Returns the filtered colour at a position in egui's texture coordinates, from 0 to 1.
     pub(super) fn sample_at(&self, uv: egui::Pos2, filter: TextureFilter) -> Rgba {
         let texel = |x: f32, axis: usize| {
             Coordinate::new((f64::from(x) * self.size[axis] as f64 * ONE_TEXEL) as i64)
@@ -117,32 +117,34 @@ impl Texture {
     }
 }
 
-/// One texel as a fixed-point number with 32 binary places, the form in which positions are stepped along a
-/// row.
+/// One texel as a fixed-point number with 32 binary places. Positions along a row are stepped in this
+/// format.
 pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
 
 /// A coordinate in a texture, in 1/65536 of a texel.
 ///
-/// Rounding to this grid puts a position on the border of two texels always on the same side, whether it was
-/// computed from one of a rectangle's two triangles or from the rectangle as a whole.
+/// Rounding to this grid makes positions on the border between two texels consistent. They fall on the
+/// same side whether they were computed from one of a rectangle's two triangles or from the whole
+/// rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Coordinate(i64);
 
 impl Coordinate {
-    /// Converts a number with 32 binary places.
+    /// Converts a fixed-point number with 32 binary places.
     #[inline(always)]
     pub(super) fn new(stepped: i64) -> Self {
         Self(stepped.wrapping_add(1 << 15) >> 16)
     }
 
-    /// Returns the texel that contains it.
+    /// Returns the index of the texel that contains the coordinate.
     #[inline(always)]
     pub(super) fn nearest(self) -> i64 {
         self.0 >> 16
     }
 
-    /// Returns the last texel whose centre is not after this coordinate, and the fraction of the way to the
-    /// next centre, in steps of 1/256 as on GPUs. Glyphs at whole pixels lie exactly on texel centres.
+    /// Returns the last texel whose centre is not after this coordinate, and the fraction of the
+    /// distance to the next centre, in steps of 1/256 as on GPUs. For glyphs at whole pixels the
+    /// fraction is 0.
     #[inline(always)]
     pub(super) fn linear(self) -> (i64, f32) {
         let steps = (self.0 - (1 << 15) + (1 << 7)) >> 8;
@@ -161,7 +163,7 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
 }
 
 fn all_opaque(texels: &[Color32]) -> bool {
-    // The bits are combined block by block, so that the compiler can vectorise the loop.
+    // The bits are combined block by block so that the compiler can vectorize the loop.
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };
@@ -171,29 +173,29 @@ fn all_opaque(texels: &[Color32]) -> bool {
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
 pub(super) type Rgba = [f32; 4];
 
-/// Factor from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does not change the vertex
-/// colour.
+/// Factor that converts 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does not change
+/// the vertex colour.
 pub(super) const UNIT: f32 = 1.0 / 255.0;
 
-/// A number whose sum with a number from 0 to 255 has the nearest integer in its lowest bits. Without SSE
-/// 4.1, `round` would call the C library for each channel.
+/// If this number is added to a number from 0 to 255, the lowest bits of the sum hold the nearest
+/// integer. Without SSE 4.1, `round` would call the C library for each channel.
 const ROUNDING: f32 = 12_582_912.0;
 
-/// Unpacks a colour into numbers.
+/// Converts a colour to floating-point numbers.
 #[inline(always)]
 pub(super) fn unpack(color: Color32) -> Rgba {
     let [r, g, b, a] = color.to_array();
     [f32::from(r), f32::from(g), f32::from(b), f32::from(a)]
 }
 
-/// Packs numbers into a colour, after clamping them and rounding them to the nearest integers.
+/// Converts floating-point numbers to a colour, clamped and rounded to the nearest integers.
 #[inline(always)]
 pub(super) fn pack(color: Rgba) -> Color32 {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 255.0) + ROUNDING).to_bits() as u8);
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns the vertex colour times the texel.
+/// Returns the product of the vertex colour and the texel.
 #[inline(always)]
 pub(super) fn modulate(color: Rgba, texel: Rgba) -> Rgba {
     [
@@ -204,7 +206,7 @@ pub(super) fn modulate(color: Rgba, texel: Rgba) -> Rgba {
     ]
 }
 
-/// Draws `source` over `below`: source + (1 - source alpha) * below.
+/// Blends `source` over `below`: source + (1 - source alpha) * below.
 #[inline(always)]
 pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
     let keep = 1.0 - source[3] * UNIT;
@@ -217,7 +219,7 @@ pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
     ])
 }
 
-/// Draws one colour over a run of pixels.
+/// Blends a single colour over a run of pixels.
 pub(super) fn fill(pixels: &mut [Color32], source: Rgba) {
     if source == [0.0; 4] {
         return;

@@ -1,7 +1,7 @@
-//! Draws triangles row by row: the pixels whose centres are inside.
+//! Draws triangles row by row, filling the pixels whose centres lie inside.
 //!
-//! Most of egui's output consists of axis-aligned rectangles: fills, glyphs, pictures. [`Rectangle`] draws
-//! two triangles that form a rectangle, with less work per pixel and exactly the same result.
+//! Most of egui's output consists of axis-aligned rectangles: fills, glyphs and pictures. [`Rectangle`]
+//! draws two triangles that form a rectangle with less work per pixel and exactly the same result.
 
 use egui::epaint::Vertex;
 use egui::{Color32, Rect, TextureFilter, pos2};
@@ -14,7 +14,7 @@ use crate::view::painter::{Band, PixelRect, STEPS, first_centre, limit, snap};
 /// Position of a vertex, snapped to [`STEPS`].
 type SnappedPoint = [i64; 2];
 
-/// A linear function over the pixels.
+/// A linear function of the pixel position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PixelPlane {
     /// Value at the centre of pixel (0, 0).
@@ -26,8 +26,8 @@ pub(super) struct PixelPlane {
 }
 
 impl PixelPlane {
-    /// Returns the plane through three values at three positions; `area` is twice the area of the triangle,
-    /// in square steps.
+    /// Returns the linear function with the given values at three points. `area` is twice the area of
+    /// the triangle, in square steps.
     fn through(points: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
         let [p, q, r] = points;
         let (qx, qy) = ((q[0] - p[0]) as f64, (q[1] - p[1]) as f64);
@@ -40,7 +40,7 @@ impl PixelPlane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Returns the value at the first pixel of a row and the increment per pixel, with 32 binary places.
+    /// Returns the value at column 0 of a row and the increment per pixel, both with 32 binary places.
     ///
     /// The result depends only on the row, not on how the picture is divided into pieces.
     #[inline(always)]
@@ -50,7 +50,7 @@ impl PixelPlane {
     }
 }
 
-/// The sampling of a texture over a triangle or rectangle.
+/// Samples a texture over a triangle or a rectangle.
 #[derive(Clone, Copy)]
 pub(super) struct Sampling<'a> {
     pub(super) texture: &'a Texture,
@@ -60,13 +60,13 @@ pub(super) struct Sampling<'a> {
 }
 
 impl<'a> Sampling<'a> {
-    /// Creates a sampling; `u` and `v` are in texels.
+    /// Creates a sampling; `u` and `v` are texture coordinates in texels.
     pub(super) fn new(texture: &'a Texture, u: PixelPlane, v: PixelPlane) -> Self {
         let texels_per_pixel = u.across.hypot(v.across).max(u.down.hypot(v.down));
         Self { texture, filter: texture.filter(texels_per_pixel), u, v }
     }
 
-    /// Blends a run of pixels of one row; `color` returns the vertex colour at a column.
+    /// Blends the texture over a run of pixels in a row. `color` returns the vertex colour at a column.
     pub(super) fn draw(
         &self,
         pixels: &mut [egui::Color32],
@@ -88,27 +88,29 @@ impl<'a> Sampling<'a> {
     }
 }
 
-/// One side of a triangle, as a linear function of the pixel; it is not negative inside the triangle.
+/// One side of a triangle, as a linear function of the pixel position that is at least 0 inside the
+/// triangle.
 struct Side {
     /// Decrement per pixel to the right.
     slope: i64,
-    /// Value at the first column in row 0, and the increment per row.
+    /// Value at the first column of row 0.
     start: i64,
+    /// Increment per row.
     per_row: i64,
 }
 
 impl Side {
     fn new(from: SnappedPoint, to: SnappedPoint) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        // A centre exactly on a side belongs to the triangle to the right of it or below it, so that
-        // neighbouring triangles draw each pixel exactly once.
+        // A pixel centre exactly on a side belongs to the triangle to its right or below it, so
+        // adjacent triangles draw each pixel exactly once.
         let owned = dy < 0 || (dy == 0 && dx > 0);
         let half = STEPS / 2;
         let start = dx * (half - from[1]) - dy * (half - from[0]) - i64::from(!owned);
         Self { slope: dy * STEPS, start, per_row: dx * STEPS }
     }
 
-    /// Narrows a range of columns to the inner side.
+    /// Narrows a range of columns of a row to those on the inner side.
     #[inline(always)]
     fn narrow(&self, row: i64, first: &mut i64, end: &mut i64) {
         let value = self.start + self.per_row * row;
@@ -166,8 +168,8 @@ pub(super) fn draw_triangle(
     }
 }
 
-/// Orders the vertices so that the area is positive. Returns the vertices, their snapped positions, and twice
-/// the area; `None` if the triangle has no area or a coordinate is not finite.
+/// Orders the vertices so that the area is positive. Returns the vertices, their snapped positions, and
+/// twice the area. Returns `None` if the triangle has no area or if a coordinate is not finite.
 fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [SnappedPoint; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
@@ -183,7 +185,7 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Snapp
     }
 }
 
-/// Calls `draw` for each row, with the pixels inside, the row, and the first column.
+/// Calls `draw` for each row of the triangle with the pixels to draw, the row, and the first column.
 fn rows(
     band: &mut Band<'_>,
     points: &[SnappedPoint; 3],
@@ -219,8 +221,8 @@ fn rows(
 struct Gradient {
     channels: [PixelPlane; 4],
     across: Rgba,
-    /// The column from which the colours of a row are counted. It is near the triangle, because a steep
-    /// gradient would lose significant digits over a long distance.
+    /// The column from which the columns of a row are counted. It is near the triangle, because over a
+    /// long distance a steep gradient would lose significant digits.
     base: usize,
 }
 
@@ -237,7 +239,7 @@ impl Gradient {
         }
     }
 
-    /// Returns the colour at the base column of a row.
+    /// Returns the unclamped colour at the base column of a row.
     #[inline(always)]
     fn row(&self, row: usize) -> Rgba {
         self.channels.map(|plane| {
@@ -261,8 +263,8 @@ impl Gradient {
     }
 }
 
-/// Two triangles that form an axis-aligned rectangle of one vertex colour, with texture coordinates that run
-/// along its sides.
+/// Two triangles that form an axis-aligned rectangle of a single vertex colour, with texture
+/// coordinates that are linear along its sides.
 #[derive(Debug, PartialEq)]
 pub(super) struct Rectangle {
     /// Position and size in points.
@@ -273,7 +275,7 @@ pub(super) struct Rectangle {
 }
 
 impl Rectangle {
-    /// Returns the rectangle that two successive triangles form; `None` if they form none.
+    /// Returns the rectangle formed by two successive triangles; `None` if they do not form one.
     #[inline]
     pub(super) fn new(vertices: [&Vertex; 6]) -> Option<Self> {
         let [a, b, c, ..] = vertices;
@@ -294,7 +296,7 @@ impl Rectangle {
         }
         let bits = |corners: &[usize]| corners.iter().fold(0, |bits, &corner| bits | 1 << corner);
         let (first, second) = (missing(bits(&corners[..3]))?, missing(bits(&corners[3..]))?);
-        // Otherwise the two triangles overlap.
+        // Otherwise the two triangles would overlap.
         if first ^ second != 3 {
             return None;
         }
@@ -334,12 +336,13 @@ impl Rectangle {
     }
 }
 
-/// Returns the index of the missing corner, if exactly one of four bits is missing.
+/// Returns the index of the only missing corner, given a bit for each corner; `None` if not exactly one
+/// is missing.
 fn missing(bits: u8) -> Option<usize> {
     (0..4).find(|corner| bits == 0b1111 & !(1 << corner))
 }
 
-/// Returns the rectangle's texture coordinates; `None` if they do not run along its sides.
+/// Returns the rectangle's texture coordinates; `None` if they do not follow its sides.
 fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect> {
     let mut uv = Rect::NAN;
     for (vertex, corner) in vertices.iter().zip(corners) {
@@ -357,7 +360,7 @@ fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect
     Some(uv)
 }
 
-/// Interpolates a texture coordinate, in texels, between two positions across.
+/// Interpolates a texture coordinate, in texels, between two horizontal positions, in sub-pixel steps.
 fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlane {
     let (start, end) = (f64::from(uv_from) * texels, f64::from(uv_to) * texels);
     let step = (end - start) / (to - from).max(1) as f64;
@@ -365,14 +368,14 @@ fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlan
     PixelPlane { origin, across: step * STEPS as f64, down: 0.0 }
 }
 
-/// Draws an area of a texture in one vertex colour. If each pixel shows exactly one texel, as in most
-/// pictures and glyphs, copies or tints the texels; otherwise samples the texture.
+/// Draws a part of a texture in a single vertex colour. If each pixel shows exactly one texel, as in
+/// most pictures and glyphs, the texels are copied or tinted; otherwise the texture is sampled.
 fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, color: Rgba) {
     let PixelRect { left, top, right, bottom } = area;
     let texture = reading.texture;
     let (u, u_step) = reading.u.stepped(0);
     let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
-    // v has the same value throughout a row.
+    // v is constant along a row.
     let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
     let across = one_to_one(&u, (left, right), texture.size[0], reading.filter);
     let down = one_to_one(&v, (top, bottom), texture.size[1], reading.filter);
@@ -392,8 +395,8 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
     }
 }
 
-/// Returns the first texel if a run of pixels reads exactly one successive texel per pixel, all inside the
-/// texture.
+/// Returns the first texel that a run of pixels reads, if each pixel reads exactly the texel after the
+/// previous one and all lie inside the texture; otherwise `None`.
 fn one_to_one(
     coordinate: &impl Fn(usize) -> Coordinate,
     (first, end): (usize, usize),
@@ -409,7 +412,7 @@ fn one_to_one(
     };
     let (from, to) = (texel(first)?, texel(end - 1)?);
     let successive = to - from == (end - 1 - first) as i64;
-    // With the nearest filter the steps may be uneven, so checking both ends is not enough.
+    // With the nearest filter the steps may be uneven, so checking the two ends is not enough.
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)

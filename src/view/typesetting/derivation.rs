@@ -1,4 +1,4 @@
-//! Layout and painting of formulas and of the derivation, in the window and in figures.
+//! Lays out and paints formulas and the derivation, in the window and in figures.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub(crate) const NOTE: f32 = 15.0;
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// Minimum indent, in points, of the relations and of the second and later lines of a formula.
+/// Minimum indent, in points, at which relations are aligned and the later lines of a formula begin.
 const INDENT: f32 = 26.0;
 
 /// Distance above a section's title, in points.
@@ -36,7 +36,7 @@ pub(crate) const BEFORE_SECTION: f32 = 6.0;
 /// Distance between two lines, in points.
 pub(crate) const BETWEEN_LINES: f32 = 2.0;
 
-/// A laid-out line.
+/// A line of the derivation after layout.
 pub(crate) struct LaidLine {
     pub(crate) id: Id,
     pub(crate) text: String,
@@ -51,11 +51,13 @@ pub(crate) fn note_galley(ui: &Ui, line: &DerivedLine, width: f32) -> Arc<Galley
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
 
-/// Maximum share of the width that the parts before the relations may take.
+/// Maximum fraction of the width for the parts before the relations; wider parts do not affect the
+/// indent.
 const LEFT: f32 = 0.32;
 
-/// Lays out all lines of a derivation in a column, section by section. `id` returns the id of a line from its
-/// section and its index there. The relations in all sections of one kind are aligned.
+/// Lays out all lines of a derivation in a column, section by section. All sections of one kind have
+/// their relations aligned. `id` returns the id of a line, given its section and its index in that
+/// section.
 pub(crate) fn laid_lines(
     ui: &Ui,
     derivation: &Derivation,
@@ -98,7 +100,7 @@ fn laid_line(ui: &Ui, line: &DerivedLine, id: Id, column: Column) -> LaidLine {
     whole
 }
 
-/// Returns the start of a line's first baseline.
+/// Returns the start of the first baseline of a line's formula.
 pub(crate) fn baseline_of(rect: Rect, laid: &LaidLine) -> egui::Pos2 {
     rect.min + PAD + vec2(0.0, laid.layout.ascent)
 }
@@ -113,8 +115,8 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLin
     }
 }
 
-/// Draws the derivation as in its panel, from the top of a column downwards, and returns its height. A
-/// section for which `is_folded` holds shows only its title.
+/// Draws the derivation as in its panel, starting at the top of a column, and returns the height of the
+/// drawing. If `is_folded` returns true for a section, only its title is drawn.
 pub(crate) fn draw(
     ui: &Ui,
     derivation: &Derivation,
@@ -167,7 +169,7 @@ fn font(face: Face, size: f32) -> FontId {
     }
 }
 
-/// The formulas' colours in one window.
+/// The colours of formulas in the current style.
 #[derive(Clone, Copy)]
 pub(crate) struct Inks {
     text: Color32,
@@ -191,13 +193,13 @@ impl Inks {
     }
 }
 
-/// Returns the meaning of the symbol at a position, which is relative to the start of the layout's first
-/// baseline.
+/// Returns the meaning of the symbol at a position relative to the start of the layout's first
+/// baseline; `None` if there is no symbol with a meaning.
 pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&TextRun| {
         let [x, y] = run.at;
-        // The margin makes thin letters as easy to hover as wide ones.
+        // The margin makes narrow letters as easy to hover as wide ones.
         let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
         let down = y - 0.8 * run.size..=y + 0.3 * run.size;
         across.contains(&at.x) && down.contains(&at.y)
@@ -211,7 +213,7 @@ pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'s
 pub(crate) fn paint_formula(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
     for run in &layout.runs {
         let color = inks.color(run.ink);
-        // Words get egui's italics, because Unicode's italic letters would read as a product.
+        // Words are slanted by egui, because Unicode's italic letters would look like a product.
         let italics = run.face == Face::Italic && run.text.len() > 4;
         let format =
             TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };

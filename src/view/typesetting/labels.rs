@@ -1,5 +1,5 @@
-//! Labels in pictures and drawings: text with a halo, which keeps it legible over lines, and a layout that
-//! keeps labels from overlapping. The window and the figures use the same shapes.
+//! Labels in pictures and drawings: text with a halo that keeps it legible over lines, and a layout
+//! that prevents labels from overlapping. The window and the figures use the same shapes.
 
 use std::sync::Arc;
 
@@ -32,13 +32,14 @@ impl LabelLayout {
         LabelLayout { painter, halo, within, taken: Vec::new() }
     }
 
-    /// Keeps a rectangle free of labels.
+    /// Reserves a rectangle, over which no label will be written.
     pub(crate) fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
 
-    /// Writes a label at the first position that is free and inside the area. Returns its rectangle, or
-    /// `None` if there is no such position. Text that is not bold is typeset as a formula.
+    /// Writes a label at the first of `anchors` where it fits into the area and overlaps nothing.
+    /// Returns its rectangle, or `None` if it fits nowhere. Text that is not bold is typeset as a
+    /// formula.
     pub(crate) fn write(
         &mut self,
         text: &str,
@@ -48,8 +49,7 @@ impl LabelLayout {
         self.write_clear_of(&[], text, font, anchors)
     }
 
-    /// Writes a label as [`LabelLayout::write`] does, but only at a position where it covers none of
-    /// `points`.
+    /// Like [`LabelLayout::write`], but the label must also cover none of `points`.
     pub(crate) fn write_clear_of(
         &mut self,
         points: &[Pos2],
@@ -65,7 +65,7 @@ impl LabelLayout {
         };
         for (at, align) in anchors {
             let rect = align.anchor_size(at, galley.size());
-            // Without a gap, two numbers side by side would read as one.
+            // Without a gap, two adjacent numbers would look like one.
             let room = rect.expand2(Vec2::new(3.0, 0.0));
             let free = self.taken.iter().all(|taken| !taken.intersects(room));
             let clear = !points.iter().any(|point| rect.contains(*point));
@@ -80,7 +80,8 @@ impl LabelLayout {
     }
 }
 
-/// Returns positions around a point at a distance from it. The first lies in the direction `toward`.
+/// Returns positions for a label around a point: first in the direction `toward` and at `distance`,
+/// then in other directions, then farther away.
 pub(crate) fn around(
     at: Pos2,
     toward: Vec2,
@@ -96,7 +97,7 @@ pub(crate) fn around(
     })
 }
 
-/// Returns the side of a label that faces its point.
+/// Returns the side of a label that faces its point, along one axis.
 fn side(away: f32) -> egui::Align {
     if away > 0.38 {
         egui::Align::Min
@@ -107,11 +108,11 @@ fn side(away: f32) -> egui::Align {
     }
 }
 
-/// Text with a halo around its letters, which keeps it legible over anything.
+/// Text with a halo around its letters, which keeps it legible over any background.
 ///
-/// egui has no such shape. It gets a [`Shape::Vec`] instead: the text in the halo's colour eight times
-/// around its position, and then the text itself. Figures [convert this](HaloText::from_shape) back to
-/// one text.
+/// egui has no such shape. A [`Shape::Vec`] is used instead: eight copies of the text in the halo's
+/// colour around its position, and then the text itself. Figures [convert](HaloText::from_shape) it
+/// back to a single text.
 pub(crate) struct HaloText {
     pub(crate) text: TextShape,
     pub(crate) halo: Color32,
@@ -140,7 +141,7 @@ impl HaloText {
         Shape::Vec(shapes)
     }
 
-    /// Inverts [`HaloText::into_shape`]; returns `None` for every other shape.
+    /// Inverts [`HaloText::into_shape`]; returns `None` for any other shape.
     #[cfg(feature = "figures")]
     pub(crate) fn from_shape(shape: &Shape) -> Option<HaloText> {
         let Shape::Vec(shapes) = shape else { return None };
@@ -150,7 +151,7 @@ impl HaloText {
     }
 }
 
-/// Writes a label of a picture whose upper left corner is at `origin`.
+/// Writes a label of a picture. The picture's upper left corner is at `origin`.
 pub(crate) fn write_label(painter: &Painter, origin: Pos2, per_point: f32, label: &Label) {
     let center = origin + vec2(label.position[0], label.position[1]) / per_point;
     let family = if label.bold { theme::bold() } else { FontFamily::Proportional };

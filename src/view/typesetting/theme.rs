@@ -1,10 +1,9 @@
-//! The look of the window: bundled fonts, font sizes, colours, the focus ring, the spotlight.
+//! The look of the window: bundled fonts, font sizes, colours, the focus ring and the spotlight.
 //!
-//! With bundled fonts, text looks the same on every machine, and the signs of the formulas
-//! (⟂, ‖, ⟨, θ) are available. Vectors are written in bold, not with an arrow above (U+20D7): a
-//! letter and its combining characters must come from one font, and Noto Sans has no such arrow,
-//! so the arrow would silently be left out. Every font except the one for code can put a
-//! circumflex on u.
+//! The fonts are bundled so that text looks the same on every machine and the signs of the formulas (⟂,
+//! ‖, ⟨, θ) are available. Vectors are written in bold, not with an arrow above (U+20D7): a letter and
+//! its combining characters must come from one font, and Noto Sans lacks that arrow, so it would
+//! silently be dropped. Every font except the one for code can put a circumflex on u.
 
 use std::sync::Arc;
 
@@ -25,11 +24,11 @@ use crate::view::overlay::Style;
 pub(crate) struct Look {
     /// The colour scheme.
     pub(crate) scheme: Scheme,
-    /// True if text is large and has more contrast.
+    /// True while presenting: text is then larger and has more contrast.
     pub(crate) presenting: bool,
-    /// True if nothing is animated.
+    /// True if animations are turned off.
     pub(crate) reduced_motion: bool,
-    /// Significant digits of the numbers in fields.
+    /// Number of significant digits in number fields.
     pub(crate) digits: usize,
 }
 
@@ -40,7 +39,7 @@ impl Default for Look {
 }
 
 impl Look {
-    /// Returns the look for the settings.
+    /// Creates the look that the settings ask for.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, digits, .. } = *settings;
         Look { scheme, presenting, reduced_motion, digits }
@@ -51,17 +50,17 @@ fn key() -> Id {
     Id::unique("look")
 }
 
-/// Returns the installed look.
+/// Returns the look that is installed in a context.
 pub(crate) fn installed(ctx: &Context) -> Look {
     ctx.data(|data| data.get_temp(key())).unwrap_or_default()
 }
 
-/// Returns the overlay's colours in this window.
+/// Returns the style of the overlay in this window.
 pub(crate) fn style(ui: &Ui) -> Style {
     Style::new(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
-/// Converts a colour to the style of this window: a grey style has no hues.
+/// Converts a colour to this window's style. In a grey style it loses its hue.
 pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
     let mut dots = [color];
     style(ui).finish(&mut dots);
@@ -73,7 +72,7 @@ pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
-/// Installs a look in a context, effective from the next pass, unless it is already installed.
+/// Installs a look in a context, effective from the next pass. Does nothing if it is already installed.
 pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
@@ -97,7 +96,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     }
 }
 
-/// Returns the text styles. While presenting, no text is smaller than the size on which the zoom is based.
+/// Returns the text styles. While presenting, no text is smaller than the size from which the zoom is
+/// computed.
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
@@ -112,7 +112,7 @@ fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId
 fn visuals(theme: Theme, look: Look) -> Visuals {
     let mut visuals = theme.default_visuals();
     let is_dark = theme == Theme::Dark;
-    // egui's greys are legible close to the screen, but not from the back row.
+    // egui's greys are legible near the screen, but not from the back row.
     let mut text = Color32::from_gray(if is_dark { 0xea } else { 0x10 });
     visuals.weak_text_alpha = 0.75;
     if look.presenting {
@@ -136,8 +136,8 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     visuals
 }
 
-/// Returns the colours of the focus ring and of its casing. On any background, at least one of the two
-/// contrasts.
+/// Returns the colours of the focus ring and of its casing. At least one of them contrasts with any
+/// background.
 fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     match (visuals.dark_mode, scheme) {
         (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
@@ -147,14 +147,14 @@ fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     }
 }
 
-/// Draws a ring around the focused widget, on top of everything in its layer.
+/// Draws a ring around the focused widget, above everything else in its layer.
 pub(crate) fn focus_ring(ui: &Ui) {
     let ctx = ui.ctx();
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
     let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
-    // A widget that is scrolled out of sight has no ring. At the window's edge, the ring stays inside the
-    // window.
+    // A widget that is scrolled out of sight has no ring. At the edge of the window, the ring is moved
+    // inwards.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
     if response.interact_rect.is_negative() || !visible.is_positive() {
         return;
@@ -164,9 +164,9 @@ pub(crate) fn focus_ring(ui: &Ui) {
     painter.rect_stroke(visible, 4.0, Stroke::new(2.5, color), StrokeKind::Middle);
 }
 
-/// Radius of the spotlight, as a share of the window's height.
+/// Radius of the spotlight, as a fraction of the window's height.
 const BRIGHT: f32 = 0.17;
-/// Number of corners of the spotlight's circle.
+/// Number of corners of the polygon that approximates the spotlight's circle.
 const CORNERS: usize = 72;
 
 /// Dims everything except a circle around the pointer. With reduced motion, draws a large ring around
@@ -193,7 +193,7 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
     let mut mesh = Mesh::default();
     for corner in 0..=CORNERS {
         let direction = Vec2::angled(corner as f32 / CORNERS as f32 * std::f32::consts::TAU);
-        // The edge is soft, and the dark area extends beyond the window.
+        // The edge of the circle is soft, and the dark area extends beyond the window.
         mesh.colored_vertex(at + radius * direction, Color32::TRANSPARENT);
         mesh.colored_vertex(at + 1.06 * radius * direction, dim);
         mesh.colored_vertex(at + far * direction, dim);
@@ -211,7 +211,7 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
 /// Returns the colour of errors, legible on the theme's background.
 pub(crate) fn error_color(ui: &Ui) -> Color32 {
     if style(ui).scheme() == Scheme::Grey {
-        // Without hues, only the words mark an error.
+        // There are no hues, so only the wording marks an error.
         ui.visuals().strong_text_color()
     } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
@@ -230,7 +230,7 @@ const SANS: &str = "Noto Sans";
 const SANS_BOLD: &str = "Noto Sans Bold";
 const MATH: &str = "Noto Sans Math";
 
-/// Returns the bold variant of the proportional family, for `FontId::new(size, theme::bold())`.
+/// Returns the bold font family, to be used as `FontId::new(size, theme::bold())`.
 pub fn bold() -> FontFamily {
     FontFamily::Name("bold".into())
 }
@@ -240,8 +240,8 @@ pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
 
-/// Returns the bundled fonts: Noto Sans, Noto Sans Math for signs that Noto Sans lacks, then egui's own
-/// fonts. Code uses egui's font Hack first.
+/// Returns the bundled fonts: Noto Sans, then Noto Sans Math for signs that Noto Sans lacks, then
+/// egui's own fonts. Code uses egui's font Hack first.
 pub fn font_definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let files: [(&str, &'static [u8]); 3] = [
