@@ -1,7 +1,7 @@
-//! Text of `--version`: version, commit, profile and target.
+//! The text of `--version`: version, commit, profile and target.
 //!
-//! The commit is told of release builds alone: those that are tested are rebuilt with every edit, and
-//! would be with every commit.
+//! Only release builds include the commit. To keep it current, this script must run again after every
+//! edit and every commit, which would slow down the builds used for testing.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,20 +20,20 @@ fn main() {
     println!("cargo:rustc-env=PINHOLE_VERSION={} ({build})", of_cargo("CARGO_PKG_VERSION"));
 }
 
-/// The commit that these sources are of, with a `+` where they have been changed since; `None` where
-/// they are not in a repository of their own.
+/// Returns the commit of these sources, followed by `+` if they have changed since. Returns `None` if
+/// they are not at the root of a git repository.
 fn commit(root: &Path) -> Option<String> {
     let git = |arguments: &[&str]| {
         let output = Command::new("git").arg("-C").arg(root).args(arguments).output().ok()?;
         let text = output.status.success().then(|| String::from_utf8(output.stdout).ok())??;
         Some(text.trim().to_owned())
     };
-    // Sources that lie unpacked in somebody else's repository are of none of its commits.
+    // Sources unpacked inside another repository belong to none of its commits.
     let top = PathBuf::from(git(&["rev-parse", "--show-toplevel"])?);
     if top.canonicalize().ok()? != root.canonicalize().ok()? {
         return None;
     }
-    // Whether they have been changed is another answer after every edit.
+    // A change of any of these files may change the commit or its `+`.
     let git_files =
         [git(&["rev-parse", "--git-path", "HEAD"]), git(&["rev-parse", "--git-path", "index"])];
     for file in git_files.into_iter().flatten() {

@@ -1,10 +1,11 @@
-//! Pinhole: what a pinhole camera sees, and why. The program behind `src/main.rs`, as a library so
-//! that its tests can drive it. This page is the map of the house.
+//! Pinhole shows what a pinhole camera sees, and why. Apart from `src/main.rs`, the whole program is in
+//! this library, so that tests can drive it. This page is the map of the house.
 //!
 //! # Floors
 //!
-//! Each folder uses only folders below it; `exchange` also uses `lecture`, and `report` uses `figures`. No two
-//! folders use one another. `tests/layout.rs` checks this from the code's own `use` lines.
+//! Each folder uses only folders below it; in addition, `exchange` uses `lecture`, and `report` uses
+//! `figures`. No two folders use one another. `tests/layout.rs` checks this from the code's own `use`
+//! lines.
 //!
 //! ```text
 //! platform                         the window on the screen, and what draws it: wgpu or the CPU
@@ -16,37 +17,38 @@
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! The crate `reference` is the oracle: tests ask it, and of the program only `pinhole report`.
+//! The crate `reference` is the oracle, which computes correct answers independently. Tests use it, and
+//! of the program only `pinhole report`.
 //!
 //! # The path of one edit
 //!
-//! A drag of eye.x, in the order of [`ui::app`]'s `frame.rs`:
+//! When the user drags the number eye.x, these steps follow, in the order of [`ui::app`]'s `frame.rs`:
 //!
 //! 1. *Inputs*: the camera panel writes [`Document::camera`](pinhole_exchange::document::Document)
-//!    `.eye.x` in place. The end of the pass compares the document with the one that it began with.
-//! 2. *Apply*: keys, menus and views request [`Action`](ui::action::Action)s, each of which is applied by
-//!    the part that owns the state.
-//! 3. *Derive*: [`view::derive`] makes everything that is shown from the document and the session
-//!    ([`model::session`]), and caches it by its inputs: an idle window does no work.
-//! 4. *Outputs*: views, readouts and textures show one [`Derived`](view::derive::Derived), which they cannot
-//!    change, so all of them show the same frame.
+//!    `.eye.x` in place. At its end, the pass compares the document with the one that it began with.
+//! 2. *Apply*: keys, menus and views request [`Action`](ui::action::Action)s. Each is applied by the
+//!    part that owns the state.
+//! 3. *Derive*: [`view::derive`] computes everything that is shown from the document and the session
+//!    ([`model::session`]), and caches it by its inputs, so that an idle window does no work.
+//! 4. *Outputs*: views, readouts and textures all read the same [`Derived`](view::derive::Derived) and
+//!    cannot change it, so all of them show the same frame.
 //!
-//! A camera without a basis is a typed error on this path, and reaches the screen as a reason over the
-//! last good picture.
+//! If the camera has no basis, this path carries a typed error, and the window shows the reason over the
+//! last valid picture.
 //!
 //! # The path of one sphere
 //!
-//! From scene to pixels, in [`pinhole_core`]'s `render`: the frame's plan drops what cannot be seen and
-//! chooses how each sphere is drawn; bands of rows are drawn in `f32` with bounds of the error; a pixel
-//! in doubt goes up the ladder (double-double, then exact integers); then the band is shaded. Its
-//! `mod.rs` names every step.
+//! [`pinhole_core`]'s `render` leads from the scene to the pixels; its `mod.rs` names every step. The
+//! frame's plan drops the objects that cannot be visible, and chooses how each sphere is drawn. Bands of
+//! rows are drawn in `f32` with error bounds. A pixel in doubt goes up the ladder: it is decided in
+//! double-double arithmetic, or else with exact integers. Then the band is shaded.
 //!
 //! # Two recipes
 //!
-//! After a new variant the compiler finds every exhaustive `match`. It does not find the places below.
+//! The compiler finds every exhaustive `match` that lacks a new variant, but not the places below.
 //!
 //! *A new way to give the camera* is a variant of [`Orientation`](pinhole_core::Orientation) and of its
-//! `OrientationKind`. By hand:
+//! `OrientationKind`. These places must be changed by hand:
 //!
 //! 1. `core/camera/mod.rs`: `has_up` and `has_at`, which decide what the window offers;
 //! 2. `exchange/scene_file/read.rs`: the keys, and the rule that exactly one way is given;
@@ -57,7 +59,8 @@
 //!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/families.rs` converts it.
 //!
-//! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). By hand:
+//! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). These places must be changed
+//! by hand:
 //!
 //! 1. `core/scene/mod.rs`, which owns the order of objects (spheres first, then planes), and the order of the
 //!    document's lists in `exchange/document.rs`;

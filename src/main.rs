@@ -21,7 +21,7 @@ fn main() -> ExitCode {
     let code = cli::exit_code(match parsed {
         Ok(Arguments { command: Some(command), .. }) => cli::run(&command),
         Ok(Arguments { command: None, window }) => platform::run(&window),
-        // What was asked for: the help, or the version.
+        // Not an error: the user asked for the help or the version.
         Err(asked) if !asked.use_stderr() => cli::print(&asked),
         Err(wrong) => wrong.exit(),
     });

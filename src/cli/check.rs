@@ -15,8 +15,8 @@ use super::console::{CommandError, is_standard, named, read, scene_fault, to_jso
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
-/// Runs `pinhole check`. An unreadable input, such as the scene, gives no grade, because the
-/// student is not to blame.
+/// Runs `pinhole check`. If the scene or another input cannot be read, the answers get no grade, because
+/// the student is not to blame.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
     let text = if arguments.json {
@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
         text(&graded)
     };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
-        // The result is the status, even if nobody reads the output.
+        // The exit status reports the grade, even if nobody reads the output.
         Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
         Ok(()) | Err(CommandError::ReaderGone) => Err(CommandError::Disagrees),
         Err(error) => Err(unreadable(error)),
@@ -128,11 +128,11 @@ struct Check {
     worst: Value,
     mistakes: Vec<&'static str>,
     advice: String,
-    /// Other sets of mistakes that give the same answers.
+    /// Other sets of mistakes that would lead to the same answers.
     alternatives: Vec<Vec<&'static str>>,
-    /// The shading that the graded picture is assumed to have; `None` for other answers.
+    /// The shading that the graded picture is assumed to have; `None` if the answers are not a picture.
     shade: Option<&'static str>,
-    /// Number of pixels without an answer, if each of them counts as wrong.
+    /// Number of pixels without an answer, if each of them counts as wrong; otherwise 0.
     unanswered: usize,
 }
 
@@ -159,9 +159,9 @@ impl Check {
     }
 }
 
-/// Returns the position, the given answer, the right answer, and the distance between the answers:
-/// `null` if a hit and a miss, or hits of different objects, are confused. A miss is `"miss"`. If
-/// the pixel does not exist, the right answer is missing.
+/// Returns the worst answer as JSON: its position, the given and the right answer, and the distance
+/// between the two. The distance is `null` if a hit is confused with a miss, or with a hit of another
+/// object. A miss is `"miss"`. If the pixel does not exist, the right answer is `null`.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let json_of = |value: AnswerValue| match value {

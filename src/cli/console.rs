@@ -1,4 +1,4 @@
-//! Standard input, output and error, the names of files to write, and the errors of commands with their exit
+//! Standard input, output and error; checks of output file names; the errors of commands and their exit
 //! status.
 
 use std::fmt;
@@ -38,7 +38,8 @@ pub fn print(asked: &clap::Error) -> Result<(), CommandError> {
     delivered(asked.print().and_then(|()| io::stdout().flush()))
 }
 
-/// Writes to standard output; it is not an error if the reader stops reading.
+/// Writes to standard output. If the reader stops reading, the error is [`CommandError::ReaderGone`],
+/// which is not a failure.
 pub(super) fn to_stdout(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), CommandError> {
@@ -59,7 +60,7 @@ pub(super) fn warn(note: &str) {
     let _ = writeln!(io::stderr(), "note: {}", legible(note));
 }
 
-/// Rejects a file name with the extension of another format.
+/// Rejects an output file with an extension other than `ending`; `what` begins the message.
 pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
     match output.extension() {
         Some(other) if !other.eq_ignore_ascii_case(ending) => {
@@ -76,13 +77,13 @@ pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), Comma
 pub enum CommandError {
     /// The input is at fault: exit status 1.
     Input(String),
-    /// The arguments cannot be combined: exit status 2.
+    /// The arguments are invalid or cannot be combined: exit status 2.
     Arguments(String),
     /// The answers were graded, and not all of them are right: exit status 1, without a message.
     Disagrees,
     /// The answers or the scene cannot be read: exit status 2.
     Unreadable(String),
-    /// The reader of standard output is gone. This is not a failure.
+    /// The reader of standard output has stopped reading. This is not a failure.
     ReaderGone,
 }
 
@@ -117,7 +118,7 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     if let Err(error) = result {
         let styles = Styles::styled();
         let (style, error) = (styles.get_error(), error.to_string());
-        // In the style of clap's errors. If standard error is closed too, only the exit status
+        // The message looks like those of clap. If standard error is closed too, only the exit status
         // reports the error.
         let _ = writeln!(anstream::stderr(), "{style}error:{style:#} {}", legible(&error));
     }

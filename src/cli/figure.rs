@@ -1,5 +1,5 @@
-//! `pinhole figure`: writes a view, the derivation or the lab of lines as SVG, PDF or PNG; the derivation also
-//! as LaTeX or Markdown; with `--play`, an animation of a view.
+//! `pinhole figure`: writes a view, the derivation or the lab of lines as SVG, PDF or PNG. The
+//! derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
 
 use std::io::Write as _;
 
@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     }
 }
 
-/// Writes the animation with the window's recorder.
+/// Writes an animation, with the same recorder as the window.
 fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));
     if !matches!(arguments.view, FigureSubject::World | FigureSubject::Camera) {
@@ -97,7 +97,7 @@ fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let loops = kind.moves_camera();
     let animation = Animation { kind, start, loops, scene, order, frames };
     let why = |problem| CommandError::Input(format!("{}: {problem}", arguments.scene.display()));
-    // What cannot move is known before anything is written.
+    // An animation that is impossible for this scene is an error before anything is written.
     animation.start.at(kind, 0.5).map_err(|error| why(error.to_string()))?;
     let mut recorder = Recorder::new(animation, output.clone()).map_err(CommandError::Input)?;
     let progress = Progress::new("frame", Some(frames.count as usize));
@@ -184,7 +184,7 @@ fn session_of(
         let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
         session.observer = Some(Observer::frame_all(&document.camera, &objects, size));
     }
-    // What goes along a ray is nothing without one.
+    // An animation along a ray needs a ray: by default, the one through the viewport's centre.
     let sends_rays = arguments.play.is_some_and(|kind| !kind.moves_camera());
     if !asked && sends_rays {
         session.selection = Selection::Uv(DVec2::ZERO);
@@ -196,8 +196,8 @@ fn session_of(
     Ok(session)
 }
 
-/// Returns the size of the camera's picture: in the proportions of its image, usually whole dots for
-/// each pixel.
+/// Returns the size of the camera view's figure. It has the aspect ratio of the camera's image and, by
+/// default, a whole number of dots per pixel if possible.
 fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<ImageSize, CommandError> {
     let (columns, rows) = (image.width(), image.height());
     let times = (WORLD[1] / columns.min(rows)).max(1).min(ImageSize::MAX / columns.max(rows));

@@ -1,4 +1,4 @@
-//! `pinhole inspect`: prints one ray, its camera, and everything it meets.
+//! `pinhole inspect`: prints one ray, its camera, and everything that it hits.
 
 use std::fmt::Write as _;
 
@@ -162,8 +162,8 @@ impl Readout<'_> {
     }
 }
 
-/// Returns a number as text. The text says so if the number may be beyond the range of `f64` and
-/// only represented by the largest `f64`.
+/// Returns a number as text. The largest `f64` may stand for a number beyond the range of `f64`, and the
+/// text says so.
 fn number_text(x: f64) -> String {
     match x {
         f64::MAX.. => "beyond f64".to_owned(),
@@ -258,8 +258,7 @@ impl Readout<'_> {
     }
 }
 
-/// Returns the vector with every negative zero replaced by zero, because readers do not expect a
-/// negative zero.
+/// Replaces every negative zero in the vector by zero, because readers do not expect a negative zero.
 fn plain(v: DVec3) -> DVec3 {
     v + DVec3::ZERO
 }

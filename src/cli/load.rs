@@ -68,7 +68,8 @@ pub(super) fn refuse_overwriting<'a>(
 
 /// Returns the camera of a scene with its basis.
 ///
-/// An error of the camera includes its position in the scene file, as for other errors of the file.
+/// If the camera is invalid, the error includes the position in the scene file, like other errors in
+/// that file.
 pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
     let location_of = |error: &CameraError| match SceneSource::from_argument(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
@@ -115,8 +116,8 @@ fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
     ))
 }
 
-/// Returns the size of a picture; if only the width or the height is given, the other follows in the ratio of
-/// the `usual` size.
+/// Returns the size of a picture, by default the `usual` size. If only the width or the height is given,
+/// the other follows from the aspect ratio of the `usual` size.
 ///
 /// # Errors
 /// Returns an error if no image has this size.
@@ -137,7 +138,7 @@ pub(super) fn size(
     })
 }
 
-/// Returns the missing side of a picture, in pixels, from the given side and a ratio.
+/// Returns the missing side of a picture, in pixels: the given side times `ratio`.
 pub(super) fn follow(pixels: u32, ratio: f64) -> u32 {
     (f64::from(pixels) * ratio).round().max(1.0) as u32
 }

@@ -1,4 +1,5 @@
-//! The headless commands, mostly one in each file. None of them touches a display or a graphics driver.
+//! The headless commands, most of them in a file of their own. None of them uses a display or a graphics
+//! driver.
 //!
 //! `pinhole scenes` and `pinhole completions` are here, `export` and `import` in `other_programs`.
 //! The commands share `load` (the scene and its ray), `console` (standard streams and errors) and

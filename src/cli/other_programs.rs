@@ -14,7 +14,7 @@ use crate::cli::load::{files_of, load, pose, refuse_overwriting};
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
-    // An error of the camera includes its position in the file.
+    // Reports an invalid camera with its position in the scene file.
     pose(&arguments.scene, &document)?;
     let with = match (arguments.camera_only, arguments.meshes) {
         (true, _) => Include::CameraAlone,

@@ -11,8 +11,7 @@ use std::time::{Duration, Instant};
 /// takes longer than [`PATIENCE`].
 pub(super) struct Progress {
     work: Arc<ProgressState>,
-    /// The thread that rewrites the line at intervals, until the other end of the channel is
-    /// dropped.
+    /// The thread that rewrites the line at intervals. It ends when the sender is dropped.
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
@@ -25,12 +24,13 @@ const TICK: Duration = Duration::from_millis(100);
 struct ProgressState {
     since: Instant,
     done: AtomicUsize,
-    /// The unit that is counted, such as `row`, and the total; otherwise the name of the work.
+    /// The unit that is counted, such as `row`, and the total number of units. If the total is unknown,
+    /// the name of the work and `None`.
     what: Mutex<(&'static str, Option<usize>)>,
 }
 
 impl Progress {
-    /// Continues with work whose amount is unknown.
+    /// Continues with other work, of unknown amount.
     pub(super) fn go_on(&self, work: &'static str) {
         *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
     }
@@ -40,9 +40,9 @@ impl Progress {
         self.work.done.fetch_add(count, Ordering::Relaxed);
     }
 
-    /// Creates the progress of work, whose unit is `what`, such as `row`, if the number of all units is
-    /// known; otherwise `what` is the name of the work. Another thread watches the clock, because the
-    /// work may report nothing for a long time.
+    /// Creates the progress line for some work. If the total number of units is known, `what` is the
+    /// unit, such as `row`; otherwise `what` is the name of the work. A separate thread watches the
+    /// clock, because the work may report nothing for a long time.
     pub(super) fn new(what: &'static str, all: Option<usize>) -> Progress {
         let what = Mutex::new((what, all));
         let work =
@@ -100,7 +100,7 @@ impl Drop for Progress {
     fn drop(&mut self) {
         if let Some((end, clock)) = self.clock.take() {
             drop(end);
-            // If the clock's thread has failed, it has shown nothing, which is all that is needed here.
+            // Even if the thread has panicked, it no longer writes, which is all that matters here.
             let _ = clock.join();
         }
     }

@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let progress = if arguments.overlay || arguments.view == FigureSubject::World {
         Progress::new("drawing", None)
     } else {
-        // Each row is traced, and for the OpenEXR file, its certificates are computed.
+        // Each row is traced; for the OpenEXR file, its certificates are computed in a second pass.
         let passes = 1 + usize::from(arguments.aov.is_some());
         Progress::new("row", Some(passes * image.height() as usize))
     };
@@ -87,11 +87,11 @@ pub struct Rendering {
     pub certificates: Vec<Certificate>,
 }
 
-/// Draws the view of the document that the arguments ask for, with this size. `done` is called with the
-/// number of finished rows.
+/// Draws the requested view of the document at this size. Calls `done` with the number of newly finished
+/// rows.
 ///
-/// If the size differs from the document's image, the camera view uses a camera with pixels of this
-/// size; the world view keeps the camera's pixels and draws them on its viewport.
+/// If the size differs from that of the document's image, the camera view is drawn with an image of this
+/// size. The world view keeps the camera's own pixels and draws them on its viewport.
 ///
 /// # Errors
 /// Returns an error if the camera sees nothing, or an object is invalid.
@@ -159,7 +159,7 @@ fn with_overlay(
         ..Session::default()
     };
     let size = [size.width(), size.height()];
-    // Strokes and text stay in proportion on large pictures.
+    // On large pictures, strokes and text grow in proportion.
     let order = Order {
         subject: arguments.view,
         size,

@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     deliver(arguments, &measured(runs(arguments)?))
 }
 
-/// Checks the arguments, before the measurements take minutes.
+/// Checks the arguments before the measurements, which take minutes.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     let refused = |problem: String| Err(CommandError::Arguments(problem));
     if arguments.plot.as_deref().is_some_and(is_standard) {
@@ -127,12 +127,13 @@ fn page_path(plot: &Path, page: usize) -> PathBuf {
     }
 }
 
-/// Returns the file for the JSON; `None` for `--json` without a path, or with `-` for standard output.
+/// Returns the path of the JSON file. Returns `None` without `--json`, and also for `--json` without a
+/// path or with `-`, which writes to standard output.
 fn json_file(arguments: &ReportArguments) -> Option<&Path> {
     arguments.json.as_deref().filter(|path| !is_standard(path))
 }
 
-/// Returns true if a path is more likely to be an input than an output.
+/// Returns true if a path looks like an input: a TOML file or a built-in scene.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
     ends_as_one || path.to_str().is_some_and(|name| BuiltinScene::find(name).is_some())

@@ -11,8 +11,8 @@ use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
 use super::load::{files_of, load, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::TraceArguments;
 
-/// Number of rays that are traced and written together: enough to keep every core busy, few enough to fit in
-/// memory.
+/// Number of rays that are traced and written at a time: enough to keep every core busy, few enough to
+/// fit in memory.
 const CHUNK: usize = 1 << 16;
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
 }
 
 fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {
-    // Otherwise several rays would build the index at the same time.
+    // Built now, because otherwise several threads would build the index at the same time.
     scene.make_index();
     writeln!(out, "object,t,px,py,pz,nx,ny,nz")?;
     for chunk in rays.chunks(CHUNK) {
@@ -49,8 +49,8 @@ fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()
     Ok(())
 }
 
-/// Writes numbers in the shortest form that reads back to the same `f64`. All cells of a miss are
-/// empty, and so is the cell of a number beyond the range of `f64`.
+/// Writes a hit or a miss as a row. Numbers have the shortest form that reads back to the same `f64`.
+/// All cells of a miss are empty, and so is the cell of a number beyond the range of `f64`.
 fn write_hit(out: &mut dyn Write, hit: Option<Root>) -> io::Result<()> {
     let Some(Root { object, t, point: p, normal: n }) = hit else {
         return writeln!(out, ",,,,,,,");

@@ -1,4 +1,4 @@
-//! The window drawn by our own painter: an image in memory that is copied to the display.
+//! Draws the window with our own painter, in an image in memory that is copied to the display.
 
 use std::num::NonZeroU32;
 use std::sync::Arc;
@@ -26,9 +26,9 @@ pub(super) struct Cpu {
     canvas: Canvas,
     /// True if the buffers may differ from the canvas; then the next frame is copied as a whole.
     stale: bool,
-    /// True if the display keeps the presented picture. X11 does not: it can report the loss of a
-    /// part in the same event as a requested redraw. So on X11, every frame is presented as a
-    /// whole.
+    /// True if the display keeps the presented picture, so that a frame needs to present only its
+    /// changes. X11 does not: it can report the loss of a part in the same event as a requested redraw.
+    /// So on X11, every frame is presented as a whole.
     keeps_picture: bool,
     failures: u32,
 }
@@ -55,8 +55,8 @@ impl Cpu {
         })
     }
 
-    /// Presents the canvas. Only the canvas's `rects` have changed since the last frame; the
-    /// display needs the whole canvas if the window was `exposed`.
+    /// Presents the canvas. Only the canvas's `rects` have changed since the last frame. If the window
+    /// was `exposed`, the display needs the whole canvas.
     fn present(
         &mut self,
         window: &Arc<Window>,
@@ -80,7 +80,7 @@ impl Cpu {
             return Ok(());
         }
         let mut buffer = buffers.buffer_mut()?;
-        // Displays that swap two buffers return the one from before the last frame.
+        // If the display swaps two buffers, this buffer holds the frame before the last one.
         let copied = if buffer.age() == 1 && !self.stale { rects } else { &whole };
         for &rect in copied {
             copy(self.canvas.pixels(), self.canvas.size()[0], &mut buffer, rect);
@@ -121,8 +121,8 @@ impl WindowSurface for Cpu {
         match self.present(frame.window, frame.size, &rects, exposed) {
             Ok(()) => self.failures = 0,
             Err(error) => {
-                // A short failure of the connection is solved by new buffers; a lost connection
-                // ends the window.
+                // New buffers are enough after a brief failure of the connection. A lost connection ends
+                // the window.
                 self.buffers = None;
                 self.size = [0, 0];
                 self.failures += 1;
@@ -139,8 +139,7 @@ impl WindowSurface for Cpu {
 /// Copies a rectangle of the canvas into a buffer of the same size, and converts the pixels to the
 /// display's format.
 fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
-    // The buffer has another size if the window was resized in the meantime. The next frame will
-    // fit.
+    // The sizes differ if the window was resized in the meantime. The next frame will fit.
     let rows = |height: usize| rect.top.min(height) * width..rect.bottom.min(height) * width;
     if width == 0 || rect.right > width || rect.left > rect.right {
         return;

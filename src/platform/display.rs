@@ -1,4 +1,4 @@
-//! The connection to the display, which does not panic if there is no display.
+//! Connects to the display. Without a display, this returns an error instead of panicking.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
@@ -10,7 +10,7 @@ use winit::event_loop::EventLoop;
 use crate::model::fault::text_of;
 use crate::ui::dialogs::path_field::FileAnswer;
 
-/// An event, apart from the window's own events, that wakes the event loop.
+/// An event that wakes the event loop, other than the window's own events.
 #[derive(Debug)]
 pub(super) enum UserEvent {
     /// A repaint that egui requested.
@@ -21,11 +21,11 @@ pub(super) enum UserEvent {
     },
     /// A signal that ends the program.
     End,
-    /// The desktop was found to have a file dialog.
+    /// The desktop has a file dialog that can be used.
     FileDialog,
-    /// The answer of the desktop's file dialog with this number.
+    /// The number of a file dialog of the desktop, and the dialog's answer.
     File(u64, FileAnswer),
-    /// A request of a screen reader or a similar tool.
+    /// A request from a screen reader or a similar tool.
     Accessibility(accesskit_winit::Event),
 }
 
@@ -55,8 +55,8 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, String> {
     })
 }
 
-/// Returns true if nothing answers at `WAYLAND_DISPLAY` but there is an X display. winit would try
-/// only Wayland.
+/// Returns true if nothing answers at `WAYLAND_DISPLAY`, but there is an X display. In that case winit
+/// by itself would try only Wayland.
 #[cfg(target_os = "linux")]
 fn only_x11_answers() -> bool {
     use std::{env, os::unix::net::UnixStream, path::PathBuf};
@@ -79,7 +79,7 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     result.map_err(|panic| text_of(&*panic))
 }
 
-/// Returns the reason why the event loop ended without being asked to, in words for the user.
+/// Returns the reason why the event loop ended unexpectedly, in words for the user.
 pub(super) fn reason_of_end(error: &EventLoopError) -> String {
     match error {
         // winit says nothing more about a connection that has failed.
@@ -88,7 +88,8 @@ pub(super) fn reason_of_end(error: &EventLoopError) -> String {
     }
 }
 
-/// Returns the error without winit's file and line: `os error at FILE.rs:LINE: TEXT`.
+/// Returns the first line of an error without winit's file and line: `TEXT` of `os error at
+/// FILE.rs:LINE: TEXT`.
 pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     let text = text.lines().next().unwrap_or_default();

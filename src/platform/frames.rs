@@ -4,9 +4,9 @@
 //! traces the pictures, which is most of the cost of a first frame. If the window opens at the size
 //! at which it was closed, its first frame only has to show the results.
 //!
-//! `PINHOLE_FRAME_TIMES=times.csv pinhole` writes the time of each frame, input to presented, in
-//! milliseconds, when the window is closed. The time of the first frame excludes the pass that ran
-//! while the window opened. `tests/drag-latency.sh` takes the medians.
+//! When the window is closed, `PINHOLE_FRAME_TIMES=times.csv pinhole` writes the time of each frame in
+//! milliseconds, from input to presentation. The time of the first frame excludes the pass that ran
+//! while the window opened. `tests/drag-latency.sh` computes the medians.
 
 use std::fmt::Write as _;
 use std::panic::resume_unwind;
@@ -25,7 +25,8 @@ use crate::ui::frame_times::WorkTimes;
 pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);
 
 impl FirstPass {
-    /// Starts the first pass for a window as the last run left it.
+    /// Starts the first pass on another thread, for a window with the geometry that it had at the end of
+    /// the last run.
     pub(super) fn start(ctx: Context, mut app: App, geometry: WindowGeometry) -> FirstPass {
         App::set_up(&ctx, &app.session().settings);
         let input = input(geometry, ctx.zoom_factor());
@@ -35,9 +36,9 @@ impl FirstPass {
         }))
     }
 
-    /// Waits for the end of the pass. Meanwhile, the calling thread shares in the pass's parallel
-    /// work; with one processor, it does all of that work. Returns the app and its requests to the
-    /// window.
+    /// Waits for the end of the pass. Returns the app, and the pass's output for the window. Meanwhile,
+    /// the calling thread helps with the pass's parallel work; with one processor, it does all of that
+    /// work.
     pub(super) fn end(self) -> (App, FullOutput) {
         while !self.0.is_finished() {
             if rayon::yield_now() != Some(rayon::Yield::Executed) {
@@ -47,14 +48,14 @@ impl FirstPass {
         self.0.join().unwrap_or_else(|panic| resume_unwind(panic))
     }
 
-    /// Ends the app if no window opens.
+    /// Ends the pass and drops the app, because no window has opened.
     pub(super) fn discard(self) {
         let (_, output) = self.end();
         output.drop_without_applying_deltas();
     }
 }
 
-/// Returns the input of a window without any user input yet.
+/// Returns the input for the first pass of a window, without any user input.
 fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
     let info = ViewportInfo {
         native_pixels_per_point: Some(geometry.screen_scale()),
@@ -76,13 +77,13 @@ const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
 
 /// The times of a frame.
 pub(super) struct FrameTimes {
-    /// Time from the first input event that the frame answers until it was presented; `None` for a
-    /// frame without input, such as one of an animation.
+    /// Time from the first input event that the frame handles until the frame was presented; `None` for
+    /// a frame without input, such as one of an animation.
     pub(super) since_input: Option<Duration>,
     /// Time from the start of the app's pass until the frame was presented. The other durations are
     /// parts of this one.
     pub(super) frame: Duration,
-    /// Time for the app's pass, including egui's work around the pass.
+    /// Time for the app's pass, including egui's own work before and after it.
     pub(super) ui: Duration,
     /// Time for uploading new pictures and glyphs, tessellating and drawing; with wgpu, for issuing
     /// the draw commands.
@@ -94,7 +95,7 @@ pub(super) struct FrameTimes {
 /// The frames presented so far.
 pub(super) struct FrameLog {
     pub(super) path: PathBuf,
-    /// The times of each presented frame, and the times of its work if it showed a new picture.
+    /// The times of each presented frame and, if it showed a new picture, of each part of its work.
     pub(super) frames: Vec<(FrameTimes, Option<WorkTimes>)>,
 }
 
@@ -106,9 +107,9 @@ impl FrameLog {
         Some(FrameLog { path, frames: Vec::new() })
     }
 
-    /// Writes the CSV file. The column `since_input` is empty for a frame that answers no input.
-    /// The columns for the work are part of `ui`, and `own` is their sum; they are empty for a
-    /// frame without a new picture.
+    /// Writes the CSV file. The column `since_input` is empty for a frame without input. The columns
+    /// `trace`, `overlay` and `readouts` are parts of `ui`, and `own` is their sum; all four are empty
+    /// for a frame without a new picture.
     pub(super) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
         let mut text = "since_input,frame,ui,paint,wait,trace,overlay,readouts,own\n".to_owned();

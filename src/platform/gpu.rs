@@ -17,7 +17,7 @@ use winit::window::Window;
 use super::display::without_panic;
 use super::surface::{PATIENCE, WindowFrame, WindowSurface};
 
-/// Names of software adapters. Some of them claim to be hardware.
+/// Words in the names of software adapters. Some of these adapters claim to be hardware.
 const SOFTWARE: [&str; 7] = [
     "llvmpipe",
     "lavapipe",
@@ -33,7 +33,7 @@ pub(super) struct Gpu {
     painter: Painter,
     size: [u32; 2],
     failure: Failure,
-    /// Set if the display invalidated the surface instead of accepting a frame.
+    /// True if the display invalidated the surface instead of accepting the frame.
     took_surface: Arc<AtomicBool>,
     /// Number of consecutive frames for which the display invalidated the surface.
     retries: u32,
@@ -43,8 +43,8 @@ pub(super) struct Gpu {
 type Failure = Arc<Mutex<Option<String>>>;
 
 impl Gpu {
-    /// Starts the best adapter that can draw to the window, and describes it; `software` also allows
-    /// software adapters.
+    /// Starts the best adapter that can draw to the window. Also returns the adapter's description. If
+    /// `software` is true, software adapters are allowed.
     pub(super) fn new(
         ctx: &egui::Context,
         event_loop: &ActiveEventLoop,
@@ -73,7 +73,7 @@ impl Gpu {
             on_surface_status: Arc::new(move |status| match status {
                 CurrentSurfaceTexture::Lost => {
                     notes.store(true, Ordering::Relaxed);
-                    // egui would make another one, and tell nobody if there is none.
+                    // egui would create another surface, without reporting whether that fails.
                     SurfaceErrorAction::SkipFrame
                 }
                 status => usual(status),
@@ -158,7 +158,7 @@ fn reason(error: &WgpuError) -> String {
     }
 }
 
-/// Makes the device store its errors; by default, wgpu panics.
+/// Makes the device store its first error in the returned [`Failure`]; by default, wgpu panics.
 fn watch(device: &wgpu::Device) -> Failure {
     let failure = Failure::default();
     let keep = |failure: &Failure| {
@@ -170,7 +170,7 @@ fn watch(device: &wgpu::Device) -> Failure {
     let (on_error, on_loss) = (keep(&failure), keep(&failure));
     device.on_uncaptured_error(Arc::new(move |error| on_error(error.to_string())));
     device.set_device_lost_callback(move |reason, text| {
-        // Also called at the end, when the device is destroyed normally.
+        // This is also called at the end, when the device is destroyed normally.
         if reason != wgpu::DeviceLostReason::Destroyed {
             on_loss(text);
         }
@@ -178,8 +178,8 @@ fn watch(device: &wgpu::Device) -> Failure {
     failure
 }
 
-/// Returns the best adapter for a window's surface: hardware before software, then the faster kind,
-/// then the system's native interface.
+/// Returns the best adapter for a window's surface: hardware rather than software, then the fastest
+/// kind, then the system's native interface rather than OpenGL.
 fn best(
     adapters: &[Adapter],
     surface: Option<&wgpu::Surface<'_>>,

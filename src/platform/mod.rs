@@ -1,15 +1,15 @@
-//! The window on the screen, drawn by the graphics driver, or by our own painter if there is none.
+//! The window on the screen, drawn by the graphics driver or, without a driver, by our own painter.
 //!
 //! [`run`] opens the window and shows the app in it. The window is drawn by:
 //!
 //! - a hardware graphics adapter, through wgpu, if there is one;
-//! - otherwise [`painter`](crate::view::painter), on the CPU: if there is no adapter, if the adapter fails
-//!   to start, and if it is itself software, because software drivers take many times as long for the
-//!   same picture. It also takes over the open window if the adapter fails later.
+//! - otherwise [`painter`](crate::view::painter), on the CPU. It is also used if the adapter fails to
+//!   start, or is itself software, because software drivers take many times as long for the same
+//!   picture. If the adapter fails later, the painter takes over the open window.
 //!
-//! The two renderers share one event loop (`window.rs`, `open.rs`), so everything else about the
-//! window is the same. Only `gpu.rs` uses wgpu. The user chooses files in the desktop's own dialog
-//! if there is one (`file_dialog`).
+//! The two renderers share one event loop (`window.rs`, `open.rs`), so everything else about the window
+//! is the same. Only `gpu.rs` uses wgpu. The user chooses files in the desktop's own dialog if there is
+//! one (`file_dialog`).
 //!
 //! eframe, egui's own framework for windows, has no renderer on the CPU and cannot hand an open window
 //! to another renderer when the adapter fails, so the event loop is our own.
@@ -38,7 +38,7 @@ mod start;
 mod surface;
 mod window;
 
-/// The stand-in for systems without signals that end a program.
+/// Replaces the module on systems without signals that end a program.
 #[cfg(not(unix))]
 pub mod signals {
     /// Does nothing: no signal ends the window.
@@ -51,15 +51,15 @@ pub mod signals {
     pub fn pass_on() {}
 }
 
-/// Opens the window with the named scene or lesson, otherwise with the last run's, otherwise with
+/// Opens the window with the named scene or lesson, otherwise with that of the last run, otherwise with
 /// the lecture's own scene. Returns when the window is closed.
 ///
 /// # Errors
 /// Returns an error if the named scene or lesson cannot be read, or if there is no display.
 pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let WindowArguments { scene, lesson, renderer } = arguments;
-    // The window's thread joins rayon's pool. Otherwise it would wait idly for workers to wake up for each picture.
-    // An error means that the pool exists already, which is fine.
+    // The window's thread joins rayon's pool. Otherwise it would wait idly, for each picture, until the
+    // workers wake up. An error means that the pool exists already, which is fine.
     let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
     let store = Store::of_user();
     let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();

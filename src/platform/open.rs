@@ -43,16 +43,16 @@ pub(super) struct Open {
     repaint_at: Option<Instant>,
     /// True if the next `RedrawRequested` event was requested by this program, not by the display.
     redraw_requested: bool,
-    /// Time of the first input event that no frame has answered yet.
+    /// Time of the first input event that no frame has handled yet.
     input_since: Option<Instant>,
-    /// True if the window was requested to open maximised and is not maximised yet.
+    /// True if the window should open maximised, but is not maximised yet.
     pub(super) maximizing: bool,
     shown: Option<Instant>,
     /// Start of the last frame.
     began: Instant,
-    /// Minimum time between the start of the last frame and a frame that only animates.
+    /// Minimum time from the start of a frame to the start of a frame that only animates.
     pace: Duration,
-    /// Time of the last check of the scene's file.
+    /// Time when the scene's file was last checked for changes.
     last_check: Instant,
     proxy: EventLoopProxy<UserEvent>,
     /// The open file dialog of the desktop, if any.
@@ -62,7 +62,7 @@ pub(super) struct Open {
     window: Arc<Window>,
 }
 
-/// Time between two checks of the scene's file. A check by itself does not cause a frame.
+/// Time between two checks of the scene's file. A check causes a frame only if it finds a change.
 const CHECK_INTERVAL: Duration = Duration::from_secs(1);
 
 impl Open {
@@ -166,18 +166,18 @@ impl Open {
     ) -> Result<bool, String> {
         match event {
             WindowEvent::RedrawRequested => {
-                // A redraw that was not requested here comes from the display, which has lost the
+                // A redraw that this program did not request comes from the display, which has lost the
                 // picture.
                 let exposed = !std::mem::take(&mut self.redraw_requested);
                 return self.frame(event_loop, exposed);
             }
             WindowEvent::CloseRequested => {
                 self.info.events.push(ViewportEvent::Close);
-                // Not delayed: a hidden window is not redrawn, but has to be closable.
+                // Not delayed: a hidden window gets no redraws, but must be closable.
                 return self.frame(event_loop, false);
             }
             WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
-            // It may be hidden next, and not every display tells.
+            // The window may be hidden next, which not every display reports.
             WindowEvent::Focused(false) => self.app.rest(),
             _ if is_idle(event, &self.ctx) => return Ok(false),
             _ => {}
@@ -190,7 +190,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Handles an event that is not the window's own. Returns true if the window should be closed.
+    /// Handles an event other than the window's own events. Returns true if the window should be closed.
     pub(super) fn user_event(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -201,7 +201,7 @@ impl Open {
             // start.
             UserEvent::End => return Ok(true),
             UserEvent::Repaint { when, pass } => {
-                // A request from an earlier pass than the last two is outdated.
+                // A request is outdated if it comes from a pass before the last two.
                 let now = self.ctx.cumulative_pass_nr();
                 if now == pass || now == pass + 1 {
                     self.repaint_by(when.max(self.began + self.pace));
@@ -231,7 +231,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Handles a motion of the mouse, even if the pointer cannot move further.
+    /// Handles a mouse motion, which is reported even if the pointer cannot move further.
     pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) -> Result<bool, String> {
         if self.state.on_mouse_motion(delta) {
             self.repaint_by(Instant::now());
@@ -271,7 +271,7 @@ impl Open {
             return Ok(true);
         }
         if closing && self.info.minimized == Some(true) {
-            // The app has a question before it closes.
+            // The app must ask the user something before it closes.
             self.window.set_minimized(false);
         }
         self.paint(event_loop, output, began, ui_done, exposed)?;
@@ -279,8 +279,8 @@ impl Open {
         Ok(false)
     }
 
-    /// Opens the desktop's file dialog if the app requests one, and closes it if the app no longer
-    /// does.
+    /// Opens the desktop's file dialog if the app requests one, and closes it once the app no longer
+    /// requests it.
     fn ask_for_file(&mut self) {
         let Some(request) = self.app.file_request() else {
             self.file_dialog = None;
@@ -294,8 +294,8 @@ impl Open {
         }
     }
 
-    /// Keeps the pointer's position on the screen after a change of zoom: egui stores the position
-    /// in points until the mouse moves.
+    /// Keeps the pointer at the same position on the screen when the zoom changes. Until the mouse
+    /// moves, egui stores the position in points.
     fn keep_pointer(&mut self, before: f32) {
         let ratio = before / self.ctx.zoom_factor();
         if let (true, Some(pointer)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
@@ -309,8 +309,8 @@ impl Open {
     fn look_at_window(&mut self, now: Instant) {
         const PATIENCE: Duration = Duration::from_secs(2);
         egui_winit::update_viewport_info(&mut self.info, &self.ctx, &self.window, false);
-        // Between being shown and being maximised, the window has for a moment a size and place
-        // that must not be remembered as its normal ones.
+        // Between being shown and being maximised, the window briefly has a size and place that must not
+        // be remembered as its normal ones.
         let late = self.shown.is_some_and(|shown| now > shown + PATIENCE);
         self.maximizing &= self.info.maximized != Some(true) && !late;
         if self.maximizing {
@@ -381,7 +381,7 @@ impl Open {
         event_loop: &ActiveEventLoop,
         reason: String,
     ) -> Result<(), String> {
-        // Whatever else fails now, unsaved changes are kept.
+        // Saves unsaved changes first, in case anything else fails.
         self.app.rest();
         self.delta.clear();
         let failed = self.surface.take();
@@ -447,8 +447,8 @@ fn commands(mut outputs: OrderedViewportIdMap<ViewportOutput>) -> Vec<ViewportCo
     outputs.remove(&ViewportId::ROOT).map(|output| output.commands).unwrap_or_default()
 }
 
-/// Returns the requests for a picture of the next frame, and drops the requests that only ask for a
-/// frame to be painted.
+/// Returns the requests for a screenshot of the next frame. Drops all other requests, which only ask for
+/// a frame to be painted.
 fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallback> {
     let screenshots = actions.drain(..).filter_map(|action| match action {
         ActionRequested::Screenshot(callback) => Some(callback),
@@ -471,7 +471,7 @@ pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
     !is_taken && !steps(logical_key)
 }
 
-/// Returns true if a key acts again at each repeat.
+/// Returns true if a key repeats its action while held.
 fn steps(key: &Key) -> bool {
     use NamedKey::*;
     const NAMED: [NamedKey; 9] =

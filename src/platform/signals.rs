@@ -1,5 +1,5 @@
-//! Handles the signals that end the program: the window saves its changes to a separate file and
-//! closes; a command removes its temporary files.
+//! Handles the signals that end the program. The window saves its changes to a separate file and closes;
+//! a command removes its temporary files.
 
 use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -14,16 +14,17 @@ static WINDOW: Mutex<Option<End>> = Mutex::new(None);
 /// The signal that ended the window; 0 if none did.
 static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
-/// Several signals within this time count as one: a terminal that closes sends SIGHUP twice, a session that
+/// Signals within this time count as one. A terminal that closes sends SIGHUP twice, and a session that
 /// ends sends SIGTERM and SIGHUP.
 const TOGETHER: Duration = Duration::from_secs(2);
 
-/// Calls `end` at the first signal to close the window; a later signal ends the program as usual.
+/// Makes the first signal call `end`, which closes the window. A later signal ends the program as usual.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
     *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
 }
 
-/// Waits for signals on another thread. Signals that were ignored at the start, as with `nohup`, stay ignored.
+/// Starts a thread that waits for signals. Signals that are ignored from the start, as with `nohup`,
+/// stay ignored.
 pub fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
@@ -44,7 +45,7 @@ pub fn watch() {
                 None if ended.is_some_and(|ended| ended.elapsed() < TOGETHER) => {}
                 None => {
                     pinhole_exchange::atomic::abandon();
-                    // It has the default effect of the signal, and so does not return.
+                    // This has the signal's default effect, so it does not return.
                     let _ = signal_hook::low_level::emulate_default_handler(signal);
                 }
             }
@@ -52,7 +53,8 @@ pub fn watch() {
     });
 }
 
-/// Ends the program with the signal that closed its window, so that the parent process sees it.
+/// If a signal closed the window, ends the program with the same signal, so that the parent process sees
+/// it.
 pub fn pass_on() {
     match ENDED_BY.load(Ordering::SeqCst) {
         0 => {}
@@ -65,7 +67,8 @@ fn is_in(signal: i32, set: u64) -> bool {
     set >> (signal - 1) & 1 == 1
 }
 
-/// Returns the set of signals that this process ignores, one bit for each; empty if the system does not say.
+/// Returns the set of signals that this process ignores, with one bit per signal. The set is empty if
+/// the system does not report it.
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

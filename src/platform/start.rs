@@ -19,8 +19,8 @@ use crate::model::store::WindowGeometry;
 /// Returns egui's context, configured for the window.
 pub(super) fn context() -> egui::Context {
     let ctx = egui::Context::default();
-    // There is only one window: egui shows inside it any viewport that would otherwise be a second
-    // window.
+    // There is only one window: egui shows inside it any viewport that would otherwise get a window of
+    // its own.
     ctx.set_embed_viewports(true);
     ctx.options_mut(|options| {
         options.max_passes = options.max_passes.max(std::num::NonZeroUsize::MIN.saturating_add(1));
@@ -87,11 +87,11 @@ pub(super) struct OpenWindow {
     pub(super) window: Arc<Window>,
     pub(super) surface: Box<dyn WindowSurface>,
     pub(super) renderer: Renderer,
-    /// The adapter and its driver, or the reason why the CPU draws.
+    /// The adapter and its driver, or the reason why the CPU is used.
     pub(super) detail: String,
 }
 
-/// Returns a window and its renderer: the one the user chose, otherwise the best that works.
+/// Opens a window and starts its renderer: the one that the user chose, otherwise the best that works.
 ///
 /// # Errors
 /// Returns the reason as a sentence if no window opens, or if the chosen renderer does not work.

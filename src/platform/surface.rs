@@ -1,5 +1,5 @@
-//! A renderer of the window, the frames that it draws, and the contents of the adapter's textures, which
-//! the CPU needs to take over.
+//! The interface of the window's renderers, the frames that they draw, and the contents of the adapter's
+//! textures. If the adapter fails, the CPU needs these contents to take over.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -10,8 +10,8 @@ use egui::epaint::{ClippedPrimitive, ImageDelta, TextureAtlas};
 use egui::{ScreenshotCallback, TextureId};
 use winit::window::Window;
 
-/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. If this
-/// value differed from that of the first pass, the first frame would draw its glyphs again.
+/// Maximum side of egui's textures of glyphs and pictures, on the CPU and on an adapter. The app's first
+/// pass must use the same value; otherwise the first frame would draw the glyphs again.
 pub(super) const MAX_TEXTURE_SIDE: usize = 8192;
 
 /// Number of consecutive frames that may fail to reach the display before the renderer counts as
@@ -20,7 +20,7 @@ pub(super) const PATIENCE: u32 = 5;
 
 /// A renderer of the window.
 pub(super) trait WindowSurface {
-    /// Returns the maximum side of a texture.
+    /// Returns the maximum side of a texture, if it is known.
     fn max_texture_side(&self) -> Option<usize>;
 
     /// Draws a frame and presents it. Returns the time that it waited for the display.
@@ -79,7 +79,7 @@ impl Textures {
         }
     }
 
-    /// Returns everything that a new surface needs.
+    /// Returns the contents of all textures, for a new renderer.
     pub(super) fn all(&self, ctx: &egui::Context) -> TexturesDelta {
         let mut all = TexturesDelta::default();
         let glyphs = ctx.fonts(|fonts| fonts.image());

@@ -1,7 +1,6 @@
-//! The window's event loop, which passes input to egui, and egui's output to a renderer and the
-//! desktop.
+//! The window's event loop. It passes input to egui, and egui's output to a renderer and the desktop.
 //!
-//! All renderers share one loop. It sleeps until there is input or until egui asked to be woken.
+//! All renderers share one loop. It sleeps until there is input or egui's next repaint is due.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -93,7 +92,7 @@ impl Handler {
         Ok(closed)
     }
 
-    /// Runs a function on the open window; an error or `true` ends the program.
+    /// Runs a function on the open window. Ends the program if the function returns an error or true.
     fn with(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -106,7 +105,7 @@ impl Handler {
         }
     }
 
-    /// Ends the program after an error or `true`.
+    /// Ends the program if `ended` is an error or true.
     fn end(&mut self, event_loop: &ActiveEventLoop, ended: Result<bool, String>) {
         if ended != Ok(false) {
             self.failure = ended.err();

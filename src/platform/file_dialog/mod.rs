@@ -1,12 +1,12 @@
-//! The desktop's own file dialog, if there is one: the portal's on Linux and similar systems, the system's on
-//! Windows and macOS.
+//! The desktop's own file dialog, if there is one. On Linux and similar systems it belongs to the
+//! desktop's portal; on Windows and macOS, to the system.
 //!
-//! The dialog runs on another thread while the window continues to draw, and the answer arrives as
-//! an event.
+//! The dialog runs on another thread while the window continues to draw, and the answer arrives as an
+//! event.
 //!
-//! The crate `rfd` is only used on Windows and macOS. With a portal, it mistakes an error for a
-//! closed dialog or starts Zenity, whereas the window would show its own list. Also, `rfd` needs
-//! libdbus, whereas the window already uses zbus for screen readers.
+//! The crate `rfd` is used only on Windows and macOS. With a portal, it mistakes an error for a closed
+//! dialog, or starts Zenity, whereas the window would show its own list. Also, `rfd` needs libdbus,
+//! whereas the window already uses zbus for screen readers.
 
 #[cfg(all(unix, not(target_os = "macos")))]
 mod portal;

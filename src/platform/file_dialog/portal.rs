@@ -31,10 +31,10 @@ const REQUEST: &str = "org.freedesktop.portal.Request";
 /// call waits for the user.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// Time within which no user can have closed a dialog.
+/// A dialog that ends within this time was not closed by the user.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
-/// Calls `on_found` if the bus has a portal, or can start one.
+/// Calls `on_found` on another thread if the bus has a portal, or can start one.
 pub(crate) fn detect(on_found: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         if block_on(is_there()).unwrap_or(false) {
@@ -57,12 +57,13 @@ async fn is_there() -> zbus::Result<bool> {
     Ok(activatable.iter().any(|name| name.as_str() == PORTAL))
 }
 
-/// An open dialog, which is closed when dropped: the portal closes the dialogs of clients that leave the bus.
+/// An open dialog. Dropping it closes the dialog, because the portal closes the dialogs of clients that
+/// leave the bus.
 pub(crate) struct FileDialog(Arc<OnceLock<Option<Connection>>>);
 
 impl Drop for FileDialog {
     fn drop(&mut self) {
-        // If there is no connection yet, none will be made.
+        // If there is no connection yet, this prevents one.
         if self.0.set(None).is_err()
             && let Some(connection) = self.0.get().cloned().flatten()
         {
@@ -88,8 +89,9 @@ pub(crate) fn ask(
     asked
 }
 
-/// Returns the portal's name for the window; empty if the window has no name. On Wayland, a name
-/// would have to be requested from the compositor by a protocol that winit does not support.
+/// Returns the window's identifier for the portal, or an empty string if the window has none. On
+/// Wayland, the identifier would have to be requested from the compositor by a protocol that winit does
+/// not support.
 fn name_of(window: &Window) -> String {
     match window.window_handle().map(|handle| handle.as_raw()) {
         Ok(RawWindowHandle::Xlib(handle)) => format!("x11:{:x}", handle.window),
@@ -127,7 +129,7 @@ async fn answer(
     Ok(FileAnswer::Unavailable)
 }
 
-/// Returns the options of the question, by their names in the portal's interface.
+/// Returns the options of the request, by their names in the portal's interface.
 fn options(request: &FileRequest) -> HashMap<&'static str, Value<'static>> {
     const GLOB: u32 = 0;
     let question = request.question;
@@ -160,8 +162,8 @@ fn read(response: &Message, after: Duration) -> zbus::Result<FileAnswer> {
         return Ok(FileAnswer::Cancelled);
     }
     if code != CHOSEN {
-        // The portal reports that the dialog ended "in some other way": it could not be opened, or,
-        // with GTK, was closed by the button of its frame.
+        // The dialog ended "in some other way", as the portal calls it: it could not be opened, or, with
+        // GTK, was closed by the button of its frame.
         let was_seen = after > AT_ONCE;
         return Ok(if was_seen { FileAnswer::Cancelled } else { FileAnswer::Unavailable });
     }
