@@ -1,6 +1,6 @@
-//! A drawing: marks and labels in dots, before they are painted. Tests, the window and exported figures all
-//! read it. [`Drawing::paths`] returns the marks as a sequence of fills and strokes, used both for painting
-//! pixels and for writing files.
+//! A drawing: marks and labels with positions in dots, before they are painted. It is read by the
+//! window, by exported figures and by tests. [`Drawing::paths`] returns the marks as a sequence of
+//! fills and strokes, for painting pixels as well as for writing files.
 
 use egui::Color32;
 use pinhole_core::DVec2;
@@ -8,10 +8,10 @@ use tiny_skia::PathBuilder;
 
 use crate::model::{Concept, Item};
 
-/// A shape in dots from the top left corner.
+/// A shape. Positions are in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A polyline; it is closed if its last point equals its first.
+    /// A polyline. It is closed if its last point equals its first.
     Line {
         /// The corners.
         points: Vec<[f32; 2]>,
@@ -32,29 +32,30 @@ pub enum Shape {
     },
 }
 
-/// One stroke of the overlay.
+/// One shape of the overlay, with its colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// The overlay item that it belongs to.
+    /// The overlay item to which the mark belongs.
     pub item: Item,
-    /// The concept that becomes hovered when the pointer is on this mark.
+    /// The concept that is hovered when the pointer is on this mark.
     pub concept: Option<Concept>,
     /// The shape and position.
     pub shape: Shape,
     /// The colour.
     pub color: Color32,
-    /// The colour of a casing around the mark, which separates it from the lines that it crosses.
+    /// The colour of a casing around the mark. The casing separates the mark from the lines that it
+    /// crosses.
     pub halo: Option<Color32>,
-    /// True if an object hides the mark, or if it belongs to the ghost; its line is then dashed.
+    /// True if the mark is drawn dashed, because an object hides it or because it belongs to the ghost.
     pub hidden: bool,
-    /// Dash and gap, in points, for a line that its colour alone does not distinguish.
+    /// Dash and gap, in points, of a visible line whose colour alone does not distinguish it.
     pub pattern: Option<[f32; 2]>,
 }
 
-/// A text in the picture. The caller draws it, because only the caller has the fonts.
+/// A text in the picture. The caller draws it, since only the caller has the fonts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// The overlay item that it belongs to.
+    /// The overlay item to which the label belongs.
     pub item: Item,
     /// The middle of the text, in dots.
     pub position: [f32; 2],
@@ -62,27 +63,27 @@ pub struct Label {
     pub text: String,
     /// The colour.
     pub color: Color32,
-    /// The colour of a soft edge around the letters.
+    /// The colour of the halo around the letters.
     pub halo: Color32,
     /// Height of the font in points.
     pub size: f32,
-    /// True for bold text: the name of a vector.
+    /// True if the text is bold, as the names of vectors are.
     pub bold: bool,
 }
 
-/// All marks of one picture, in the order of painting, and its labels.
+/// All marks of a picture, in painting order, and its labels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
     /// Dots per point.
     pub scale: f32,
-    /// The marks; later ones lie over earlier ones.
+    /// The marks. Later ones are painted over earlier ones.
     pub marks: Vec<Mark>,
-    /// The labels; none overlaps another.
+    /// The labels. They do not overlap.
     pub labels: Vec<Label>,
 }
 
-/// Returns the concept of the mark nearest to a position, at most `within` away; both are in dots. If several are equally
-/// near, the topmost one wins.
+/// Returns the concept of the mark nearest to a position, at most `within` away, or `None` if there is
+/// none. Both arguments are in dots. Among equally near marks, the topmost is chosen.
 pub fn concept_at<'a>(
     marks: impl IntoIterator<Item = &'a Mark>,
     position: [f32; 2],
@@ -105,13 +106,13 @@ impl Shape {
         Shape::Polygon { points: corners.iter().copied().map(dot).collect() }
     }
 
-    /// Creates a circle, drawn as a polyline of so many `sides`.
+    /// Creates a circle as a closed polyline with `sides` sides.
     pub(super) fn ring(center: DVec2, radius: f64, sides: u32, width: f32) -> Shape {
         let points = circle(sides).map(|point| dot(center + radius * point)).collect();
         Shape::Line { points, width }
     }
 
-    /// Returns the distance from a point to the shape, in dots; 0 on the shape.
+    /// Returns the distance from a point to the shape, in dots; 0 if the point lies on it.
     fn distance(&self, at: DVec2) -> f64 {
         let to_chain = |points: &[[f32; 2]]| {
             let sides = points.windows(2).map(|pair| (wide(pair[0]), wide(pair[1])));
@@ -143,45 +144,46 @@ fn distance_to_side(at: DVec2, a: DVec2, b: DVec2) -> f64 {
 }
 
 impl Label {
-    /// Returns half the width and half the height, in dots, of a box that holds the text in any font of usual
-    /// width.
+    /// Returns half the width and half the height, in dots, of a box that is large enough for the text
+    /// in any font of ordinary width.
     pub fn half_extent(&self, scale: f32) -> [f32; 2] {
         let size = self.size * scale;
         [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
     }
 }
 
-/// Returns the points of a circle of radius 1 around the origin; the last point repeats the first.
+/// Returns the points of a unit circle around the origin. The last point repeats the first.
 pub(super) fn circle(sides: u32) -> impl Iterator<Item = DVec2> {
     let angle = move |k: u32| f64::from(k) * std::f64::consts::TAU / f64::from(sides);
     (0..=sides).map(move |k| DVec2::from_angle(angle(k)))
 }
 
-/// Converts a position from the rasteriser's type.
+/// Converts a position from the rasterizer's type.
 pub(super) fn wide([x, y]: [f32; 2]) -> DVec2 {
     DVec2::new(x.into(), y.into())
 }
 
-/// Converts a position in dots to the rasteriser's type.
+/// Converts a position in dots to the rasterizer's type.
 pub(super) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }
 
-/// Width of a mark's casing on each side, in points, and its maximum as a share of the line's width.
+/// Width of a mark's casing on each side, in points.
 const HALO_WIDTH: f32 = 1.25;
+/// Maximum width of a line's casing on each side, as a fraction of the line's width.
 const HALO_SHARE: f32 = 0.5;
 
-/// Dash and gap of a hidden line, in points.
+/// Dash and gap of a hidden mark's line, in points.
 const DASH: [f32; 2] = [5.0, 4.5];
 
-/// A shape to fill or to stroke, in the units of the drawing.
+/// An outline to fill or to stroke, in the units of the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// The outline.
     pub outline: PathOutline,
     /// The colour.
     pub color: Color32,
-    /// Fill or stroke.
+    /// Whether the outline is filled or stroked.
     pub ink: Ink,
 }
 
@@ -204,7 +206,7 @@ pub enum PathOutline {
     },
 }
 
-/// The way in which an outline is painted.
+/// How an outline is painted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ink {
     /// A fill.
@@ -213,15 +215,16 @@ pub enum Ink {
     Stroke {
         /// The width.
         width: f32,
-        /// True if the ends are round; otherwise they are flat.
+        /// True if the ends of the stroke are round, false if they are flat.
         round: bool,
-        /// Dash and gap, if the stroke is dashed.
+        /// Dash and gap; `None` if the stroke is solid.
         dash: Option<[f32; 2]>,
     },
 }
 
 impl PathOutline {
-    /// Returns the outline in tiny-skia's form, which PDF files use as well; `None` if the outline is empty.
+    /// Converts the outline to tiny-skia's type, which is also used to write PDF files. Returns `None`
+    /// if the outline is empty.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
             PathOutline::Circle { center: [x, y], radius } => {
@@ -243,7 +246,7 @@ impl PathOutline {
 }
 
 impl Drawing {
-    /// Returns everything that is painted, in the order of painting.
+    /// Returns everything that is painted, in painting order.
     pub fn paths(&self) -> impl Iterator<Item = Path> {
         self.marks.iter().flat_map(|mark| {
             let (halo, path) = paths_of(mark, self.scale);
@@ -252,7 +255,7 @@ impl Drawing {
     }
 }
 
-/// Returns the path of a mark's casing, if it has one, and the path of the mark itself.
+/// Returns the path of a mark's casing, or `None` if it has no casing, and the path of the mark itself.
 fn paths_of(mark: &Mark, scale: f32) -> (Option<Path>, Path) {
     let full = HALO_WIDTH * scale;
     let (width, casing) = match mark.shape {

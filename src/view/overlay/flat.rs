@@ -1,4 +1,4 @@
-//! A plane of the world as the observer sees it: maps dots to points of the plane without tracing.
+//! A plane in the world, seen by the observer: maps dots to points of the plane without tracing rays.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use pinhole_core::{DVec2, DVec3};
 
 use crate::view::overlay::screen::{PixelRays, unit};
 
-/// A plane with two coordinates on it, a and b.
+/// A plane with two coordinates, a and b.
 ///
 /// The ray through the dot (x, y) has the direction `d = x*across + y*down + corner`. With the
 /// plane's origin O and normal n it meets the plane at
@@ -15,10 +15,11 @@ use crate::view::overlay::screen::{PixelRays, unit};
 /// t = n.(O - eye) / n.d     a = A.(eye - O + t d)     b = B.(eye - O + t d)
 /// ```
 ///
-/// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
+/// Since d is linear in x and y, each of t, a and b is a quotient of two linear functions of x and y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flat {
-    /// Greater than 0, so a dot sees the plane exactly where the rate is also greater than 0.
+    /// Greater than 0. A dot's ray therefore meets the plane exactly where `rate` is also greater than
+    /// 0.
     offset: f64,
     rate: Linear,
     a: Linear,
@@ -28,9 +29,9 @@ pub(crate) struct Flat {
 /// The point where one dot's ray meets a [`Flat`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FlatSpot {
-    /// t of the observer's ray; greater than 0.
+    /// The t of the observer's ray, greater than 0.
     pub(crate) t: f64,
-    /// The plane's coordinates (a, b).
+    /// The coordinates (a, b) in the plane.
     pub(crate) position: DVec2,
 }
 
@@ -49,9 +50,9 @@ impl Linear {
 }
 
 impl Flat {
-    /// Creates the plane through `origin` on which a grows by 1 along `axis_a` and b by 1 along `axis_b`; the
-    /// two axes are orthogonal. Returns `None` if the numbers leave the range of `f64`, or if the observer is
-    /// in the plane.
+    /// Creates the plane through `origin` in which a increases by 1 along `axis_a` and b by 1 along
+    /// `axis_b`. The axes must be orthogonal. Returns `None` if the numbers leave the range of `f64`,
+    /// or if the observer lies in the plane.
     pub(crate) fn new(
         rays: &PixelRays,
         origin: DVec3,
@@ -63,8 +64,8 @@ impl Flat {
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
         let rate = Linear::new(rays, normal);
-        // All four functions may be scaled by the same factor. Rows of dots are computed in `f32`, so the
-        // factor keeps the values near 1.
+        // All four functions may be multiplied by the same factor. This one keeps their values near 1,
+        // since rows of dots are computed in `f32`.
         let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
@@ -82,8 +83,8 @@ impl Flat {
         (finite && flat.offset > 0.0).then_some(flat)
     }
 
-    /// Returns the point where a dot's ray meets the plane, if the point is in front of the observer and
-    /// `|a|` and `|b|` are at most `half`.
+    /// Returns the point where a dot's ray meets the plane. Returns `None` if the point is not in front
+    /// of the observer, or if `|a|` or `|b|` is greater than `half`.
     pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
         let position = DVec2::new(self.a.at(dot), self.b.at(dot));
@@ -94,8 +95,8 @@ impl Flat {
         (t > 0.0 && t.is_finite() && position.is_finite()).then_some(FlatSpot { t, position })
     }
 
-    /// Returns the range of dots of a row for which [`Flat::at`] finds a point on the plane. Each end may be
-    /// off by one dot.
+    /// Returns the range of dots in a row for which [`Flat::at`] finds a point. Each end may be off by
+    /// one dot.
     pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
         // Each condition is linear in x: value + slope x >= 0.
         let reach = half * self.rate.0;
@@ -113,14 +114,14 @@ impl Flat {
                 return 0..0;
             }
         }
-        // Neither is NaN: `max` and `min` ignore NaN.
+        // Neither bound is NaN, since `max` and `min` ignore NaN.
         let to = (to.ceil() as usize).min(width);
         (from as usize).min(to)..to
     }
 
-    /// Computes a part of a row of dots at once: for each dot of the span, the result of [`Flat::at`] and the
-    /// share of the dot that grid lines cover. The loops over `f32` are simple, so that the compiler
-    /// vectorises them.
+    /// Computes a part of a row of dots. For each dot, this is the result of [`Flat::at`] and the
+    /// fraction of the dot that grid lines cover. The loops over `f32` are kept simple so that the
+    /// compiler can vectorize them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
@@ -152,7 +153,8 @@ impl Flat {
         }
     }
 
-    /// Raises the coverage of each dot to the coverage by the grid lines across one coordinate.
+    /// Adds the grid lines across one coordinate: raises each dot's coverage to the coverage by these
+    /// lines.
     fn cover(
         &self,
         line: &mut [f32],
@@ -161,7 +163,7 @@ impl Flat {
         numerator: Linear,
         lines: &Lines,
     ) {
-        // Change of the numerator and of the rate per dot, across and down.
+        // Change of the numerator and of `rate` per dot, to the right and down.
         let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
         let reach = 0.5 * lines.width + 0.5;
         let sparse = 1.0 / (3.0 * lines.width);
@@ -170,7 +172,7 @@ impl Flat {
             let per_dot =
                 (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
             let cells = (position - lines.shift) * lines.inverse_step;
-            // Adding and subtracting 1.5 * 2^23 rounds to a whole number without a function call.
+            // Adding and subtracting 1.5 * 2^23 rounds to a whole number without calling a function.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
             let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
@@ -180,15 +182,16 @@ impl Flat {
     }
 }
 
-/// The dots of one row that see a [`Flat`], with the values at each.
+/// The dots of one row whose rays meet a [`Flat`], with the values at each dot.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FlatRow {
-    /// Range of dots in the row.
+    /// The range of these dots in the row.
     pub(crate) span: Range<usize>,
     pub(crate) t: Vec<f32>,
     pub(crate) a: Vec<f32>,
     pub(crate) b: Vec<f32>,
-    /// Share of the dot that grid lines cover, 0 to 1. Lines that are too dense to be distinguished fade out.
+    /// Fraction of each dot that grid lines cover, 0 to 1. Lines that are too dense to be distinguished
+    /// fade out.
     pub(crate) line: Vec<f32>,
     inverse_rate: Vec<f32>,
 }
@@ -204,13 +207,13 @@ impl FlatRow {
         self.span = span.clone();
     }
 
-    /// Returns (a, b, coverage by grid lines) of one dot of the span.
+    /// Returns (a, b, coverage by grid lines) of the dot at index `k` of the span.
     #[inline(always)]
     pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
         [self.a[k], self.b[k], self.line[k]]
     }
 
-    /// Returns t and (a, b, coverage by grid lines) for a part of the span.
+    /// Returns t and (a, b, coverage by grid lines) for each dot in `part` of the row.
     pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
         let part = part.start - self.span.start..part.end - self.span.start;
         let values = self.t[part.clone()].iter().zip(&self.a[part.clone()]);
@@ -219,7 +222,7 @@ impl FlatRow {
     }
 }
 
-/// Grid lines at all whole multiples of a step in a and in b.
+/// Grid lines at all whole multiples of a step, in a and in b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
     of_a: Lines,
@@ -235,7 +238,7 @@ struct Lines {
 }
 
 impl Grid {
-    /// Creates grid lines that are `width` dots wide; `shift` is (a, b) of one crossing.
+    /// Creates grid lines that are `width` dots wide. `shift` is the (a, b) of one crossing.
     pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
         let lines = |step: f64, shift: f64| Lines {
             inverse_step: (1.0 / step) as f32,

@@ -1,6 +1,6 @@
-//! Flat layers of the world view, painted dot by dot: the background, the patches of planes, and the viewport
-//! with the picture on it. Near layers cover far ones, and comparing t decides whether a sphere covers a
-//! layer or is covered by it.
+//! Flat layers of the world view, painted dot by dot: the background, the patches of planes, and the
+//! viewport with the picture on it. Nearer layers cover farther ones. Whether a sphere covers a layer
+//! is decided by comparing t.
 
 use std::ops::Range;
 
@@ -10,8 +10,9 @@ use rayon::prelude::*;
 
 use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
 
-/// The layers painted over the observer's picture, behind the camera and its marks: the cut-away spheres
-/// around the camera, and the patches of the planes. They stay the same while only the camera moves.
+/// The layers painted over the observer's picture but below the camera and its marks: the cut-away
+/// spheres around the camera, and the patches of planes. They do not change while only the camera
+/// moves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Backdrop {
     pub(crate) background: Color32,
@@ -30,7 +31,7 @@ impl Backdrop {
     }
 }
 
-/// All flat layers of one world view, and the traced t that they are compared with.
+/// All flat layers of a world view, and the traced frame with whose t they are compared.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
@@ -39,8 +40,8 @@ pub(crate) struct Layers<'a> {
     pub(crate) viewport: Option<ViewportLayer<'a>>,
 }
 
-/// A sphere around the camera, cut away: only the far side of its surface is painted, where the observer's
-/// rays leave the sphere.
+/// A sphere around the camera, cut away: only the far side of its surface is painted, where the
+/// observer's rays leave the sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bowl {
     pub(crate) sphere: Sphere,
@@ -53,12 +54,13 @@ pub(crate) struct Bowl {
 const BOWL: f32 = 0.45;
 
 impl Bowl {
-    /// Returns the colour of a dot over `below`, where something is traced at `traced_t`.
+    /// Returns the colour of a dot painted over `below`. `traced_t` is the t of the traced object at
+    /// that dot.
     fn paint(&self, [x, y]: [f64; 2], traced_t: f32, below: Color32) -> Color32 {
         let PixelRays { eye, across, down, corner } = self.rays;
         let (q, radius) = (eye - self.sphere.center, self.sphere.radius);
         let direction = x * across + y * down + corner;
-        // In units of the radius, and relative to the length of the direction, so that neither overflows.
+        // q is in units of the radius and the direction has length 1, so that neither overflows.
         let (q, length) = (q / radius, direction.length());
         let along = q.dot(direction) / length;
         let discriminant = along * along - (q.length_squared() - 1.0);
@@ -75,55 +77,56 @@ impl Bowl {
 
 /// The viewport's rectangle: the picture, and the edges between its pixels.
 pub(crate) struct ViewportLayer<'a> {
-    /// The rectangle; (a, b) is (u / width, v / height).
+    /// The rectangle, with (a, b) = (u / width, v / height).
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
-    /// The picture, with a dot for each pixel of the image.
+    /// The picture, stretched so that it has one dot for each pixel of the image.
     pub(crate) picture: Option<StretchedPicture<'a>>,
-    /// The edges between pixels that are drawn, and their opacity, 0 to 1.
+    /// The edges between pixels that are drawn, and their opacity from 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
     /// The colour behind transparent pixels.
     pub(crate) behind: Color32,
 }
 
-/// The part of an infinite plane near the observer's target. It has grid lines in world units, and fades out
-/// towards its rim.
+/// The part of an infinite plane near the observer's target. It has grid lines in world units and fades
+/// out towards its rim.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlanePatch {
-    /// The plane; (a, b) are world units from the patch's centre.
+    /// The plane; (a, b) is measured in world units from the patch's centre.
     pub(crate) flat: Flat,
     pub(crate) radius: f64,
     pub(crate) color: Color32,
     pub(crate) grid_color: Color32,
-    /// Opacity in the middle, 0 to 1.
+    /// Opacity in the middle of the patch, 0 to 1.
     pub(crate) opacity: f32,
     pub(crate) grid: Grid,
 }
 
-/// Relative margin by which an object must be nearer to hide a point. Without it, a surface would hide its
-/// own points.
+/// An object hides a point only if it is nearer by more than this relative margin. Without the margin,
+/// a surface would hide its own points.
 const TOLERANCE: f64 = 1e-3;
 
-/// Relative margin for painting layers over the traced picture. Layers do not touch the traced surfaces, so
-/// the margin only has to cover the rounding of `f32`.
+/// Relative margin for painting layers over the traced picture. Layers do not touch the traced
+/// surfaces, so it only has to cover the rounding of `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
-/// (u / width, v / height) of the viewport's edges.
+/// Value of |a| and |b| at the viewport's edges.
 const HALF_VIEWPORT: f64 = 0.5;
 
-/// Rows of dots that are painted at a time.
+/// Number of rows of dots that are painted at a time.
 const BAND: usize = 32;
 
-/// Maximum opacity at which a patch does not hide lines.
+/// Opacity up to which a patch does not hide lines behind it.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl ViewportLayer<'_> {
-    /// Returns the point where the dot's ray passes through the rectangle; `None` outside the rectangle.
+    /// Returns the point where the dot's ray passes through the rectangle; `None` if it passes outside.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
         self.flat.at(dot, HALF_VIEWPORT)
     }
 
-    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover a share of `line` of the dot.
+    /// Returns the colour of a dot at (a, b) painted over `below`. `line` is the fraction of the dot
+    /// that grid lines cover.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
         let (w, h) = (self.image.width(), self.image.height());
@@ -140,7 +143,8 @@ impl ViewportLayer<'_> {
 }
 
 impl PlanePatch {
-    /// Returns the patch's opacity where `|(a, b)|^2` has this value; it fades to 0 at the rim.
+    /// Returns the patch's opacity at a point with this value of `|(a, b)|^2`. It fades to 0 at the
+    /// rim.
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
@@ -154,7 +158,8 @@ impl PlanePatch {
         })
     }
 
-    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover a share of `line` of the dot.
+    /// Returns the colour of a dot at (a, b) painted over `below`. `line` is the fraction of the dot
+    /// that grid lines cover.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], is_visible: bool, below: Color32) -> Color32 {
         let opacity = if is_visible { self.opacity_at(a * a + b * b) } else { 0.0 };
@@ -171,13 +176,13 @@ impl<'a> Layers<'a> {
         Layers { frame, width, height, backdrop, viewport: None }
     }
 
-    /// Returns true if the frame has a t for every dot.
+    /// Returns true if the frame has a t and an object for every dot.
     fn is_traced(&self) -> bool {
         self.frame.t.len() == self.width * self.height
             && self.frame.object.len() == self.frame.t.len()
     }
 
-    /// Returns t of the traced object at a dot; infinity outside the picture.
+    /// Returns the t of the traced object at a dot; infinity outside the picture.
     pub(crate) fn traced_t(&self, dot: DVec2) -> f64 {
         let inside =
             dot.cmpge(DVec2::ZERO).all() && dot.x < self.width as f64 && dot.y < self.height as f64;
@@ -187,8 +192,8 @@ impl<'a> Layers<'a> {
         self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
     }
 
-    /// Returns true if something hides a point at `t` from the observer. The viewport does not hide lines
-    /// that are drawn on it.
+    /// Returns true if something hides a point at `t` from the observer. If `on_viewport` is true, the
+    /// point lies on the viewport, which then does not hide it.
     pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
         let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
         if covers(self.traced_t(dot)) {
@@ -201,8 +206,8 @@ impl<'a> Layers<'a> {
         self.backdrop.patches.iter().any(|patch| patch.hides(dot, covers))
     }
 
-    /// Paints all layers over the `traced` picture at the dots of the viewport, in a band of rows that starts
-    /// at `top`. All other dots must already show the result of [`Backdrop::paint`].
+    /// Paints all layers over the `traced` picture at the viewport's dots, in a band of rows starting
+    /// at row `top`. All other dots must already show the result of [`Backdrop::paint`].
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
@@ -212,8 +217,8 @@ impl<'a> Layers<'a> {
         });
     }
 
-    /// Paints all layers over a part of each row, starting at row `top`; calls `before` on the dots of each
-    /// part first.
+    /// Paints all layers over a part of each row, starting at row `top`. Calls `before` on the dots of
+    /// each part before painting them.
     fn paint_parts(
         &self,
         top: usize,
@@ -235,7 +240,7 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// Fills a part of the viewport's row of dots, then of the patches' rows.
+    /// Computes the values of each layer in a part of a row: the viewport's first, then the patches'.
     fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
         let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
@@ -264,7 +269,7 @@ impl<'a> Layers<'a> {
                 *dot = bowl.paint([column as f64 + 0.5, y], t[column], *dot);
             }
         }
-        // Between two ends of spans, the set of layers is constant.
+        // Between two adjacent ends of spans, the set of layers is constant.
         let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
         ends.sort_unstable();
         for pair in ends.windows(2) {
@@ -289,8 +294,8 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // Each kind has its own loop, because most of the time is spent here: patches can cover the whole
-        // screen.
+        // Each kind of layer has its own loop, because most of the time is spent here: patches can
+        // cover the whole screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
                 let patch = &self.backdrop.patches[patch];
@@ -316,7 +321,7 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
-        // The picture is opaque, so nothing behind it needs to be sorted.
+        // The picture is opaque, so layers behind it need not be sorted.
         let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
@@ -347,17 +352,17 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Returns true if a layer's dot is nearer than the traced object at that dot.
+/// Returns true if a layer is nearer than the traced object at the same dot.
 fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// Returns a blend of two opaque colours: a share of `share` of `top`, and the rest of `bottom`.
+/// Returns a blend of two opaque colours, with weight `share` for `top` and the rest for `bottom`.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
-    // 2^23 + x has x in its lowest bits; this avoids the special cases that a cast handles.
+    // The sum 2^23 + x has x in its lowest bits. This avoids the special cases of a cast.
     let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
-    // Processes two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
+    // Two channels are processed at a time: 8 bits of colour times 9 bits of weight fit into 16 bits.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
     let two = |b: u32, t: u32| {
         (((b & 0x00ff_00ff) * (256 - weight) + (t & 0x00ff_00ff) * weight) >> 8) & 0x00ff_00ff
@@ -366,9 +371,9 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns black for a light colour and white for a very dark one (luma of ITU-R BT.601). Returns a grey for
-/// colours in between, so that a line across a shaded surface has no seam. A transparent colour counts as the
-/// colour `behind` it.
+/// Returns black for a light colour, white for a very dark one (luma of ITU-R BT.601), and a grey for a
+/// colour in between, so that a line across a shaded surface has no seam. A transparent colour is
+/// replaced by the colour `behind` it.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
     const FROM: u32 = 40_000;
     const TO: u32 = 95_000;

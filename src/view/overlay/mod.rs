@@ -1,18 +1,19 @@
-//! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene
-//! and the selected ray.
+//! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene and
+//! the selected ray.
 //!
-//! Pure functions build a [`Drawing`]: marks and labels in dots (physical pixels). [`world`] and
-//! [`camera`] also paint the marks on the CPU, straight into the picture; the caller draws the text,
-//! because it has the fonts. The window and exported figures use the same drawing; in vector formats
-//! it stays separate from the picture.
+//! Pure functions build a [`Drawing`]: marks and labels with positions in dots (physical pixels).
+//! [`world`] and [`camera`] also paint the marks into the picture, on the CPU. The caller draws the
+//! text, since it has the fonts. The window and exported figures use the same drawing; in vector
+//! formats it stays separate from the picture.
 //!
-//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: a concept drawn on
-//!   top of everything else.
-//! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: those as pixels; `style`:
-//!   colours and text sizes.
-//! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
-//! - `world_view/sketch`: lines and arrows of the world as marks, visible or hidden, and the placement of labels.
-//! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
+//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: highlights a concept on
+//! top of everything else.
+//! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels;
+//! `style`: colours and text sizes.
+//! - `screen`: projection and clipping; `flat`: the inverse, from a dot to a point of a plane.
+//! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
+//! labels.
+//! - `layers`: occlusion, and areas filled dot by dot (planes, the picture on the viewport).
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -54,7 +55,7 @@ use world_view::highlighted::{
 };
 use world_view::sketch::{Head, LineStyle, Request, Sketch, place_labels};
 
-/// A shared value that is compared by identity: it equals only itself.
+/// A shared value that is compared by identity: two are equal only if they share the same allocation.
 #[derive(Debug)]
 pub struct Same<T>(pub Arc<T>);
 
@@ -80,13 +81,13 @@ impl<T> Deref for Same<T> {
 
 /// A scene with the colour of each of its objects.
 ///
-/// Views borrow it only while they are drawn. If a view kept the scene, an edit could not replace a single
-/// object in place, but would copy all objects.
+/// Views borrow it only while they are drawn. If a view kept a reference to the scene, an edit would
+/// have to copy all objects instead of replacing one in place.
 #[derive(Clone, Copy)]
 pub struct ColoredScene<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// The colours.
+    /// The colours, in the order of the objects.
     pub colors: &'a [Rgb],
 }
 

@@ -1,5 +1,5 @@
-//! Painting of pixels: paints marks directly into a picture with tiny-skia, and stretches the traced picture
-//! of the edited camera over a view with sharp pixels.
+//! Painting of pixels: paints marks directly into a picture with tiny-skia, and stretches the edited
+//! camera's picture over a view without smoothing.
 
 use egui::Color32;
 use pinhole_core::{ImageSize, Raster};
@@ -8,10 +8,10 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDas
 
 use crate::view::overlay::drawing::{Drawing, Ink, Path};
 
-/// Number of rows painted at a time, chosen so that their dots stay in the cache.
+/// Number of rows painted at a time. Their dots fit into the cache.
 const BAND: usize = 32;
 
-/// Paths prepared for painting: outlines to fill, each with its colour.
+/// Paths prepared for painting: outlines to fill, each with its paint.
 #[derive(Debug, Default)]
 pub(super) struct Fills(Vec<(tiny_skia::Path, Paint<'static>)>);
 
@@ -31,8 +31,8 @@ impl Fills {
         Fills(filled.collect())
     }
 
-    /// Paints a picture of `width` dots per row, in parallel bands of rows. In each band, calls `before` with
-    /// the band's first row, and then paints the paths.
+    /// Paints a picture of `width` dots per row, in parallel bands of rows. For each band, calls
+    /// `before` with the band's first row and its dots, and then paints the paths.
     pub(super) fn paint_after(
         &self,
         width: usize,
@@ -45,7 +45,7 @@ impl Fills {
         dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
             let (top, height) = (band * BAND, dots.len() / width);
             before(top, dots);
-            // A dot of egui has the same layout as in tiny-skia: four bytes, premultiplied.
+            // egui and tiny-skia use the same layout: four bytes per dot, premultiplied.
             let bytes = bytemuck::cast_slice_mut(dots);
             let Some(mut band) = PixmapMut::from_bytes(bytes, width as u32, height as u32) else {
                 return;
@@ -66,7 +66,8 @@ pub fn paint_paths(paths: &[Path], width: usize, dots: &mut [Color32]) {
     Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
 }
 
-/// Returns the outline to fill: the path's own, or the outline of its stroke.
+/// Returns the outline to fill: that of the path or, for a stroke, the outline of the stroked line.
+/// Returns `None` if it is empty.
 fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     let outline = path.outline.to_path()?;
     let Ink::Stroke { width, round, dash } = path.ink else { return Some(outline) };
@@ -83,24 +84,24 @@ fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     outline.stroke(&stroke, 1.0)
 }
 
-/// The picture of the edited camera: one colour per traced pixel of its image.
+/// The picture of the edited camera, with one colour per traced pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// The traced rows and columns of the image.
     pub raster: Raster,
-    /// The image that the raster samples.
+    /// The size of the image to which the raster belongs.
     pub image: ImageSize,
-    /// The colours of the raster, row by row; opaque.
+    /// The colours of the raster's pixels, row by row.
     pub pixels: Vec<Color32>,
 }
 
 impl Picture {
-    /// Returns true if the picture has at least one traced pixel, and a colour for every traced pixel.
+    /// Returns true if at least one pixel is traced and every traced pixel has a colour.
     pub(crate) fn is_whole(&self) -> bool {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
     }
 
-    /// Prepares the picture for a buffer of `columns` x `rows` dots.
+    /// Prepares the picture for stretching over a buffer of `columns` x `rows` dots.
     pub(crate) fn on(&self, [columns, rows]: [usize; 2]) -> StretchedPicture<'_> {
         let [nearest_row, nearest_column] = self.raster.nearest(self.image);
         let pixel = |k: usize, dots: usize, count: u32| (2 * k + 1) * count as usize / (2 * dots);
@@ -118,8 +119,9 @@ impl Picture {
 /// `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
 pub(crate) struct StretchedPicture<'a> {
     picture: &'a Picture,
-    /// The column and the row of the traced pixel that each column and each row of dots shows.
+    /// The traced column that each column of dots shows.
     columns: Vec<usize>,
+    /// The traced row that each row of dots shows.
     rows: Vec<usize>,
 }
 
@@ -131,12 +133,12 @@ impl StretchedPicture<'_> {
         self.picture.pixels[self.rows[row] * width + self.columns[column]]
     }
 
-    /// Fills a band of the buffer whose first row of dots is `top`.
+    /// Fills a band of the buffer. `top` is the band's first row of dots.
     pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
         let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
         for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
             let source_row = self.rows[row];
-            // All rows of dots that show the same row of pixels are equal, so the first is copied.
+            // Rows of dots that show the same row of pixels are equal, so the previous row is copied.
             if k > 0 && self.rows[row - 1] == source_row {
                 dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
                 continue;

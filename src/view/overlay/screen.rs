@@ -1,23 +1,23 @@
-//! Projection from the world to the dots of the observer's picture, with clipping before it. Also converts
-//! positions of the viewport to dots of the camera view and back.
+//! Projects the world to the dots of the observer's picture, after clipping. Also converts between
+//! positions in the viewport and dots of the camera view.
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::observer::ViewSize;
 use crate::view::overlay::drawing::dot;
 
-/// The observer's picture plane, measured in dots from its top left corner.
+/// The observer's picture plane. Positions are in dots from its top left corner.
 ///
-/// Points pass through *view coordinates*: x to the right, y down, z the depth in front of the
-/// observer, all in units of [`Screen::unit`], so that no product of them overflows.
+/// Points are first converted to *view coordinates*: x to the right, y down, and z the depth in front
+/// of the observer. They are in units of [`Screen::unit`], so that no product of them overflows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Screen {
     observer: ResolvedCamera,
-    /// Dots per unit slope, across and down.
+    /// Focal length in dots, horizontally and vertically.
     focal: DVec2,
     /// Width and height in dots.
     pub(crate) size: DVec2,
-    /// The observer's distance to its target, which is the unit of length.
+    /// The unit of length in view coordinates, usually the observer's distance to its target.
     unit: f64,
     /// Dots per point.
     pub(crate) scale: f64,
@@ -28,12 +28,12 @@ pub(crate) struct Screen {
 pub(crate) struct Spot {
     /// Position in dots from the top left corner.
     pub(crate) at: DVec2,
-    /// `1 / t` along the observer's ray; unlike t, it is linear along a line on the screen.
+    /// `1 / t` along the observer's ray. Unlike t, it is linear along a line on the screen.
     pub(crate) inverse_t: f64,
 }
 
 impl Spot {
-    /// Returns the point on the screen that lies a share `s` of the way from `self` to `other`.
+    /// Interpolates linearly between `self` (`s` = 0) and `other` (`s` = 1).
     pub(crate) fn toward(self, other: Spot, s: f64) -> Spot {
         Spot {
             at: self.at.lerp(other.at, s),
@@ -42,27 +42,27 @@ impl Spot {
     }
 }
 
-/// Minimum depth that is drawn, in units of the observer's distance to its target.
+/// Minimum depth of drawn points, in view coordinates.
 const NEAR: f64 = 1e-7;
 
-/// Maximum coordinate that is drawn, in view units. No sensible scene has larger coordinates, and products of
-/// smaller ones are far from overflow.
+/// Maximum coordinate of drawn points, in view coordinates. No sensible scene exceeds it, and products
+/// of smaller coordinates are far from overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Distance beyond the picture's border at which lines are cut, as a share of the picture's size, so that the
-/// ends are not visible.
+/// Distance beyond the picture's border at which lines are clipped, as a fraction of the picture's
+/// size. The clipped ends are thus not visible.
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// Creates a screen with `scale` dots per point; `unit` is a length of about the same size as the visible
-    /// scene.
+    /// Creates a screen with `scale` dots per point. `unit` is a length of the same order of magnitude
+    /// as the visible scene.
     pub(crate) fn new(observer: &ResolvedCamera, unit: f64, scale: f32) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         Screen::of_size(observer, size, unit, scale)
     }
 
-    /// Creates a screen for the image stretched over `size` dots.
+    /// Creates a screen for the observer's image stretched to `size` dots.
     pub(crate) fn of_size(observer: &ResolvedCamera, size: DVec2, unit: f64, scale: f32) -> Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
@@ -70,12 +70,12 @@ impl Screen {
         Screen { observer: *observer, focal, size, unit, scale: scale.into() }
     }
 
-    /// Creates a screen on which lengths at one point of the world are measured.
+    /// Creates a screen for measuring lengths at one point in the world.
     fn at(observer: &ResolvedCamera, point: DVec3, scale: f32) -> Screen {
         Screen::new(observer, point.distance(observer.eye()), scale)
     }
 
-    /// Returns the point in view coordinates; `None` if it is too far away to be drawn.
+    /// Converts a point to view coordinates; `None` if it is too far away to be drawn.
     fn view(&self, point: DVec3) -> Option<DVec3> {
         let q =
             self.observer.basis().to_camera_from_world((point - self.observer.eye()) / self.unit);
@@ -88,16 +88,16 @@ impl Screen {
         Spot { at, inverse_t: self.observer.viewport().distance / (q.z * self.unit) }
     }
 
-    /// Returns the position of a point on the screen; `None` behind the observer or outside the
-    /// picture.
+    /// Returns the position of a point on the screen; `None` if it is behind the observer or too far
+    /// outside the picture.
     pub(crate) fn spot(&self, point: DVec3) -> Option<Spot> {
         let q = self.view(point)?;
         (self.borders().iter().all(|border| border.dot(q) >= 0.0) && q.z >= NEAR)
             .then(|| self.spot_of_view(q))
     }
 
-    /// Returns the inward normals, in view coordinates, of the four planes through the observer's
-    /// eye that bound the drawn region.
+    /// Returns the inward normals, in view coordinates, of the four planes through the observer's eye
+    /// that bound the drawn region.
     fn borders(&self) -> [DVec3; 4] {
         let slope = (0.5 + BEYOND_BORDER) * self.size / self.focal;
         [
@@ -108,7 +108,7 @@ impl Screen {
         ]
     }
 
-    /// Returns the corners of the visible part of a flat convex polygon; none if no part is visible
+    /// Returns the corners of the visible part of a flat convex polygon; empty if no part is visible
     /// (Sutherland, Hodgman, *Reentrant polygon clipping*, 1974).
     pub(crate) fn polygon(&self, corners: &[DVec3]) -> Vec<Spot> {
         let in_view = corners.iter().map(|corner| self.view(*corner));
@@ -120,9 +120,9 @@ impl Screen {
         inside.into_iter().map(|q| self.spot_of_view(q)).collect()
     }
 
-    /// Returns the visible part of the line from `a` to `b`, and whether it ends at `b` itself.
-    /// The line is clipped before the division by depth (Blinn, Newell, *Clipping using homogeneous
-    /// coordinates*, 1978).
+    /// Returns the visible part of the line from `a` to `b`; `None` if no part is visible. The line is
+    /// clipped before the division by depth (Blinn, Newell, *Clipping using homogeneous coordinates*,
+    /// 1978).
     pub(crate) fn line(&self, a: DVec3, b: DVec3) -> Option<CutLine> {
         let (a, b) = (self.view(a)?, self.view(b)?);
         let (mut s0, mut s1) = (0.0f64, 1.0f64);
@@ -154,34 +154,36 @@ impl Screen {
         })
     }
 
-    /// Returns true if a spot lies within the region where clipped lines end, except for rounding. This
-    /// protects the rasteriser from extreme positions.
+    /// Returns true if a spot lies within the region to which lines are clipped, with a margin for
+    /// rounding. This protects the rasterizer from extreme positions.
     fn is_near(&self, spot: Spot) -> bool {
         let reach = 2.0 * self.size;
         (spot.at - 0.5 * self.size).abs().cmple(reach).all() && spot.inverse_t.is_finite()
     }
 
-    /// Returns the number of dots that a world unit covers at this point; `None` if the point is not visible.
+    /// Returns the number of dots that a length of 1 in the world covers at this point; `None` if it is
+    /// too far away to be drawn.
     pub(crate) fn dots_per_unit(&self, point: DVec3) -> Option<f64> {
         let q = self.view(point)?;
         let dots = self.focal.min_element() / (q.z.max(NEAR) * self.unit);
         dots.is_finite().then_some(dots)
     }
 
-    /// Returns a length in the world that covers as many points on the screen as one world unit does, but at
-    /// least `least` and at most `most`; 0 if `at` is not visible.
+    /// Returns the length in the world that covers a limited number of points on the screen. The number
+    /// is that of a length of 1 at `at`, clamped to the range from `least` to `most`. Returns 0 if `at`
+    /// cannot be drawn.
     pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
         let points = dots / self.scale;
         points.clamp(least, most) / points
     }
 
-    /// Returns the world length of the basis arrows at a point; 0 if the point is not visible.
+    /// Returns the length in the world of the basis arrows at a point; 0 if the point cannot be drawn.
     pub(crate) fn arrow_length(&self, at: DVec3) -> f64 {
         self.length_of_points(at, self.arrow_points())
     }
 
-    /// Returns the world length of a normal at a point; 0 if the point is not visible.
+    /// Returns the length in the world of a normal at a point; 0 if the point cannot be drawn.
     pub(crate) fn normal_length(&self, at: DVec3) -> f64 {
         let (points, _) = self.arrow_points();
         self.length_of_points(at, (points, points))
@@ -192,8 +194,8 @@ impl Screen {
         ViewSize { width, height }.arrow_points()
     }
 
-    /// Returns the direction of the observer's ray through a point `at` of the screen, as
-    /// `at.x * across + at.y * down + corner`.
+    /// Returns the vectors from which the direction of the observer's ray through the position `at` is
+    /// computed: `at.x * across + at.y * down + corner`.
     pub(crate) fn pixel_rays(&self) -> PixelRays {
         let (basis, viewport) = (self.observer.basis(), self.observer.viewport());
         let across = basis.u * (viewport.width / self.size.x);
@@ -204,13 +206,13 @@ impl Screen {
     }
 }
 
-/// Returns the length in the world that covers `points` points on the screen at a point of the world; 0 if
-/// that point is not visible.
+/// Returns the length in the world that covers `points` points on the screen at the point `at`; 0 if
+/// `at` cannot be drawn.
 pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     Screen::at(observer, at, scale).length_of_points(at, (points, points))
 }
 
-/// Returns the length in the world of the arrows at a camera's eye, as the world view draws them.
+/// Returns the length in the world of the basis arrows that the world view draws at a camera's eye.
 pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     Screen::at(observer, eye, scale).arrow_length(eye)
 }
@@ -220,7 +222,7 @@ pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
 pub(crate) struct CutLine {
     pub(crate) from: Spot,
     pub(crate) to: Spot,
-    /// True if `to` is the end of the line itself.
+    /// True if `to` is the line's own end, false if the line was clipped there.
     pub(crate) whole_to: bool,
 }
 
@@ -233,8 +235,7 @@ pub(crate) struct PixelRays {
     pub(crate) corner: DVec3,
 }
 
-/// Returns `v / |v|`; `None` for zero and for a vector that is not finite. Lengths from 1e-300 to
-/// 1e300 are handled correctly.
+/// Returns `v / |v|`; `None` if `v` is zero or not finite. Handles lengths from 1e-300 to 1e300.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if !(largest.is_finite() && largest > 0.0) {
@@ -243,14 +244,15 @@ pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     Some((v / largest).normalize())
 }
 
-/// Returns two orthogonal unit vectors in the plane with this normal, along the world's axes if possible.
+/// Returns two orthogonal unit vectors that span the plane with this normal, along the world's axes if
+/// possible.
 pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     let axis = DVec3::AXES[normal.abs().min_position()];
     let a = (axis - axis.dot(normal) * normal).normalize();
     (a, normal.cross(a))
 }
 
-/// Returns the corners of the part of a convex polygon where `depth` is not negative.
+/// Returns the corners of the part of a convex polygon where `depth` is at least 0.
 fn clipped(corners: &[DVec3], depth: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut kept = Vec::with_capacity(corners.len() + 1);
     for (k, &corner) in corners.iter().enumerate() {
@@ -266,7 +268,7 @@ fn clipped(corners: &[DVec3], depth: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     kept
 }
 
-/// Returns the (u, v) at a position of the camera view, in dots; the position may be outside the
+/// Returns the (u, v) at a position in the camera view, in dots. The position may lie outside the
 /// picture.
 pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
     let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
@@ -274,7 +276,7 @@ pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32;
     DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
 }
 
-/// Returns the position of a (u, v) in the camera view, in dots: the inverse of [`camera_uv_at`].
+/// Returns the position of a (u, v) in the camera view, in dots. Inverts [`camera_uv_at`].
 pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
     dot(position_of(resolved, size, uv))
 }

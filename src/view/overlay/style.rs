@@ -1,24 +1,27 @@
 //! The overlay's colours.
 //!
-//! Hues are those of Okabe and Ito (*Color Universal Design*, 2008), darkened on a light background
-//! and lightened on a dark one. Nothing is distinguished by colour alone: u, v, w are thick and
-//! have three different heads, x, y, z are thin, and all have labels.
+//! The hues are those of Okabe and Ito (*Color Universal Design*, 2008), darkened on a light background
+//! and lightened on a dark one. Nothing is distinguished by colour alone: u, v and w are thick with
+//! three different arrowheads, x, y and z are thin, and all of them have labels.
 
 use egui::Color32;
 
 use crate::model::session::Scheme;
 
-/// The font of a label: its size in points, and true if it is bold.
+/// The font of a label: its size in points, and whether it is bold.
 pub(super) type LabelFont = (f32, bool);
 
-/// Fonts of the labels of vectors, of points and of marks.
+/// Font of the labels of vectors.
 pub(super) const VECTOR: LabelFont = (21.0, true);
+/// Font of the labels of points that belong to a vector or a ray.
 pub(super) const BOLD_POINT: LabelFont = (17.0, true);
+/// Font of the labels of other points.
 pub(super) const POINT: LabelFont = (17.0, false);
+/// Font of the labels of marks.
 pub(super) const MARK: LabelFont = (14.0, false);
 
-/// The colours for a light or a dark window: one light and one dark style for each [`Scheme`], in the order
-/// of the schemes.
+/// A set of colours for a light or a dark window. Each [`Scheme`] has a light and a dark style, in the
+/// order of [`Scheme::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Style {
     /// Dark lines on a light background.
@@ -41,18 +44,18 @@ pub enum Style {
 pub struct Colors {
     /// Colour where the observer sees nothing.
     pub background: Color32,
-    /// Casing of lines and text, which separates them from what they cross.
+    /// The casing of lines and text, which separates them from what they cross.
     pub halo: Color32,
-    /// Eye, frustum, viewport outline.
+    /// The eye, the frustum and the viewport's outline.
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
-    /// Dash and gap of these arrows, in points, in styles whose greys alone would not distinguish the arrows
-    /// well enough.
+    /// Dash and gap of the u, v, w arrows, in points. Only set in styles whose greys do not distinguish
+    /// the arrows well enough.
     pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],
-    /// The at point, view and up.
+    /// The at point, the view direction and up.
     pub given: Color32,
     /// The selected ray and pixel.
     pub ray: Color32,
@@ -112,8 +115,8 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ..DARK
 };
 
-/// Patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines differ from them because they
-/// are also thin.
+/// Dash patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines also differ from them
+/// by being thin.
 const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
 
 const GREY_LIGHT: Colors = Colors {
@@ -143,25 +146,25 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
-    /// All of them, in order.
+    /// All styles, in order.
     pub const ALL: [Style; 6] = {
         use Style::*;
         [Light, Dark, ColourBlindLight, ColourBlindDark, GreyLight, GreyDark]
     };
 
-    /// Returns a scheme's style on a dark or on a light background.
+    /// Returns the light or the dark style of a scheme.
     pub fn new(scheme: Scheme, is_dark: bool) -> Style {
         Style::ALL[2 * scheme as usize + usize::from(is_dark)]
     }
 
-    /// Returns the name on the command line.
+    /// Returns the style's name on the command line.
     pub fn name(self) -> &'static str {
         const NAMES: [&str; 6] =
             ["light", "dark", "colour-blind", "colour-blind-dark", "grey", "grey-dark"];
         NAMES[self as usize]
     }
 
-    /// Returns its scheme.
+    /// Returns the style's scheme.
     pub fn scheme(self) -> Scheme {
         Scheme::ALL[self as usize / 2]
     }
@@ -171,14 +174,14 @@ impl Style {
         self as usize % 2 == 1
     }
 
-    /// Returns its colours.
+    /// Returns the style's colours.
     pub fn colors(self) -> &'static Colors {
         const ALL: [&Colors; 6] =
             [&LIGHT, &DARK, &COLOUR_BLIND_LIGHT, &COLOUR_BLIND_DARK, &GREY_LIGHT, &GREY_DARK];
         ALL[self as usize]
     }
 
-    /// Applies the style to the dots of a finished picture: a grey style removes the hue.
+    /// Applies the style to a finished picture: a grey style removes the hue of every dot.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
             for dot in dots {
@@ -188,7 +191,7 @@ impl Style {
     }
 }
 
-/// Returns the grey of the same brightness (luma of ITU-R BT.709).
+/// Returns the grey with the same brightness (luma of ITU-R BT.709).
 fn grey(color: Color32) -> Color32 {
     let [r, g, b, a] = color.to_array();
     let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);

@@ -33,8 +33,8 @@ pub struct SoftwarePainter {
 }
 
 impl SoftwarePainter {
-    /// Creates a painter that draws rectangles as two triangles, as a GPU does. The result is the same, but
-    /// drawing is slower. Tests compare the two.
+    /// Creates a painter that, like a GPU, draws every rectangle as two triangles. The result is the
+    /// same, but drawing is slower. Tests compare the two.
     pub fn triangles_only() -> Self {
         Self { triangles_only: true, ..Self::default() }
     }
@@ -213,8 +213,8 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Number of sub-pixel steps per pixel to which vertices are snapped, as on GPUs. With integers, the test
-/// whether a pixel's centre is inside is exact, so neighbours neither overlap nor leave gaps.
+/// Number of sub-pixel steps per pixel to which vertices are snapped, as on GPUs. In integers, the test
+/// whether a pixel's centre lies inside is exact, so adjacent triangles neither overlap nor leave gaps.
 const STEPS: i64 = 256;
 
 /// Maximum coordinate of a vertex, in pixels. Coordinates are clamped to it so that their products fit

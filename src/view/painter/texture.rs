@@ -31,8 +31,8 @@ impl Texture {
         &self.image.pixels
     }
 
-    /// Replaces a part of the texture. Ignores a part that extends beyond the texture or whose number of
-    /// pixels does not match its size, since such a mistake of the sender should not end the program.
+    /// Replaces a part of the texture. Ignores an invalid update, which extends beyond the texture or
+    /// has the wrong number of pixels, since the sender's mistake should not end the program.
     pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;

@@ -1,4 +1,5 @@
-//! Highlighting in the camera view, where w points at the observer and a whole ray is a single point.
+//! Highlights a concept in the camera view, where w points at the observer and the whole ray is a
+//! single point.
 
 use pinhole_core::{
     DVec2, DVec3, Object, Orientation, Outputs, Pixel, Raster, Scene, Sphere, trace,
@@ -12,17 +13,17 @@ use crate::view::overlay::{
     silhouette, unit,
 };
 
-/// Length of the arrow of a unit vector, as a share of the picture's shorter side.
+/// Length of the arrow of a unit vector, as a fraction of the picture's shorter side.
 const ARROW: f64 = 0.3;
 
-/// Distance between two strokes of a plane's hatching, and the distance between tests of a stroke against the
-/// plane's border; both in points.
+/// Distance between two strokes of a plane's hatching, in points.
 const HATCH: f64 = 20.0;
+/// Distance between the positions at which a stroke is tested against the plane's border, in points.
 const CELL: f64 = 3.0;
 
 impl CameraSketch<'_> {
-    /// Highlights a concept on top of everything already drawn. If the camera cannot see it, the picture
-    /// stays as it is.
+    /// Highlights a concept on top of everything already drawn. Does nothing if the camera cannot see
+    /// the concept.
     pub(super) fn highlight(&mut self, highlighted: Highlighted, scene: &Scene) {
         let (shown, before) = (self.items, self.requests.len());
         let object = match highlighted.concept {
@@ -53,7 +54,8 @@ impl CameraSketch<'_> {
         self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
-    /// Returns the arrow of a unit vector in the image, foreshortened unless it is orthogonal to w.
+    /// Returns the arrow of a unit vector in the image. It is foreshortened unless the vector is
+    /// orthogonal to w.
     fn arrow_of(&self, vector: DVec3) -> DVec2 {
         let basis = self.view.resolved.basis();
         let in_image = DVec2::new(basis.u.dot(vector), -basis.v.dot(vector));
@@ -79,8 +81,8 @@ impl CameraSketch<'_> {
         self.label(pen, text, at, toward, POINT);
     }
 
-    /// Draws the symbol of a vector along the line of sight in the middle of the picture: a dot in a ring if it
-    /// points towards the observer, a cross in a ring if it points away.
+    /// Draws the symbol of a vector along the line of sight, in the middle of the picture: a dot in a
+    /// ring if the vector points towards the observer, or a cross in a ring if it points away.
     fn along_view(
         &mut self,
         away: bool,
@@ -103,7 +105,7 @@ impl CameraSketch<'_> {
         self.label(pen, text, at, toward, font);
     }
 
-    /// Highlights the inputs of the camera, its basis, its viewport and the distance.
+    /// Highlights what the user gives for the camera, its basis, its viewport or the distance.
     fn highlight_camera(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let (resolved, extent) = (self.view.resolved, self.view.extent());
         let (middle, below) = (0.5 * extent, DVec2::new(0.6, 1.0));
@@ -112,7 +114,7 @@ impl CameraSketch<'_> {
         let pen = |color| LineStyle { color, ..pen };
         match (highlighted.concept, highlighted.camera.orientation) {
             (Concept::Eye, _) => {
-                // All rays begin at the eye, which is behind the middle of the picture.
+                // All rays begin at the eye, which is straight behind the middle of the picture.
                 let text = "eye: straight behind this point";
                 self.along_view(false, pen(ink), text, below, POINT);
             }
@@ -149,7 +151,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws w, which points at the observer, and the other factor and the product in the image.
+    /// Draws a cross product. The factor w points at the observer; the other factor and the product are
+    /// arrows in the image.
     fn highlight_cross(&mut self, cross: &Cross, names: [&str; 3], pens: [LineStyle; 3]) {
         let middle = 0.5 * self.view.extent();
         let along = |s: &Self, vector: DVec3| s.arrow_of(unit(vector).unwrap_or_default());
@@ -164,7 +167,7 @@ impl CameraSketch<'_> {
         self.along_view(false, pens[w], "w", DVec2::new(-1.0, 1.0), VECTOR);
     }
 
-    /// Highlights the parts of the selected ray.
+    /// Highlights a concept of the selected ray.
     fn highlight_selected(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let Some(inspection) = &self.view.inspection else { return };
         let at = position_of(&self.view.resolved, self.view.size, inspection.uv);
@@ -197,8 +200,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the parts of the selected ray's direction: the part along w at the middle of the picture, and
-    /// the parts along u and v in the picture.
+    /// Draws the components of the selected ray's direction: the one along w in the middle of the
+    /// picture, and those along u and v as arrows.
     fn highlight_parts(&mut self, concept: Concept, uv: DVec2, pen: LineStyle) {
         let to_dots = |uv: DVec2| position_of(&self.view.resolved, self.view.size, uv);
         let middle = 0.5 * self.view.extent();
@@ -232,19 +235,19 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Hatches the pixels that show a plane. The hatching lies below everything else, because the plane may
-    /// fill the picture, and the marks on it must stay visible and hoverable.
+    /// Hatches the pixels that show a plane. The hatching is drawn below everything else, because the
+    /// plane may fill the picture and the marks on it must stay visible and respond to the pointer.
     fn highlight_plane(&mut self, scene: &Scene, index: u32) {
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 1.5);
         let (resolved, extent) = (&self.view.resolved, self.view.extent());
         let (scale, per_pixel) = (f64::from(self.view.scale), self.view.dots_per_pixel());
-        // The objects at the resolution that hatching needs.
+        // The objects are traced at the resolution that the hatching needs.
         let [columns, rows] = (extent / (CELL * scale)).to_array().map(|cells| cells.ceil() as u32);
         let raster = Raster::shown_on(resolved.image(), columns, rows);
         let frame = trace(scene, resolved, &raster, Outputs { object: true, ..Outputs::NONE });
         let shows_plane = |at: DVec2| {
             let cell = at / per_pixel;
-            // The cast saturates: positions left of or above the picture give index 0.
+            // The cast saturates, so positions left of or above the picture give index 0.
             let pixel = Pixel { row: cell.y as u32, column: cell.x as u32 };
             let offset = raster.nearest_to(pixel);
             offset.and_then(|offset| frame.object.get(offset)) == Some(&index)
@@ -260,14 +263,14 @@ impl CameraSketch<'_> {
     }
 }
 
-/// Returns strokes that rise to the right, at a distance of `apart`, where positions of the picture are
-/// `inside`. Each stroke is tested at intervals of `step`.
+/// Returns the strokes of a hatching, which rise to the right at a distance of `apart`. They cover the
+/// positions for which `inside` returns true, tested at intervals of `step`.
 fn hatch(extent: DVec2, apart: f64, step: f64, inside: impl Fn(DVec2) -> bool) -> Vec<[DVec2; 2]> {
     let mut strokes = Vec::new();
     let direction = DVec2::new(std::f64::consts::FRAC_1_SQRT_2, -std::f64::consts::FRAC_1_SQRT_2);
     let (reach, apart) = (extent.x + extent.y, apart * std::f64::consts::SQRT_2);
     for k in 1..(reach / apart).ceil() as u32 {
-        // x + y is constant along a stroke, which starts at the left or the lower edge.
+        // x + y is constant along a stroke, which starts at the left or at the lower edge.
         let sum = f64::from(k) * apart;
         let start = DVec2::new((sum - extent.y).max(0.0), sum.min(extent.y));
         let end = sum.min(extent.x) - start.x;

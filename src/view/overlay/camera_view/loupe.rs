@@ -1,5 +1,5 @@
-//! The loupe of the camera view: enlarges the pixels around the selected (u, v), to show whether it lies in
-//! the middle of a pixel, on an edge or on a corner.
+//! The loupe of the camera view. It enlarges the pixels around the selected (u, v) to show whether that
+//! position lies in the middle of a pixel, on an edge or on a corner.
 
 use std::ops::Range;
 
@@ -11,14 +11,14 @@ use crate::view::overlay::{
     CameraSketch, CameraView, Colors, Label, LineStyle, Picture, Shape, dot, position_of, wide,
 };
 
-/// Maximum side of all magnified pixels together, in points.
+/// Maximum side of the square of magnified pixels, in points.
 const CELLS: f64 = 216.0;
-/// Maximum share of the view that the loupe takes. It is less than half of the height, so that the loupe does
-/// not cover the selected position.
+/// Maximum fraction of the view that the loupe takes. It is less than half of the height, so that the
+/// loupe does not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
 /// Height of the loupe's text, in points.
 const TEXT: f32 = 15.0;
-/// Space for the names of the rows, and for a line of text, in points.
+/// Width of the rim for the row labels, and height of a line of text, in points.
 const RIM: DVec2 = DVec2::new(62.0, 23.0);
 
 /// The content of the loupe.
@@ -28,12 +28,12 @@ pub struct Loupe {
     pub picture: Picture,
     /// Number of pixels shown across and down; odd.
     pub shown_pixels: u32,
-    /// True if rows and columns are counted from one, as some courses do.
+    /// True if rows and columns are counted from 1, as some courses do.
     pub count_from_one: bool,
 }
 
-/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in the
-/// middle pixel, or on the edge between the two middle pixels.
+/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in
+/// the middle pixel or, if it lies on an edge, between the two middle pixels.
 pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, index: u32, count: u32| {
         let half = pixels / 2;
@@ -48,19 +48,21 @@ pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Ran
 
 /// The position and size of the loupe in the view.
 struct Inset {
-    /// Upper left corner and size, rims included, in dots.
+    /// Upper left corner, in dots. The rims are included.
     from: DVec2,
+    /// Size in dots. The rims are included.
     size: DVec2,
     /// The row and column, with fractions, at the middle of the cells; x and y are those of the image.
     middle: DVec2,
-    /// Position of that middle, in dots.
+    /// Position of the middle of the cells, in dots.
     center: DVec2,
     /// Side of a cell, in dots.
     cell: f64,
 }
 
 impl Inset {
-    /// Returns the open loupe, the selected position and the loupe's place; `None` if no loupe is open.
+    /// Returns the open loupe, the selected position in pixels and in dots, and the loupe's place.
+    /// Returns `None` if no loupe is open.
     fn open(view: &CameraView) -> Option<(&Loupe, PixelOfUv, DVec2, Inset)> {
         let loupe = view.loupe.as_deref().filter(|loupe| loupe.picture.is_whole())?;
         let inspection = view.inspection.as_ref().filter(|_| view.items.shows(Item::Loupe))?;
@@ -98,20 +100,20 @@ impl Inset {
         }
     }
 
-    /// Returns the middle of each rim: x is for the names of the rows, y for the names of the columns.
+    /// Returns the middle of each rim: x for the row labels, y for the column labels.
     fn rim(&self, scale: f64) -> DVec2 {
         self.from + 0.5 * scale * RIM
     }
 
-    /// Returns the position at which the loupe shows a point of the image; x and y are in pixels from the
-    /// upper left corner.
+    /// Returns the position at which the loupe shows a point of the image. `x` and `y` are in pixels
+    /// from the image's upper left corner.
     fn to_screen(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
     }
 }
 
 impl CameraSketch<'_> {
-    /// Draws the loupe over everything else.
+    /// Draws the loupe on top of everything else.
     pub(super) fn loupe(&mut self) {
         let (view, colors) = (self.view, self.colors);
         let Some((loupe, position, at, inset)) = Inset::open(view) else { return };
@@ -136,8 +138,8 @@ impl CameraSketch<'_> {
         self.loupe_labels(loupe, &touched, &inset);
     }
 
-    /// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the loupe
-    /// covers.
+    /// Adds the loupe's texts (rows, columns and the kind of position), and removes labels that the
+    /// loupe covers.
     fn loupe_labels(&mut self, loupe: &Loupe, touched: &[Pixel], inset: &Inset) {
         let CameraView { resolved, scale, size, inspection, .. } = self.view;
         let (low, high) = (inset.from, inset.from + inset.size);
@@ -185,15 +187,15 @@ impl CameraSketch<'_> {
                 let (from, to) = (corner(0), corner(1));
                 self.filled(from, to, LineStyle::new(Item::Loupe, *color, 1.0));
                 self.frame(from, to, edge);
-                // Cells have no halo, as pixels have none.
+                // Cells have no halo, since pixels have none.
                 self.drawing.marks.iter_mut().rev().take(2).for_each(|mark| mark.halo = None);
             }
         }
     }
 }
 
-/// Returns the loupe's texts, each with its middle: the numbers of the touched rows, to the left of them, the
-/// numbers of the touched columns, above them, and the word `column`.
+/// Returns the loupe's texts with their centres: the numbers of the touched rows at the left, those of
+/// the touched columns at the top, and the word `column`.
 fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(String, DVec2)> {
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
@@ -202,7 +204,7 @@ fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(St
     columns.dedup();
     let (rim, text, first) = (inset.rim(scale), f64::from(TEXT), u32::from(loupe.count_from_one));
     let row = |row: &u32| {
-        // Two names may need more space than two small pixels have.
+        // Two labels may need more space than two small cells have.
         let offset = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 {
             offset

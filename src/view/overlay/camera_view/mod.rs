@@ -1,4 +1,4 @@
-//! The camera view: the traced picture with sharp pixels, and the selection on top of it.
+//! The camera view: the traced picture with unsmoothed pixels, and the selection drawn over it.
 
 mod highlighted;
 pub(super) mod loupe;
@@ -14,15 +14,15 @@ use crate::view::overlay::{
     Same, Shape, Style, contrast, dot, mix, place_labels, position_of,
 };
 
-/// The inputs of the camera view. Equal inputs give the same picture, so the cache compares them as a whole.
-/// The scene is not among them, because another scene has another picture.
+/// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key.
+/// The scene is not among them, because a different scene has a different picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraView {
     /// The edited camera.
     pub resolved: ResolvedCamera,
     /// The camera's picture.
     pub picture: Same<Picture>,
-    /// The selected ray.
+    /// The selected ray and its hits.
     pub inspection: Option<Same<Inspection>>,
     /// Width and height of the buffer in dots. The whole image is stretched to fill it.
     pub size: [usize; 2],
@@ -36,15 +36,15 @@ pub struct CameraView {
     pub highlighted: Option<Highlighted>,
     /// The content of the loupe, if it is open.
     pub loupe: Option<Arc<Loupe>>,
-    /// True if the marks are not painted into the picture, because a figure draws them itself.
+    /// True if the marks are not painted into the picture, as in figures, which draw them separately.
     pub without_marks: bool,
 }
 
-/// Minimum size of a pixel, in dots, at which the grid is drawn.
+/// Minimum size of a pixel, in dots, for the pixel grid to be drawn.
 const GRID_FROM: f64 = 8.0;
 
-/// Fills the buffer with the picture and paints the overlay on it. Returns the drawing, whose labels the
-/// caller must draw. Without a scene, no concept is highlighted.
+/// Fills the buffer with the picture and paints the overlay on it. Returns the drawing, whose labels
+/// the caller must draw. If `scene` is `None`, no concept is highlighted.
 pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) -> Drawing {
     let drawing = view.drawing(scene);
     let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
@@ -57,7 +57,7 @@ impl CameraView {
         DVec2::new(self.size[0] as f64, self.size[1] as f64)
     }
 
-    /// Dots per pixel, across and down.
+    /// Returns the number of dots per pixel, horizontally and vertically.
     fn dots_per_pixel(&self) -> DVec2 {
         let image = self.resolved.image();
         self.extent() / DVec2::new(image.width().into(), image.height().into())
@@ -80,7 +80,8 @@ impl CameraView {
         });
     }
 
-    /// Returns, for each column and each row of dots, whether it lies on an edge between two pixels.
+    /// Returns, for each column and for each row of dots, whether it lies on an edge between two
+    /// pixels.
     fn grid(&self) -> [Vec<bool>; 2] {
         let line = (self.scale.round() as usize).max(1);
         let (image, [width, height]) = (self.resolved.image(), self.size);
@@ -100,7 +101,7 @@ impl CameraView {
         }
     }
 
-    /// Returns the marks and labels, without painting them.
+    /// Returns the marks and labels without painting them.
     pub fn drawing(&self, scene: Option<&Scene>) -> Drawing {
         let colors = self.style.colors();
         let mut overlay = CameraSketch {
@@ -123,12 +124,12 @@ impl CameraView {
     }
 }
 
-/// Returns, for each of `dots` dots, whether it lies on an edge between two of `count` cells. The edges are
-/// lines `width` dots wide.
+/// Returns, for each of `dots` dots, whether it lies on an edge between two of `count` cells. The edges
+/// are `width` dots wide.
 fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     let mut on = vec![false; dots];
     for k in 1..count as usize {
-        // The first dot that shows cell k, see `StretchedPicture`.
+        // The first dot that shows cell k; see `StretchedPicture`.
         let first = (2 * k * dots).saturating_sub(count as usize).div_ceil(2 * count as usize);
         let from = first.saturating_sub(width / 2);
         on[from.min(dots)..(from + width).min(dots)].fill(true);
@@ -188,8 +189,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the same marks as the world view: a thick top edge with a triangle on it, and a triangle at
-    /// pixel (0, 0).
+    /// Draws the same marks as the world view: a thick top edge with a triangle on it, and a triangle
+    /// at pixel (0, 0).
     fn marks(&mut self) {
         let (size, color) = (self.view.extent(), self.colors.mark);
         let scale = f64::from(self.view.scale);
@@ -212,9 +213,9 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the pixels that the selected ray touches, and a cross where the ray does not pass through the
-    /// centre of a pixel. If pixels are too small to be distinguished, draws only a frame around the
-    /// position.
+    /// Draws a frame around the pixels that the selected ray touches, and a cross if the ray does not
+    /// pass through the centre of a pixel. If pixels are too small to be distinguished, draws only a
+    /// frame around the ray's position.
     fn selected(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };
         let pen = LineStyle::new(Item::Ray, self.colors.ray, 1.8).about(Concept::Pixel);
