@@ -62,15 +62,15 @@ pub struct Frame<T = f64> {
     pub object: Vec<u32>,
     /// Outward unit normals, zero where nothing is hit; empty unless requested.
     pub normal: Vec<DVec3>,
-    /// Number of decisions that each step of the ladder made. Testing a pixel against an object is one
-    /// decision; a pixel that goes up the ladder by itself may take several: whether the object is hit,
-    /// whether the hit is in front of the eye, and whether it is first.
+    /// Number of decisions that each step of [the ladder](crate#the-ladder) made. Testing a pixel
+    /// against an object is one decision; a pixel that goes up the ladder by itself may take several:
+    /// whether the object is hit, whether the hit is in front of the eye, and whether it is first.
     pub steps: Steps,
     /// Counts of the work that was left out, and of the work that remained.
     pub counts: Counts,
-    /// Number of values of [`Frame::t`] in `f64` that each step of the ladder found. Rounding one
-    /// correctly takes more digits than `f64` has, so the `f64` step finds none. In `f32`, `t` comes
-    /// with the decision.
+    /// Number of values of [`Frame::t`] that each step of the ladder computed, for `t` in `f64`.
+    /// Rounding `t` correctly takes more digits than `f64` has, so the `f64` step computes none. For `t`
+    /// in `f32`, which the decision yields as well, all numbers are 0.
     pub steps_of_t: Steps,
 }
 
@@ -92,8 +92,8 @@ impl Raster {
         Raster { rows: (0..image.height()).collect(), columns: (0..image.width()).collect() }
     }
 
-    /// Returns the pixels of the image that a nearest-neighbour display of `rows` x `columns` dots
-    /// shows, each at most once.
+    /// Returns the raster of the pixels that are visible when the image is shown on `rows` x `columns`
+    /// dots without interpolation (nearest neighbour). Each pixel occurs at most once.
     pub fn shown_on(image: ImageSize, columns: u32, rows: u32) -> Raster {
         Raster {
             rows: shown(image.height(), rows.max(1)),
@@ -101,7 +101,7 @@ impl Raster {
         }
     }
 
-    /// Returns the pixels of these rows and columns, all of which must lie in the image.
+    /// Returns the raster of these rows and columns, all of which must lie in the image.
     pub fn part(rows: std::ops::Range<u32>, columns: std::ops::Range<u32>) -> Raster {
         Raster { rows: rows.collect(), columns: columns.collect() }
     }
@@ -121,15 +121,15 @@ impl Raster {
         &self.columns
     }
 
-    /// Returns, for each row of the image, the position of the nearest traced row in [`Raster::rows`],
-    /// and likewise for columns. Of two equally near rows or columns, the first is taken.
+    /// Returns, for each row of the image, the index in [`Raster::rows`] of the nearest traced row, and
+    /// likewise for columns. Of two equally near rows or columns, the first is taken.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
         let indices = |traced, count| (0..count).map(|own| nearest(traced, own)).collect();
         [indices(&self.rows, image.height()), indices(&self.columns, image.width())]
     }
 
-    /// Returns the position, row by row, of the raster's pixel in the nearest row and column, chosen as
-    /// in [`Raster::nearest`]; `None` if no pixel is traced.
+    /// Returns the index, counted row by row, of the traced pixel in the row and column nearest to
+    /// `pixel`, chosen as in [`Raster::nearest`]. Returns `None` if no pixel is traced.
     pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
         (!self.is_empty()).then(|| {
             let row = nearest(&self.rows, pixel.row);
@@ -137,9 +137,9 @@ impl Raster {
         })
     }
 
-    /// Returns the raster's values for every pixel of the image. A pixel that was not traced gets the
-    /// value of the nearest row and column ([`Raster::nearest`]). Returns an empty vector if no pixel is
-    /// traced, or if there is not one value for each pixel of the raster.
+    /// Spreads the values of the raster's pixels over the whole image. A pixel that was not traced gets
+    /// the value from the nearest traced row and column ([`Raster::nearest`]). Returns an empty vector
+    /// if no pixel is traced, or if `values` does not have one value for each pixel of the raster.
     pub fn spread<V: Copy>(&self, image: ImageSize, values: &[V]) -> Vec<V> {
         if self.is_empty() || values.len() != self.len() {
             return Vec::new();
@@ -160,7 +160,7 @@ impl Raster {
     }
 }
 
-/// Returns the cells, out of `count`, that lie at the centres of `dots` dots across all cells.
+/// Divides `count` cells into `dots` dots of equal width, and returns the cell at each dot's centre.
 fn shown(count: u32, dots: u32) -> Vec<u32> {
     if dots >= count {
         return (0..count).collect();
@@ -169,7 +169,7 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
-/// Returns the position of the nearest traced row or column; of two equally near ones, the first.
+/// Returns the index of the nearest traced row or column; of two equally near ones, the first.
 fn nearest(traced: &[u32], own: u32) -> usize {
     let after = traced.partition_point(|x| *x < own);
     let before = after.saturating_sub(1);
@@ -188,10 +188,10 @@ impl<T: Copy> Frame<T> {
         &self.raster
     }
 
-    /// Returns the frame enlarged to every pixel of the image, with the values of [`Raster::spread`] in
-    /// the pixels that were not traced: for showing a coarse frame where every pixel is needed. Such a
-    /// value is not the hit of the ray through its own pixel. Steps and counts remain those of the
-    /// traced pixels.
+    /// Returns the frame enlarged to all pixels of the image, for showing a coarse frame where every
+    /// pixel is needed. A pixel that was not traced gets the values of a traced one (see
+    /// [`Raster::spread`]), not the hit of its own ray. Steps and counts remain those of the traced
+    /// pixels.
     pub fn spread(&self) -> Frame<T> {
         let image = self.camera.image();
         Frame {
@@ -209,7 +209,7 @@ impl<T: Copy> Frame<T> {
     /// Returns the traced pixel in the raster's `row`th row and `column`th column.
     ///
     /// # Panics
-    /// Panics outside the raster, or if `t` or the object was not requested.
+    /// Panics if the row or column is outside the raster, or if `t` or the object was not requested.
     pub fn at(&self, row: usize, column: usize) -> FramePixel<T> {
         let index = row * self.raster.columns.len() + column;
         let object = self.object[index];
@@ -227,7 +227,7 @@ pub(crate) fn empty_frame<T: Depth>(
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
-    // Zeroed memory takes no time until a band's thread fills it.
+    // Allocating zeroed memory takes no time; the cost arises when a band's thread fills it.
     let pixels = |asked: bool| if asked { raster.len() } else { 0 };
     Frame {
         camera: *camera,
@@ -245,12 +245,12 @@ pub(crate) fn empty_frame<T: Depth>(
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,
-    /// The drawn `t`, for a frame that keeps `t` in another precision.
+    /// The drawn `t`, if the frame keeps `t` in `f64`.
     pub(crate) drawn: Vec<f32>,
 }
 
-/// Splits a buffer into the parts of the bands, which have these rows of `width` pixels each. The parts are
-/// empty if the buffer is.
+/// Splits a buffer of rows of `width` pixels into one part for each band. All parts are empty if the
+/// buffer is.
 pub(crate) fn parts<'a, T>(
     mut buffer: &'a mut [T],
     bands: &[Range<usize>],
@@ -260,7 +260,8 @@ pub(crate) fn parts<'a, T>(
     bands.iter().map(next).collect()
 }
 
-/// Returns a buffer's part or, if its output was not requested, as much of the thread's own buffer.
+/// Returns the band's part of an output buffer or, if that output was not requested, `len` elements of
+/// the thread's own buffer.
 pub(crate) fn or_own<'a, T: Copy>(
     part: &'a mut [T],
     own: &'a mut Vec<T>,
@@ -274,7 +275,7 @@ pub(crate) fn or_own<'a, T: Copy>(
     &mut own[..len]
 }
 
-/// Counts of the work that a frame left out. Rows are those of the traced raster.
+/// How much work a frame left out. Rows are those of the traced raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
@@ -285,30 +286,33 @@ pub struct Counts {
     pub spheres_left_out: u64,
     /// Number of rows of the picture.
     pub rows: u64,
-    /// Number of rows that no object's outline can reach, so that they show only the background.
+    /// Number of rows that no object's outline can reach; they show only the background.
     pub rows_untouched: u64,
 }
 
 /// The floating-point type in which a frame keeps `t`: `f64`, correctly rounded from the exact value, or
-/// `f32`, within an ulp, in a fraction of the time.
+/// `f32`, within an ulp, which takes a fraction of the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     /// Zero.
     #[doc(hidden)]
     const ZERO: Self;
     /// The value of `t` for a pixel where nothing is hit.
     const NONE: Self;
-    /// True if frames are drawn in this type. In `f64`, `t` is found once the objects are known.
+    /// True for `f32`, the type in which frames are drawn. In `f64`, `t` is computed once the objects
+    /// are known.
     #[doc(hidden)]
     const IS_DRAWN: bool;
 
     /// Converts the number to `f64`, exactly.
     fn widened(self) -> f64;
 
-    /// Returns the buffer to draw into: `t` itself, or as much of the thread's own buffer.
+    /// Returns the buffer to draw into: `t` itself for `f32`; for `f64`, as many elements of the
+    /// thread's own buffer.
     #[doc(hidden)]
     fn drawn<'a>(t: &'a mut [Self], own: &'a mut Vec<f32>) -> &'a mut [f32];
 
-    /// Returns the buffer to fill once the objects are known: `t` itself, or an empty one.
+    /// Returns the buffer to fill once the objects are known: `t` itself for `f64`, an empty one for
+    /// `f32`.
     #[doc(hidden)]
     fn found(t: &mut [Self]) -> &mut [f64];
 
@@ -384,6 +388,6 @@ impl Depth for f64 {
     fill!();
 }
 
-/// A callback that is called with the rows of a band as soon as they are traced, with `t` and with
+/// A callback for each band, called as soon as the band is traced, with its rows and with the `t` and
 /// the objects of their pixels.
 pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);

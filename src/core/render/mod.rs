@@ -3,32 +3,34 @@
 //! # The plan of a frame
 //!
 //! All rays of a frame start at the eye. So a sphere's outline in the picture is a conic, and on one row
-//! of pixels the hits form one interval. The interval is computed once, its ends are decided with a
-//! margin, and every pixel inside is a hit.
+//! of pixels the hits form one interval. The interval is computed once per row. Only pixels closer to
+//! its ends than a margin are in doubt; every other pixel inside is a hit.
 //!
-//! - [`plan`]: which objects the rows can see, and how each is drawn. Spheres behind the eye or outside
-//!   the view are dropped. Many spheres are found by an index over them, not one by one ([`bvh`]).
-//! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
-//!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
-//!     ([`polynomial`]): they hide much of the rest;
-//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time, near to far; if
-//!     few, each vector of pixels is written once where no others overlap ([`rows::draw_row`]); if many,
-//!     the spheres that are small compared with their distance are drawn together
-//!     ([`rows::small_spheres`]), and the spheres that nearer ones hide are skipped
-//!     ([`bvh::occlusion`], [`rows::vector_bounds`]);
+//! - [`plan`]: which objects are visible in which rows, and how each is drawn. Spheres behind the eye or
+//!   outside the view are dropped. If there are many spheres, an index finds the visible ones ([`bvh`]).
+//! - Then bands of rows are drawn in parallel ([`row_band`]), each in this order ([`fill`]):
+//!   - spheres that are near or large, because they hide many of the others: their quadratic is made a
+//!     polynomial in rows and columns ([`polynomial`]);
+//!   - all other spheres, near to far and row by row ([`rows`]), in `f32`, several pixels at a time. If
+//!     there are few, pixels are not cleared first: the first sphere in a vector of pixels writes it
+//!     without reading it ([`rows::draw_row`]). If there are many, spheres that are small compared with
+//!     their distance are drawn together ([`rows::small_spheres`]), and spheres hidden by nearer ones
+//!     are skipped ([`bvh::occlusion`], [`rows::vector_bounds`]);
 //!   - spheres that cannot be drawn by outlines, and the planes, by polynomials again.
-//! - Each step has an error bound. A pixel within the bound is *in doubt*, and goes up the ladder by
-//!   itself ([`row_band::fallback`]): the object that comes first is the same as in exact arithmetic.
+//! - Every computation has an error bound. A pixel whose decision lies within the bound is *in doubt*
+//!   and goes up [the ladder](crate#the-ladder) by itself ([`row_band::fallback`]). So each pixel shows
+//!   the object that exact arithmetic would find.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
 //!
-//! A doubt costs some 50 to 150 ns for each pixel and sphere where `f64` decides, as it does for nearly
-//! equal, nested and equal spheres and those that touch the eye ([`row_band::rough_hits`]); a microsecond
-//! where double-double has to; 40 where only exact numbers do: exact tangents and ties of unlike objects.
-//! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
-//! take less than a second and a half on two cores, up to 10,000 spheres that all lie within 1e-9.
+//! Each pair of a pixel and a sphere in doubt costs 50 to 150 ns if `f64` decides it, as for spheres
+//! that are equal, nearly equal or nested, or that touch the eye ([`row_band::rough_hits`]). It costs a
+//! microsecond if double-double is needed, and 40 microseconds if exact numbers are: for exact tangents,
+//! and for ties between unequal objects. `cargo bench -p pinhole-core --bench worst` measures the worst
+//! families known: 57,600 pixels of each take less than 1.5 seconds on two cores, even with 10,000
+//! spheres that all lie within 1e-9 of each other.
 //!
 //! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
-//! ([`row_band::exact_values`]).
+//! (`row_band::fallback::fill_exactly`).
 //!
 //! [`Counts`](frame::Counts) counts the work that was left out.
 
@@ -66,16 +68,16 @@ use crate::scene::Scene;
 /// Each pixel's object is the one that [`Scene::first_hit_of`] finds for the pixel's [exact
 /// ray](ResolvedCamera::exact_ray), and its `t` is the exact value, rounded. The result is the same, bit
 /// for bit, with any number of threads and on any processor. Terms that the rays share are computed
-/// once, only visible objects are examined, and a pixel in doubt goes up the ladder by itself. A scene
-/// without planes runs no plane code.
+/// once, only visible objects are examined, and only pixels in doubt go up [the
+/// ladder](crate#the-ladder). A scene without planes runs no plane code.
 ///
-/// In a sequence of frames, trace all but the first by [`retrace`].
+/// For a sequence of frames, use [`retrace`] for all but the first.
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_as(scene, camera, raster, outputs)
 }
 
-/// Does what [`trace`] does, with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the
-/// time.
+/// Traces like [`trace`], with `t` in the type T: correctly rounded in `f64`, or within an ulp in `f32`,
+/// which takes a fraction of the time.
 pub fn trace_as<T: Depth>(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -85,9 +87,8 @@ pub fn trace_as<T: Depth>(
     trace_at_level(Level::new(), scene, camera, raster, outputs, |_| ())
 }
 
-/// Does what [`trace_as`] does with the instructions of a given SIMD level, for callers that report
-/// progress. All levels give the same bits. Calls `done`, from any thread, with the number of rows that
-/// were just finished.
+/// Traces like [`trace_as`], with the instructions of a given SIMD level, and reports progress: calls
+/// `done`, from any thread, with the number of rows just finished. All levels give the same bits.
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,
@@ -101,12 +102,13 @@ pub fn trace_at_level<T: Depth>(
     frame
 }
 
-/// Traces and colours: writes the pixels that [`shade`](crate::shade) would make of the frame, and keeps
-/// only the requested `outputs`. Each band of rows is coloured as soon as it is traced, while it is
-/// still in the cache; only [`Shade::T`] waits until the nearest `t` of the whole frame is known.
+/// Traces and colours in one pass: writes to `pixels` what [`shade`](crate::shade) would return for the
+/// frame, and keeps only the requested `outputs`. Each band of rows is coloured as soon as it is traced,
+/// while it is still in the cache; only for [`Shade::T`] does colouring wait until the nearest `t` of
+/// the whole frame is known.
 ///
 /// # Panics
-/// Panics unless there is one pixel for each pixel of the raster.
+/// Panics unless `pixels` has one element for each pixel of the raster.
 pub fn trace_painted<T: Depth, P: Send>(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -130,12 +132,12 @@ pub fn trace_painted<T: Depth, P: Send>(
     frame
 }
 
-/// Traces another camera or scene into a frame of the same raster and colours it. The result is that of
-/// [`trace_painted`], without allocating new memory.
+/// Traces another camera or scene into an existing frame, whose raster is kept, and colours it. The
+/// result equals that of [`trace_painted`], but no memory is allocated for it.
 ///
 /// # Panics
-/// Panics unless there is one pixel for each pixel of the raster, and if a frame without `t` or objects
-/// is coloured by [`Shade::T`].
+/// Panics unless `pixels` has one element for each pixel of the raster, or if the colours are those of
+/// [`Shade::T`] and the frame lacks `t` or objects.
 pub fn retrace_painted<T: Depth, P: Send>(
     frame: &mut Frame<T>,
     scene: &Scene,
@@ -168,9 +170,9 @@ pub fn retrace_painted<T: Depth, P: Send>(
     T::fill(frame, level, scene, Some(&finish), &|_| ());
 }
 
-/// Traces another camera or scene into a frame of the same raster. The result is that of [`trace_as`],
-/// without allocating new memory, which for a simple scene costs several times as much as everything
-/// else.
+/// Traces another camera or scene into an existing frame, whose raster is kept. The result equals that
+/// of [`trace_as`], but no memory is allocated for it, which for a simple scene takes several times as
+/// long as everything else.
 ///
 /// ```
 /// use pinhole_core::*;
@@ -187,8 +189,7 @@ pub fn retrace<T: Depth>(frame: &mut Frame<T>, scene: &Scene, camera: &ResolvedC
     retrace_at_level(Level::new(), frame, scene, camera);
 }
 
-/// Does what [`retrace`] does with the instructions of a given SIMD level. All levels give the same
-/// bits.
+/// Traces like [`retrace`], with the instructions of a given SIMD level. All levels give the same bits.
 pub fn retrace_at_level<T: Depth>(
     level: Level,
     frame: &mut Frame<T>,
@@ -199,8 +200,8 @@ pub fn retrace_at_level<T: Depth>(
     T::fill(frame, level, scene, None, &|_| ());
 }
 
-/// Traces the frame's camera and raster, band by band, into those buffers of the frame that are not
-/// empty. Each band is finished while it is in the cache.
+/// Traces the frame band by band, into those of its buffers that are not empty. Calls `finish` for each
+/// band while it is still in the cache.
 pub(crate) fn fill<T: Depth>(
     frame: &mut Frame<T>,
     level: Level,
@@ -257,8 +258,7 @@ pub(crate) fn fill<T: Depth>(
     };
 }
 
-/// The decisions of a band and the values of `t` that each step found, and the numbers of spheres left
-/// out and of rows untouched.
+/// The counts of a band: decisions by step, values of `t` by step, spheres left out, and rows untouched.
 type Counted = (Steps, Steps, u64, u64);
 
 fn sums(a: Counted, b: Counted) -> Counted {

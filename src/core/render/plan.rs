@@ -1,5 +1,5 @@
-//! The plan of a frame, made before drawing: which objects the rows can see, how each sphere is drawn,
-//! and the data that the pixels share.
+//! The plan of a frame, made before drawing: which objects are visible, how each sphere is drawn, and
+//! the data that the pixels share.
 
 use std::ops::Range;
 
@@ -28,23 +28,24 @@ pub(crate) struct Plan<'a> {
     pub(crate) axes: RasterAxes,
     /// Spheres that are drawn by rows, near to far.
     pub(crate) spans: Vec<Span>,
-    /// The spheres not drawn by rows that each slice of rows can see; empty if there are many spheres.
+    /// For each slice of rows, the spheres visible in it that are not drawn by rows; empty if `visible`
+    /// is not `None`.
     others: Vec<Vec<(u32, Extent)>>,
-    /// The visible part of the index over the spheres; `None` if there are few.
+    /// The visible part of the sphere index; `None` if there are few spheres.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
     /// Number of spheres that were left out because they cannot be seen.
     pub(crate) left_out: u64,
-    /// True if there are so few spheres that pixels are not cleared before they are drawn.
+    /// True if there are so few spheres that the pixels need not be cleared before drawing.
     pub(crate) is_written_once: bool,
-    /// True if one thread finishes the frame before another one would have started.
+    /// True if one thread can finish the frame before a second one could start.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// The planes; `None` for a plane that an earlier one hides completely.
     pub(crate) planes: Vec<Option<ObjectFromOrigin>>,
 }
 
-/// Number of spheres up to which writing whole blocks, most of them once, costs less than clearing all
-/// pixels.
+/// Maximum number of spheres for which writing whole blocks, most of them once, costs less than clearing
+/// all pixels first.
 const MOST_WRITTEN_ONCE: usize = 64;
 
 impl<'a> Plan<'a> {
@@ -76,8 +77,8 @@ impl<'a> Plan<'a> {
         let seen = |plane| ObjectFromOrigin::new(&Object::Plane(plane), camera.eye());
         let planes: Vec<Option<ObjectFromOrigin>> =
             distinct(scene.planes()).map(|plane| plane.map(seen)).collect();
-        /// The frame is finished before another thread would have started, at a few operations per pixel,
-        /// if it has at most this many pixels and spheres.
+        /// Maximum numbers of pixels and spheres with which one thread, at a few operations per pixel,
+        /// can finish the frame before a second one could start.
         const QUICK: (usize, usize) = (1 << 18, 8);
         let has_others = others.iter().any(|slice| !slice.is_empty());
         let is_quick = visible.is_none()
@@ -103,8 +104,8 @@ impl<'a> Plan<'a> {
 
     /// Returns the rows of each band, in the order in which threads take the bands.
     ///
-    /// With many spheres, a sphere on the border of two bands is examined twice. Bands have two slices,
-    /// and one slice towards the end, so that all threads finish at about the same time.
+    /// A sphere on the border of two bands is examined twice, so with many spheres a band has two
+    /// slices. Towards the end it has one, so that all threads finish at about the same time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
         /// The last `rows / LAST` rows are in bands of one slice.
         const LAST: usize = 4;
@@ -120,15 +121,15 @@ impl<'a> Plan<'a> {
         bands
     }
 
-    /// Returns the spheres that a slice of rows can see, without the spheres drawn by rows
-    /// and the spheres of an index.
+    /// Returns the spheres visible in a slice of rows that are neither drawn by rows nor found by the
+    /// sphere index.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
         self.others.get(slice).into_iter().flatten().copied()
     }
 }
 
-/// Returns the planes, with `None` for a plane that is the same set of points as an earlier one,
-/// which hides it.
+/// Returns the planes, with `None` in place of each plane that coincides with an earlier one, which
+/// hides it.
 fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
     planes.iter().enumerate().map(|(index, plane)| {
         let is_hidden = planes[..index].iter().any(|earlier| earlier.is_same(plane));
@@ -136,14 +137,15 @@ fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
     })
 }
 
-/// Number of rows in a slice, for which one object's polynomials are made. Bands are whole slices.
+/// Number of rows in a slice. An object's polynomials are made for one slice at a time, and each band
+/// consists of whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// Spheres, sorted by the way in which they are drawn.
+/// Spheres, classified by how they are drawn.
 #[derive(Default)]
 pub(crate) struct Classified {
     pub(crate) spans: Vec<Span>,
-    /// The spheres not drawn by rows, for each slice of rows.
+    /// For each slice of rows, the spheres visible in it that are not drawn by rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
     /// Number of spheres that were left out because they cannot be seen.
     pub(crate) left_out: u64,
@@ -159,7 +161,7 @@ pub(crate) struct Classifier<'a> {
 }
 
 impl Classifier<'_> {
-    /// Sorts the spheres of a scene.
+    /// Classifies the spheres of a scene.
     pub(crate) fn classify(&self, spheres: &[Sphere]) -> Classified {
         let mut classified = Classified::default();
         classified.others.resize_with(self.axes.height.div_ceil(SLICE_ROWS), Vec::new);

@@ -1,5 +1,5 @@
-//! Pixels that go up the ladder one by one, while the numbers of objects and of pairs of planes are
-//! cached; and `t` in `f64` and the normals of hits whose objects are known.
+//! Decides pixels in doubt one by one, up the ladder, with a cache of the numbers of objects and of
+//! pairs of planes. Also computes `t` in `f64` and normals for hits whose objects are known.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -24,11 +24,11 @@ use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
 use crate::scene::plane_predicates::{PlaneFromOrigin, PlaneOrder};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// Number of pixels in doubt from which it pays to keep the rough hit of each pixel, and to share the
-/// pixels among the threads.
+/// Minimum number of pixels in doubt for which it pays to cache each pixel's rough hit and to divide the
+/// pixels among threads.
 const MANY: usize = 1024;
 
-/// Number of parts into which the rows of a band are split.
+/// Number of parts into which a band's rows are divided for the threads.
 const SHARES: usize = 4;
 
 /// A pixel and an object that it may show.
@@ -44,20 +44,20 @@ pub(crate) struct PixelQuery<'a> {
     pub(crate) t: Option<f32>,
 }
 
-/// Some rows of a frame, with the hits known so far, whose pixels in doubt are decided one by one.
+/// Some rows of a frame with the hits known so far. Their pixels in doubt are decided one by one.
 pub(crate) struct PixelLadder<'a> {
     plan: &'a Plan<'a>,
     rows: Range<usize>,
     t: &'a mut [f32],
     object: &'a mut [u32],
-    /// The rough hit of the sphere that each pixel shows, in `f64`; empty if few pixels are in doubt.
+    /// The hit, in `f64`, of the sphere that each pixel shows; empty if few pixels are in doubt.
     hits: &'a mut [Option<RoughHit>],
     known_objects: &'a mut KnownObjects,
     steps: &'a mut Steps,
 }
 
 impl RowBand<'_> {
-    /// Decides the pixels that the rows have left in doubt.
+    /// Decides the pixels that [`RowBand::draw_rows`] has left in doubt.
     pub(crate) fn resolve_doubt(&mut self) {
         let doubts = mem::take(&mut self.doubts);
         if doubts.len() < MANY {
@@ -84,8 +84,8 @@ impl RowBand<'_> {
         self.doubts.clear();
     }
 
-    /// Decides one pixel by itself, up the ladder. The pixel has been counted as decided in `f64`; it is
-    /// counted at the step that decides it instead.
+    /// Decides one pixel up the ladder. The caller has counted it as decided in `f64`; it is now counted
+    /// at the step that decides it.
     #[cold]
     pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
         self.steps.f64 -= 1;
@@ -107,7 +107,7 @@ pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 impl PixelLadder<'_> {
     /// Decides the doubts that lie in these rows.
     fn resolve_all(&mut self, doubts: &[Doubt]) {
-        // Most doubts come sphere by sphere.
+        // Consecutive doubts mostly concern the same sphere.
         let mut last: Option<(u32, ObjectFromOrigin)> = None;
         for doubt in doubts {
             let Doubt { index, row, column, t } = *doubt;
@@ -138,7 +138,7 @@ impl PixelLadder<'_> {
         (query.row - self.rows.start) * self.plan.rays.n.len() + query.column
     }
 
-    /// Decides a pixel in `f64`, if `f64` is certain; returns whether it is.
+    /// Tries to decide a pixel in `f64`; returns whether `f64` is certain.
     fn decide_roughly(&mut self, query: &PixelQuery, seen: &SphereFromOrigin) -> bool {
         let PixelQuery { index, row, column, t, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -153,7 +153,7 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
-        // Most hits are farther than the known one, which the power of the known hit shows.
+        // Most hits are farther than the known one, as the power of the known hit shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
             && let Some(hit) = self.kept_hit(offset, known)
@@ -197,7 +197,7 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Decides in `f64` which of two planes a pixel shows, if `f64` is certain; returns whether it is.
+    /// Tries to decide in `f64` which of two planes a pixel shows; returns whether `f64` is certain.
     fn decide_planes_roughly(&mut self, query: &PixelQuery, plane: &PlaneFromOrigin) -> bool {
         let PixelQuery { index, row, column, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
@@ -222,8 +222,8 @@ impl PixelLadder<'_> {
         true
     }
 
-    /// Returns the hit of the object that a pixel shows; `None` unless it is a sphere and `f64` is
-    /// certain of the hit.
+    /// Returns the hit on the sphere that a pixel shows. Returns `None` if the pixel shows no sphere, or
+    /// if `f64` is not certain of the hit.
     fn known_hit(
         &mut self,
         offset: usize,
@@ -287,8 +287,8 @@ impl PixelLadder<'_> {
     }
 }
 
-/// A cache of objects with the numbers that all rays from the eye share, by the last bits of their
-/// index, and of pairs of planes.
+/// A cache of objects with the numbers that all rays from the eye share, keyed by the last bits of their
+/// index, and of the orders of pairs of planes.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
@@ -330,8 +330,8 @@ impl KnownObjects {
     }
 }
 
-/// Fills in `t` and normals of the pixels in some rows, whose objects are known. A buffer without room
-/// is skipped. Returns the number of `t` that each step of the ladder found.
+/// Computes `t` and normals of the pixels in some rows, given their objects. An empty buffer is skipped.
+/// Returns how many values of `t` each step of the ladder computed.
 pub(crate) fn fill_exactly(
     plan: &Plan,
     rows: Range<usize>,

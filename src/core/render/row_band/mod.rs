@@ -27,8 +27,8 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// The number of lanes of the widest vector: rows are padded to whole vectors.
 const LANES: usize = 8;
 
-/// Rows of a frame with their part of the buffers. Objects may be added in any order. If two hits
-/// are too close to call, the ladder finds the first; among equal ones, that of the object listed
+/// Rows of a frame with their part of the buffers. Objects may be added in any order. If two hits are
+/// too close to call, the ladder decides which comes first; of equal hits, that of the object listed
 /// first is taken.
 pub(crate) struct RowBand<'a> {
     pub(crate) plan: &'a Plan<'a>,
@@ -36,10 +36,11 @@ pub(crate) struct RowBand<'a> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    /// The pixels that have been written, while spheres are drawn by rows into buffers that are not
-    /// cleared.
+    /// The blocks of pixels written so far, while spheres are drawn by rows into buffers that were not
+    /// cleared; otherwise `None`.
     written: Option<WrittenBlocks>,
-    /// The sphere, or the group and block of many, to be drawn next; `None` if all are drawn.
+    /// The position of the sphere to be drawn next or, if there are many spheres, of the group and
+    /// block; `None` if all are drawn.
     next: Option<(usize, usize)>,
     /// Pixels in doubt that remain to be decided.
     doubts: Vec<Doubt>,
@@ -51,12 +52,12 @@ pub(crate) struct RowBand<'a> {
     is_reached: Vec<bool>,
     /// Column numbers, counted from the middle of the current patch.
     m: Vec<f64>,
-    /// The kernels' answers for one row.
+    /// The kernel's answers for one row: `t`, a miss or doubt.
     found: Vec<f64>,
 }
 
-/// Number of pixels up to which making a sphere's polynomials costs more than intersecting each
-/// pixel's ray.
+/// Maximum number of pixels for which intersecting each pixel's ray costs less than making a sphere's
+/// polynomials.
 const FEW_PIXELS: usize = 64;
 
 /// An object's polynomials over a patch of pixels.
@@ -117,8 +118,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws the spheres that are near or large, if there are many spheres, because they hide many
-    /// of the others.
+    /// Draws the near and the large ones of many spheres, which hide many of the others. Draws nothing
+    /// if there are few spheres.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
         for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
@@ -126,8 +127,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns false if all
-    /// had been drawn before.
+    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns false if none
+    /// was left to draw.
     pub(crate) fn draw_rows(&mut self) -> bool {
         let RowBand { plan, rows, t, object, written, next, doubts, drawn, is_reached, .. } = self;
         let (plan, Some(from)) = (*plan, *next) else { return false };
@@ -230,8 +231,8 @@ impl<'a> RowBand<'a> {
         self.add(index, rows, columns, &patch, &kernel, None);
     }
 
-    /// Adds a sphere that covers so few pixels that polynomials would cost more: each pixel's ray
-    /// is intersected with it in `f64`.
+    /// Adds a sphere that covers so few pixels that intersecting each pixel's ray in `f64` costs less
+    /// than making polynomials.
     fn add_per_pixel(
         &mut self,
         index: u32,

@@ -1,5 +1,5 @@
-//! Decisions in `f64` on pixels in doubt. The hit of the sphere that a pixel shows is kept, so that
-//! each further sphere costs one comparison.
+//! Decides pixels in doubt in `f64`. The hit on the sphere that a pixel currently shows is cached, so
+//! that testing another sphere takes one comparison.
 
 use std::cmp::Ordering;
 
@@ -9,12 +9,12 @@ use crate::exact::scale::ldexp;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// A sphere's first hit with a pixel's ray, in `f64`.
+/// The first hit of a pixel's ray on a sphere, in `f64`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoughHit {
     /// Index of the sphere.
     pub(crate) object: u32,
-    /// `t` for the current direction, in units of `2^scale`.
+    /// `t` for the stretched direction (see [`RoughHit::t_of`]), in units of `2^scale`.
     pub(crate) t: f64,
     /// The relative error of `t`.
     pub(crate) share: f64,
@@ -23,9 +23,9 @@ pub(crate) struct RoughHit {
     side: Ordering,
     /// The vector from the sphere's centre to the hit, in units of `2^scale`.
     from_center: Vector<f64>,
-    /// The error of `from_center`, as a length.
+    /// Bound of the length of the error of `from_center`.
     off: f64,
-    /// At most half the chord's length.
+    /// Lower bound of half the length of the ray's chord in the sphere.
     half_chord: f64,
 }
 
@@ -37,7 +37,7 @@ pub(crate) enum Rough {
     Doubt,
 }
 
-/// Range of lengths with which nothing here overflows or underflows.
+/// Range of lengths for which no computation here overflows or underflows.
 const LENGTHS: std::ops::Range<f64> = 1e-60..1e60;
 
 impl Rough {
@@ -99,23 +99,26 @@ impl RoughHit {
         ((t - other_t).abs() > doubt).then(|| t.total_cmp(&other_t))
     }
 
-    /// Compares `t` with that of another sphere that the ray surely hits, by the power of this hit
-    /// with respect to the other sphere; returns `None` if in doubt. With o the vector from this
-    /// sphere's centre to the hit, and e the vector from this centre to the other one, the
-    /// quadratic terms of the power cancel:
+    /// Compares `t` with the `t` at which the ray hits another sphere, by the power of this hit with
+    /// respect to that sphere. The ray must be known to hit it. Returns `None` if in doubt.
+    ///
+    /// Let o be the vector from this sphere's centre to the hit, and e the vector from this centre to
+    /// the other one. In the power, the quadratic terms cancel:
     ///
     /// ```text
     /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)
     /// ```
     ///
-    /// is linear in o, and every term is as small as the spheres differ: `f64` distinguishes nearly equal
-    /// spheres, and nested ones.
+    /// This is linear in o, and every term is as small as the difference between the spheres, so `f64`
+    /// can distinguish nearly equal spheres, and nested ones.
     ///
-    /// - Where the power is negative, the hit lies in the other sphere. From outside, the ray has
-    ///   entered that before: the other is first. From inside, the ray leaves it later: this one is.
-    /// - Where it is positive, the hit lies before or after the other's chord. From outside it is before,
-    ///   if `|e|` is less than half of this chord, as the chords' middles are no farther apart than the
-    ///   centres. From inside it is after, as the other's chord begins behind the eye.
+    /// - If the power is negative, the hit lies inside the other sphere. If the eye is outside, the ray
+    ///   has already entered that sphere, so the other hit is first. If the eye is inside, the ray
+    ///   leaves that sphere later, so this hit is first.
+    /// - If the power is positive, the hit lies before or after the other sphere's chord. If the eye is
+    ///   outside, it lies before, provided that `|e|` is less than half of this chord, as the chords'
+    ///   middles are no farther apart than the centres. If the eye is inside, it lies after, as the
+    ///   other chord begins behind the eye.
     #[inline]
     pub(crate) fn compare_by_power(
         &self,

@@ -1,4 +1,4 @@
-//! Spheres drawn row by row: where a row begins and ends, and `t` in between, in `f32`.
+//! Draws spheres row by row: where each row begins and ends, and `t` in between, in `f32`.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -15,7 +15,7 @@ pub(crate) struct RowBuffers<'a> {
     pub(crate) columns: &'a [f32],
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// For each block of the row, true if its pixels have been written; empty if all blocks have.
+    /// For each block of the row, true if its pixels have been written; empty if all blocks have been.
     pub(crate) is_written: &'a mut [bool],
 }
 
@@ -23,11 +23,11 @@ pub(crate) struct RowBuffers<'a> {
 /// each `t` is at most an ulp.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
-/// The blocks of a band, with a flag for each that has been written. The first time, a block is
-/// written without being read; the blocks that no sphere covers are cleared at the end.
+/// For each block of a band, whether it has been written. The first sphere in a block writes it without
+/// reading it; blocks that no sphere covers are cleared at the end.
 ///
-/// A block is a vector of neighbouring pixels of a row. The last pixels of a row that do not fill a block
-/// are cleared at the start.
+/// A block is a vector of neighbouring pixels of a row. Pixels at the end of a row that do not fill a
+/// block are cleared at the start.
 pub(crate) struct WrittenBlocks {
     is_written: Vec<bool>,
     /// Number of blocks in a row.
@@ -114,7 +114,7 @@ struct Drawing<S: Simd> {
 }
 
 impl<S: Simd> Drawing<S> {
-    /// Draws one vector, which starts at a column counted from the row's first one; returns a mask of
+    /// Draws one vector of pixels, in which no `t` of the sphere is below `nearest`; returns a mask of
     /// the lanes in doubt.
     #[inline(always)]
     fn draw<const CORRECTS_ROOT: bool>(
@@ -132,8 +132,8 @@ impl<S: Simd> Drawing<S> {
         let found = lanes.t(columns, CORRECTS_ROOT);
         let is_inside = columns.simd_ge(self.begin) & columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
-        // Selecting the stored value itself would become a masked store, which is slow on many
-        // processors.
+        // Selecting between the new and the stored value would compile to a masked store, which is slow
+        // on many processors.
         let nearest = is_nearer.select(found, self.none).min(known);
         nearest.store_slice(t);
         let objects = S::u32s::from_slice(self.simd, object);
@@ -167,8 +167,8 @@ impl<S: Simd> Drawing<S> {
 }
 
 /// Writes the sphere's pixels in the columns `from..=to` of a row where they are nearer than the known
-/// hits. No pixel of the sphere is nearer than `nearest`, or than the bound of its vector, if it has one.
-/// Returns whether any pixel is too close to call; such pixels stay unchanged.
+/// hits. No `t` of the sphere is below `nearest`, or below the bound of its vector, if the vector has
+/// one. Returns whether any pixel is too close to call; such pixels stay unchanged.
 #[inline(always)]
 pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
     simd: S,
@@ -189,7 +189,7 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
         own: S::u32s::splat(simd, index),
     };
     let mut in_doubt = drawing.none.simd_lt(drawing.none);
-    // If some blocks may be unwritten, vectors are whole blocks.
+    // While blocks may be unwritten, vectors must coincide with blocks.
     let mut at = if buffers.is_written.is_empty() { from } else { from - from % n };
     for is_written in buffers.is_written.iter_mut().take(to / n + 1).skip(from / n) {
         let vector = at..at + n;
@@ -204,7 +204,7 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
         }
         at += n;
     }
-    // The columns at which whole vectors may begin.
+    // Whole vectors begin at columns below this one.
     let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
     let mut vector = 0;
     while at < whole {
@@ -242,8 +242,8 @@ const MOST: usize = 256;
 /// Lower bounds of `t` in each vector of a row.
 ///
 /// `b + S` is concave along a row: its largest value between two columns is at one of the columns or, if
-/// the peak lies between them, at the peak. Columns count from the row's first one, so that the rounding
-/// errors are about `2^-21`; the bounds allow 1e-5 for them.
+/// the peak lies between them, at the peak. Columns are counted from the row's first one, which keeps
+/// rounding errors at about `2^-21`; the bounds allow 1e-5 for them.
 pub(crate) struct VectorBounds {
     /// For each vector, a bound at its first column and a bound at the first column of the next.
     at_columns: [f32; MOST + MOST_SINGLE_LANES],
@@ -254,7 +254,7 @@ impl VectorBounds {
     pub(crate) const NONE: VectorBounds =
         VectorBounds { at_columns: [0.0; MOST + MOST_SINGLE_LANES], count: 0 };
 
-    /// Finds the bounds of `count` neighbouring columns, from the first one on.
+    /// Computes the bounds of `columns` neighbouring columns, the first of which is `column`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(
         &mut self,

@@ -1,5 +1,5 @@
-//! Spheres that are small compared with their distance. One row of each sphere of a vector is found at a
-//! time, and the rows are drawn several pixels at once.
+//! Draws spheres that are small compared with their distance. Each step finds one row of every sphere in
+//! a vector of spheres; the rows are then drawn several pixels at a time.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
@@ -17,17 +17,17 @@ const PIXELS: usize = 8;
 /// Maximum number of rows that are found before they are drawn: the number of bits in a mask.
 const RUNS: usize = 64;
 
-/// The rows of the target that the spheres of a vector cover. The spheres are drawn in steps of one
-/// row each. If neither rows nor columns have a gap, each sphere's steps start at its own first
-/// row; otherwise all start at the first row of any of the spheres.
+/// The rows of the target that the spheres of a vector cover. The spheres are drawn in steps of one row
+/// each. If the raster has no gaps, each sphere's steps start at its own first row; otherwise all start
+/// at the first row that any of the spheres covers.
 struct OwnRows {
     /// Number of the first row.
     first: Singles,
     /// Number of the last row.
     last: Singles,
-    /// The row of the target at which steps start.
+    /// The row of the target at which each sphere's steps start.
     row: [i32; MOST_SINGLE_LANES],
-    /// First pixel of the row at which steps start.
+    /// The first pixel of that row, in the target's buffers.
     offset: [i32; MOST_SINGLE_LANES],
     /// Number of steps.
     steps: usize,
@@ -38,12 +38,13 @@ struct RowStep<S: Simd> {
     number: S::f32s,
     /// First pixel of the row in the target.
     offset: S::i32s,
-    /// Lanes whose spheres have this row.
+    /// Lanes whose spheres cover this row.
     is_here: <S::f32s as SimdBase<S>>::Mask,
 }
 
 /// Rows of small spheres: the first row of each sphere, lane by lane, then the second row of each, and
-/// so on. Columns count from the first one that the sphere covers, even beyond the raster.
+/// so on. Columns are counted from the first one that the sphere covers, which may lie outside the
+/// raster.
 pub(crate) struct Runs {
     /// The first column, as a column number of the image.
     first: [f32; RUNS],
@@ -63,12 +64,12 @@ pub(crate) struct Runs {
     offset: [i32; RUNS],
     /// The number of pixels.
     count: [i32; RUNS],
-    /// Spheres, by lane, with rows of the raster in which a pixel is in doubt.
+    /// Pairs of a sphere's lane and a row of the raster in which one of its pixels is in doubt.
     pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
-/// Draws the spheres of a vector whose bits are set and that have a row in the target. Rows in doubt are
-/// not drawn, but listed in [`Runs::doubtful`].
+/// Draws those spheres of a vector whose bits are set in `small`; each must have a row in the target. A
+/// row with a pixel in doubt is not drawn, but listed in [`Runs::doubtful`].
 #[inline(always)]
 pub(crate) fn draw_small<S: Simd>(
     simd: S,
@@ -144,14 +145,14 @@ impl OwnRows {
         own
     }
 
-    /// Returns the number of rows of a sphere, if neither rows nor columns have a gap.
+    /// Returns the number of a sphere's rows in the target, for a raster without gaps.
     #[inline(always)]
     fn count(&self, lane: usize) -> usize {
-        // Converts by way of i32, which takes processors one instruction.
+        // Converts through i32, which takes one instruction.
         (self.last[lane] - self.first[lane]) as i32 as usize + 1
     }
 
-    /// Makes all steps start at the first row of the target that any of these spheres has.
+    /// Makes all steps start at the first row of the target that any of these spheres covers.
     #[cold]
     #[inline(never)]
     fn begin_at_first_of_all(&mut self, small: u64, target: &mut SpanTarget) {
@@ -190,13 +191,13 @@ impl OwnRows {
     }
 }
 
-/// The ends of a row of each small sphere of half a vector.
+/// The ends of one row of each small sphere, for half a vector of spheres.
 struct SmallRowEnds<S: Simd> {
     first: S::f64s,
     last: S::f64s,
     left: S::f64s,
     right: S::f64s,
-    /// e without S, at the first column.
+    /// The part of e that does not depend on S, at the first column.
     moved: S::f64s,
     is_thick: <S::f64s as SimdBase<S>>::Mask,
 }
@@ -235,8 +236,9 @@ impl Runs {
         }
     }
 
-    /// Finds each sphere's row for this step, counted from the sphere's first row in the target. Returns
-    /// masks of the spheres whose row is drawn, and of those in whose row a pixel is in doubt.
+    /// Finds where each sphere's row of this step begins and ends, and stores the rows from position
+    /// `at` on. Returns two masks: the spheres whose row is to be drawn, and those with a pixel in doubt
+    /// in their row.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,
@@ -281,19 +283,19 @@ impl Runs {
         (is_drawn.to_bitmask() & is_there, is_doubtful.to_bitmask())
     }
 
-    /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` of columns from a row's first
-    /// one on; see [`SmallOutlines`].
+    /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` for columns counted from the
+    /// row's first one; see [`SmallOutlines`].
     ///
-    /// With `u = 2^-24`, let R be the most that `inverse S` can be, V the most that the rest of e can be in
-    /// either of its two terms and their sum, and v the change of e along half a row. Each factor of `S^2`
-    /// is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their product by u more, the
-    /// product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of R.
-    /// `moved` is rounded from `f64`, by u of V; what e changes by along the row, 2 v at most, is off by
-    /// 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of `R + V`. So e
-    /// is off by `(4.84 R + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The roundings of
-    /// `Q_high e`, of the difference, of `1 + e` and of the quotient are 4 u of 1.07 |e|. Together:
-    /// `(9.8 R + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep that and `0.07 u`, which the errors of `S^2` itself
-    /// and of Q come to, below `0.5 u`: with the last rounding, t is within an ulp.
+    /// With `u = 2^-24`, let R be the largest `inverse S`, V the largest absolute value of the rest of
+    /// e, of its two terms and of their sum, and v the change of e along half a row. Each factor of
+    /// `S^2` is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their product by u more,
+    /// the product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of
+    /// R. `moved` is rounded from `f64`, by u of V; what e changes by along the row, 2 v at most, is off
+    /// by 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of
+    /// `R + V`. So e is off by `(4.84 R + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The
+    /// roundings of `Q_high e`, of the difference, of `1 + e` and of the quotient are 4 u of 1.07 |e|.
+    /// Together: `(9.8 R + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep the sum of that and `0.07 u`, for
+    /// the errors of `S^2` itself and of Q, below `0.5 u`: with the last rounding, t is within an ulp.
     #[inline(always)]
     fn t<S: Simd>(
         &self,
@@ -374,7 +376,8 @@ fn take_over<S: Simd>(
 ) -> u64 {
     let known = f32x8::from_slice(simd, t);
     let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
-    // Selecting the stored value itself would become a masked store, which is slow on many processors.
+    // Selecting between the new and the stored value would compile to a masked store, which is slow on
+    // many processors.
     is_nearer.select(found, f32x8::splat(simd, f32::INFINITY)).min(known).store_slice(t);
     let objects = u32x8::from_slice(simd, object);
     let change = u32x8::splat(simd, index) ^ objects;
@@ -383,8 +386,7 @@ fn take_over<S: Simd>(
     (is_inside & !(is_nearer | is_farther)).to_bitmask()
 }
 
-/// Does what [`take_over`] does for the last pixels of the buffers, where the buffers end within
-/// a vector.
+/// Writes like [`take_over`], for the last pixels of the buffers, which do not fill a vector.
 #[cold]
 #[inline(never)]
 fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut [u32]) -> u64 {
@@ -399,9 +401,9 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
     doubtful
 }
 
-/// Adds to the doubts the pixels whose bits are set, counted from a position on, because the sphere
-/// is too close to the known hit there. Returns the number of these pixels, which the ladder
-/// counts.
+/// Adds the pixels whose bits are set, counted from `offset`, to the doubts: there, the sphere is too
+/// close to the known hit to call, and not equal to the known sphere. Returns the number of pixels
+/// added, whose decisions the ladder counts.
 #[cold]
 #[inline(never)]
 fn note_ties(

@@ -1,5 +1,5 @@
-//! Spheres drawn row by row: the columns that each row covers, decided once with a margin, and `t`
-//! inside them.
+//! A sphere drawn row by row: the columns that it covers in each row, decided once with a margin, and
+//! `t` in these columns.
 
 use std::ops::Range;
 
@@ -26,8 +26,8 @@ pub(crate) struct Span {
     b_column: [f32; 2],
 }
 
-/// A pixel that is in doubt: whether a sphere covers it or, if `t` is known, whether the sphere is
-/// nearer than another one.
+/// A pixel in doubt. The question is whether a sphere covers it or, if `t` is known, whether the sphere
+/// is nearer than the object that the pixel shows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Doubt {
     pub(crate) index: u32,
@@ -76,11 +76,11 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// The pixels that have been written; `None` if all pixels were cleared at the start.
+    /// The blocks written so far; `None` if all pixels were cleared at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
-    /// True if spheres overlap so much that it pays to test each vector of a row for being hidden. Rows
-    /// and columns must have no gaps, as the bounds would not hold otherwise.
+    /// True if the raster has no gaps, as the bounds require, and spheres overlap so much that it pays
+    /// to test whether each vector of a row is hidden.
     pub(crate) has_vector_bounds: bool,
     /// The bounds of the current row, if it has any.
     pub(crate) bounds: VectorBounds,
@@ -94,7 +94,8 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) decided: u64,
 }
 
-/// Maximum number of columns of a row that is tested for being hidden as a whole, not vector by vector.
+/// Minimum length of a row whose vectors have bounds of their own; the vectors of a shorter row share
+/// one bound.
 const SHORT: usize = 128;
 
 impl SpanTarget<'_> {
@@ -113,8 +114,8 @@ impl SpanTarget<'_> {
         self.doubts.extend(columns.map(doubt));
     }
 
-    /// Returns whether the sphere equals the sphere that the pixel shows. If so, the pixel shows
-    /// whichever is listed first, and is not in doubt.
+    /// Returns whether the sphere equals the sphere that the pixel shows. If so, makes the pixel show
+    /// whichever of the two is listed first; it is then not in doubt.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
         let known = self.object[offset];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
@@ -139,7 +140,7 @@ impl Span {
         own.start.max(target.rows.start)..own.end.min(target.rows.end)
     }
 
-    /// Draws some of the sphere's rows, between two columns.
+    /// Draws some of the sphere's rows, within a range of columns.
     #[inline(always)]
     pub(crate) fn draw<S: Simd>(
         &self,
@@ -169,8 +170,8 @@ impl Span {
         }
     }
 
-    /// Draws a row from one column of the raster to another. Returns whether a pixel is too close to the
-    /// known hit to call.
+    /// Draws the part of a row between two columns of the raster. Returns whether a pixel is too close
+    /// to the known hit to call.
     #[inline(always)]
     fn draw_row<S: Simd>(
         &self,
@@ -303,11 +304,11 @@ impl Span {
 /// A vector of rows of one sphere.
 pub(crate) struct SpanRows {
     rows: SpanRow<Singles>,
-    /// First column of each row in the raster, as a number.
+    /// Index in the raster of each row's first column, as a floating-point number.
     from: [f64; MOST_LANES],
-    /// Last column of each row in the raster, as a number.
+    /// Index in the raster of each row's last column, as a floating-point number.
     to: [f64; MOST_LANES],
-    /// Mask of the rows that are not in doubt and have a column of the raster.
+    /// Mask of the rows without pixels in doubt that cover a column of the raster.
     pub(crate) is_drawn: u64,
     /// Mask of the rows in which a pixel is in doubt.
     pub(crate) is_doubtful: u64,
@@ -387,7 +388,7 @@ impl SpanRows {
     /// Returns a row's first and last column in the raster.
     #[inline(always)]
     pub(crate) fn columns(&self, lane: usize) -> (usize, usize) {
-        // Converts by way of i32, which takes processors one instruction.
+        // Converts through i32, which takes one instruction.
         (self.from[lane] as i32 as usize, self.to[lane] as i32 as usize)
     }
 }
@@ -399,11 +400,12 @@ pub(crate) struct RowEnds<S: Simd> {
     pub(crate) start: S::f64s,
     /// The outline's right end.
     pub(crate) end: S::f64s,
-    /// First column that lies between the ends by a margin.
+    /// First column inside the ends by at least the margin.
     pub(crate) first: S::f64s,
-    /// Last column that lies between the ends by a margin.
+    /// Last column inside the ends by at least the margin.
     pub(crate) last: S::f64s,
-    /// Rows that are not thin and have no column within the margin of an end.
+    /// Mask of the rows that are not [thin](Outline::thin) and have no column within the margin of an
+    /// end.
     pub(crate) is_sure: <S::f64s as SimdBase<S>>::Mask,
 }
 
@@ -480,23 +482,25 @@ impl<S: Simd> SpanLanes<S> {
         }
     }
 
-    /// Computes `t` of some columns, by [`SpanLanes::wide`] if the root is to be corrected.
+    /// Computes `t` in some columns: by [`SpanLanes::wide`] if the root is to be corrected, otherwise by
+    /// [`SpanLanes::narrow`].
     #[inline(always)]
     pub(crate) fn t(&self, columns: S::f32s, corrects_root: bool) -> S::f32s {
         if corrects_root { self.wide(columns).0 } else { self.narrow(columns).0 }
     }
 
-    /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp: for a
+    /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp, for a
     /// sphere whose S is small compared with b.
     ///
     /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
-    /// and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3
-    /// u of itself, and the sum of both by u: in all `(4.5 S + 4 |b - b_pivot|) u`. `Kinds::new` in
-    /// `render/outline` chooses this kernel only where that is at most 0.42 u of the denominator. The error
-    /// of `S^2` itself moves S by at most `2^-28` of b, as `Outlines::find` derives, which adds u / 16:
-    /// together less than 0.49 u, which leaves room for terms of second order below half an ulp of t. With
-    /// the last rounding, t is within an ulp; `tests/ladder.rs` checks it against the reference. The sum
-    /// with `b_pivot` keeps its rest, and the quotient is corrected by it and by its own residual.
+    /// and their product by u more, so S is off by `5/2 u` and its own rounding. The part of b that
+    /// varies is off by 3 u of itself, and the sum of both by u: in all `(4.5 S + 4 |b - b_pivot|) u`.
+    /// `Kinds::new` in `render/outline` chooses this kernel only where that is at most 0.42 u of the
+    /// denominator. The error of `S^2` itself moves S by at most `2^-28` of b, as `Outlines::find`
+    /// derives, which adds u / 16: together less than 0.49 u, which leaves room for terms of second
+    /// order below half an ulp of t. With the last rounding, t is within an ulp; `tests/ladder.rs`
+    /// checks it against the reference. The rounding error of the sum with `b_pivot` is kept; it and the
+    /// quotient's own residual correct the quotient.
     #[inline(always)]
     fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
@@ -514,8 +518,8 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// Computes `t` as [`SpanLanes::narrow`] does, for a sphere whose S is not small compared with
-    /// b. Let m and n be the numbers of columns from the first and to the last pixel. Then
+    /// Computes `t` like [`SpanLanes::narrow`], for a sphere whose S is not small compared with b. Let m
+    /// and n be the numbers of columns from the first and to the last pixel. Then
     ///
     /// ```text
     /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
@@ -527,10 +531,10 @@ impl<S: Simd> SpanLanes<S> {
     /// multiply is small.
     ///
     /// Two errors remain. One is the rounding of the second term of `S^2`, by 4 u of itself, which is at
-    /// most `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`. The other is the third power of
-    /// the share of the sum that stands in `rest`, at most `2^-12` of what b varies by, which is less than
-    /// four times the sum. From the end at which b is larger it only becomes smaller, so that the rest of
-    /// the sum with it is exact (Dekker, Numerische Mathematik 18, 1971).
+    /// most `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`. The other is the third power
+    /// of the ratio of `rest` to the sum. `rest` is at most `2^-12` of the variation of b, which is less
+    /// than four times the sum. From the pivot, the end at which b is larger, b only decreases, so the
+    /// rest of that sum is exact (Dekker, Numerische Mathematik 18, 1971).
     #[inline(always)]
     fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
