@@ -1,5 +1,5 @@
-//! Draws many spheres by their index: the visible groups and blocks of spheres, near to far,
-//! without the spheres that nearer ones hide.
+//! Draws many spheres with the help of the sphere index: its visible groups and blocks, near to far,
+//! except the spheres that nearer ones hide.
 
 use std::ops::Range;
 
@@ -27,8 +27,9 @@ pub(crate) struct DrawnSpheres {
     pub(crate) others: Vec<u32>,
 }
 
-/// Draws the visible part of many spheres in the target's rows, near to far, starting at a block of a
-/// group. If too many pixels are in doubt, it stops early and returns the block at which to continue.
+/// Draws the visible spheres of the index in the target's rows, near to far, starting at a given group
+/// and block. If too many pixels are in doubt, it stops early and returns the group and block at which
+/// to continue; otherwise it returns `None`.
 #[inline(always)]
 pub(crate) fn draw_visible<S: Simd>(
     simd: S,
@@ -59,7 +60,7 @@ pub(crate) fn draw_visible<S: Simd>(
             if own_rows(target, &block.extent.rows()).is_empty() {
                 continue;
             }
-            // If spheres overlap little, testing each block takes more time than it saves.
+            // If spheres overlap little, testing each block costs more time than it saves.
             if visible.is_crowded && drawing.is_hidden(target, block) {
                 continue;
             }
@@ -85,8 +86,8 @@ struct Drawing<'a> {
     drawn: &'a mut DrawnSpheres,
 }
 
-/// Returns whether this band counts a block's spheres. The first band that the block reaches counts
-/// them, so that each is counted once.
+/// Returns whether this band is the one that counts a block's spheres: the first band that the block
+/// reaches. Each sphere is thus counted once.
 #[inline(always)]
 fn is_first_band(target: &SpanTarget, block: &VisibleBox) -> bool {
     block.extent.rows().start >= target.rows.start
@@ -140,8 +141,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// Draws the small ones of a vector of spheres, which starts at a slot; returns a mask of the
-    /// remaining spheres.
+    /// Draws the small spheres of the vector that starts at slot `from`; returns a mask of the remaining
+    /// spheres.
     #[inline(always)]
     fn small_spheres<S: Simd>(
         &mut self,
@@ -196,7 +197,7 @@ impl Drawing<'_> {
         there & !unseen & !small
     }
 
-    /// Draws the spheres whose bits are set, counted from a slot on.
+    /// Draws the spheres whose bits are set in `there`, counted from slot `from`.
     #[inline(always)]
     fn other_spheres<S: Simd>(
         &mut self,
@@ -239,7 +240,7 @@ impl Drawing<'_> {
         id: u32,
     ) {
         let span = Span::new(id, &outlines.one(lane));
-        // If spheres overlap little, a test takes more time than it saves.
+        // If spheres overlap little, a test costs more time than it saves.
         if !self.visible.is_crowded {
             let (rows, columns) = (span.rows_in(target), 0..target.axes.width);
             return span.draw(simd, target, rows, &columns);
@@ -260,7 +261,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Finds the spheres of a vector that reach rows of the raster.
+/// Returns a mask of the spheres of a vector that reach some of these rows of the raster.
 #[inline(always)]
 fn rows_meet<S: Simd>(
     simd: S,

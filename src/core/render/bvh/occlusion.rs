@@ -1,5 +1,5 @@
-//! Upper bounds of the farthest hit in each small rectangle of a band, which show what nearer
-//! spheres hide.
+//! Upper bounds of the farthest hit in each small rectangle of a band, used to skip what nearer spheres
+//! hide.
 
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ pub(crate) struct Occlusion {
 }
 
 impl Occlusion {
-    /// Returns the occlusion of a band. If `is_drawn` is false, nothing in the band is hit yet.
+    /// Makes the rectangles of a band. `is_drawn` is false if no pixel of the band has a hit yet.
     pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Occlusion {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);

@@ -27,12 +27,12 @@ pub(crate) struct VisibleGroup {
     pub(crate) has_others: bool,
 }
 
-/// The visible part of many spheres, near to far.
+/// The visible part of the sphere index, with the groups near to far.
 pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
     pub(crate) groups: Vec<VisibleGroup>,
-    /// True if spheres overlap so much that it pays to test each sphere for being hidden.
+    /// True if spheres overlap so much that it pays to test whether each sphere is hidden.
     pub(crate) is_crowded: bool,
     /// The spheres that are not drawn by rows, in the groups that may contain such spheres.
     pub(crate) others: Vec<(u32, Extent)>,
@@ -47,7 +47,8 @@ impl<'a> VisibleSpheres<'a> {
         space: CameraSpace,
         (axes, extents): (&RasterAxes, &Extents),
     ) -> VisibleSpheres<'a> {
-        /// Average number of spheres behind one another from which testing whether one is hidden pays.
+        /// Minimum average number of spheres per pixel for which testing whether a sphere is hidden
+        /// pays.
         const CROWDED: f64 = 2.5;
         let mut left_out = 0;
         let mut groups = Vec::new();
@@ -142,9 +143,9 @@ fn seen_blocks<S: Simd>(
 
 /// Returns whether a group may contain a sphere so near or so large that it is not drawn by rows.
 fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -> bool {
-    /// Largest distance of a near group from the eye, in radii.
+    /// Maximum distance from the eye, in radii, of a group that counts as near.
     const NEAR: f64 = 0.1;
-    /// Radius from which a sphere counts as large, in columns or rows.
+    /// Minimum radius, in columns or rows, of a sphere that counts as large.
     const LARGE: f64 = 400.0;
     let (near, radius) =
         (f64::from(bounds.nearest) * space.distance, groups[bounds.id as usize].radius);
@@ -156,7 +157,7 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
 /// together; returns `None` if no ray can meet the box.
 ///
 /// Each margin is 1e-9 of the quantity to which it is added: far more than the few roundings that it
-/// covers, and far too little to cost anything.
+/// covers, and too little to matter otherwise.
 #[inline(always)]
 fn seen(
     boxes: &[Bound],

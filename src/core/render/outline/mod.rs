@@ -45,9 +45,9 @@ type Lane8 = [f64; MOST_LANES];
 /// t = numerator / (b(c, j) + S)         b = b0 + b_column c + b_row j
 /// ```
 ///
-/// Derivation: with `q = (X, Y, -Z)` the centre as the camera sees it, `d = (x, y, -1)` and
-/// `(x, y) = (X, Y) / Z + (dx, dy)`, q is parallel to the direction at `(dx, dy) = 0`, so that in
-/// `D = r^2 d.d - |q x d|^2` nothing cancels:
+/// Derivation: let `q = (X, Y, -Z)` be the centre in camera coordinates, and `d = (x, y, -1)` a
+/// direction with `(x, y) = (X, Y) / Z + (dx, dy)`. At `(dx, dy) = 0`, d is parallel to q, so that
+/// nothing cancels in `D = r^2 d.d - |q x d|^2`:
 ///
 /// ```text
 /// D = r^2 (1 + xc^2 + yc^2) + 2 r^2 (xc dx + yc dy)
@@ -62,7 +62,7 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
     /// The middle row of the image.
     pub(crate) middle_row: f64,
     /// Row of the centre, counted from the middle row: `j = (r - middle_row) - row`. The error of j is
-    /// thus relative to its parts, not to the rounding of a large row number.
+    /// thus relative to these small numbers, not to a large row number.
     pub(crate) row: T,
     pub(crate) shear: T,
     pub(crate) square: [T; 3],
@@ -78,8 +78,8 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
     pub(crate) last_row: T,
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
-    /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
-    /// go up the ladder.
+    /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
+    /// pixels go up the ladder.
     pub(crate) thin: T,
     /// True if the sphere is so wide that the error of the root must be corrected too, as
     /// [`wide`](crate::render::rows::span::SpanLanes::wide) does.
@@ -100,7 +100,7 @@ pub(crate) struct Outlines {
     pub(crate) is_outside: u64,
 }
 
-/// Returns the dot product `a . b` of a vector of lanes with three numbers.
+/// Returns the dot product `q . axis` in each lane.
 #[inline(always)]
 fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
     let axis = axis.map(|x| S::f64s::splat(simd, x));
@@ -237,7 +237,8 @@ impl Outlines {
     }
 }
 
-/// Centres along the camera's u, v and -w, with the radii and the squares of the distances.
+/// Coordinates of the centres along the camera's u, v and -w from the eye, with the radii and the
+/// squared distances.
 #[derive(Clone, Copy)]
 pub(crate) struct Centers<S: Simd> {
     x: S::f64s,
@@ -263,7 +264,7 @@ impl<S: Simd> Centers<S> {
         Centers { x, y, z, r: load(slots[3]), qq: x * x + y * y + z * z }
     }
 
-    /// Returns the lanes whose centres lie in front of the eye, with ordinary sizes and no digits lost
+    /// Returns the lanes whose spheres lie in front of the eye, have ordinary sizes, and lose no digits
     /// in h.
     #[inline(always)]
     fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
@@ -282,8 +283,8 @@ impl<S: Simd> Centers<S> {
         S::f64s::splat(simd, space.doubt) * (x.abs() + y.abs() + z.abs() + r)
     }
 
-    /// Returns the lanes that lie behind the eye, and the lanes that lie beyond one of the image's four
-    /// borders, by more than all rounding errors.
+    /// Returns two masks: the spheres that lie behind the eye, and those that lie beyond one of the
+    /// image's four borders. Both allow for all rounding errors.
     #[inline(always)]
     fn not_seen(self, simd: S, space: &CameraSpace) -> (u64, u64) {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -303,8 +304,9 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// The kinds of rows by which the spheres of a vector are drawn. The least b is kept as its square,
-/// so that only one root is needed, in `f32`, rounded up.
+/// How the rows of each sphere of a vector are drawn: with or without correcting the root. The least b
+/// (see [`Outlines::find`]) is kept as its square, so that only the root of the width is needed, in
+/// `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which the kernel that corrects the root is accurate enough.
@@ -316,7 +318,7 @@ struct Kinds<S: Simd> {
 }
 
 impl<S: Simd> Kinds<S> {
-    /// Finds the kinds from `c / h` and its inverse.
+    /// Chooses how rows are drawn, given `c / h` and its inverse.
     #[inline(always)]
     fn new(
         simd: S,
@@ -341,8 +343,7 @@ impl<S: Simd> Kinds<S> {
         Kinds { corrects_root, can_correct_root, thin, least }
     }
 
-    /// Returns the lanes in which rows of the kind are accurate enough, and whose numbers `f32` can
-    /// hold.
+    /// Returns the lanes in which the chosen rows are accurate enough, and whose numbers `f32` can hold.
     #[inline(always)]
     fn is_plain(
         &self,
@@ -362,7 +363,8 @@ impl<S: Simd> Kinds<S> {
     }
 }
 
-/// A range of rows and a range of columns of a raster, not of the image.
+/// A rectangle of pixels: a range of rows and a range of columns, counted in the raster, not in the
+/// image.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     rows: [u16; 2],
@@ -396,13 +398,13 @@ pub(crate) struct Extents<'a> {
 }
 
 impl<'a> Extents<'a> {
-    /// Derives `doubt`. The rays are exact, but the bounds are computed in `f64` from the rounded
-    /// basis, as if it were orthonormal, and from the rounded vector oc to the centre. In these
-    /// coordinates, the error of a ray comes from rounding the basis (or from its tolerance, if it
-    /// is given by hand), and that of the centre from rounding its coordinates. Together they are
-    /// less than `doubt` times the length of the vector, not of each coordinate, which matters on a
-    /// viewport of extreme aspect. So a ray that meets the sphere meets, in these coordinates, a
-    /// sphere that is larger by `doubt * (|oc| + r)`.
+    /// Computes the data. `doubt` is derived as follows. The rays are exact, but the bounds are computed
+    /// in `f64` from the rounded basis, as if it were orthonormal, and from the rounded vector oc to the
+    /// centre. In these coordinates, the error of a ray comes from rounding the basis (or from its
+    /// tolerance, if it is given by hand), and that of the centre from rounding its coordinates.
+    /// Together they are less than `doubt` times the length of the vector, not of each coordinate, which
+    /// matters on a viewport of extreme aspect. So a ray that meets the sphere meets, in these
+    /// coordinates, a sphere that is larger by `doubt * (|oc| + r)`.
     pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let (viewport, image) = (camera.viewport(), camera.image());

@@ -58,13 +58,14 @@ impl RasterAxes {
         self.width * self.height
     }
 
-    /// Returns the raster's columns with numbers from `first` to `last`, both whole.
+    /// Returns the range of the raster's columns with numbers from `first` to `last`, which must be
+    /// whole.
     #[inline(always)]
     pub(crate) fn columns_range(&self, first: f64, last: f64) -> Range<usize> {
         self.columns_between(first, last).map_or(0..0, |(from, to)| from..to + 1)
     }
 
-    /// Returns the raster's rows with numbers from `first` to `last`, both whole.
+    /// Returns the range of the raster's rows with numbers from `first` to `last`, which must be whole.
     #[inline(always)]
     pub(crate) fn rows_between(&self, first: f64, last: f64) -> Range<usize> {
         let rows = &self.row_numbers[..self.height];
@@ -78,7 +79,8 @@ impl RasterAxes {
         from..rows.partition_point(|row| *row <= last).max(from)
     }
 
-    /// Returns the raster's first and last column with numbers from `first` to `last`, both whole.
+    /// Returns the raster's first and last column with numbers from `first` to `last`, which must be
+    /// whole; `None` if there is no such column.
     #[inline(always)]
     pub(crate) fn columns_between(&self, first: f64, last: f64) -> Option<(usize, usize)> {
         let columns = &self.columns[..self.width];
@@ -93,8 +95,8 @@ impl RasterAxes {
         (from < end).then(|| (from, end - 1))
     }
 
-    /// Returns, for a vector of rows, the raster's first and last columns with numbers from `first`
-    /// to `last`, which are whole, and a mask of the lanes in which there is such a column.
+    /// Returns, for a vector of rows, the raster's first and last columns with numbers from `first` to
+    /// `last`, which must be whole, and a mask of the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip<S: Simd>(
         &self,
@@ -121,9 +123,8 @@ impl RasterAxes {
         (from, to, is_there)
     }
 
-    /// Does what [`RasterAxes::clip`] does for twice as many lanes. Returns the numbers of the
-    /// first and last columns, their indices, and a mask of the lanes in which there is such a
-    /// column.
+    /// Clips like [`RasterAxes::clip`], for twice as many lanes. Returns the numbers of the first and
+    /// last columns, their indices, and a mask of the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip_singles<S: Simd>(
         &self,
@@ -154,8 +155,8 @@ impl RasterAxes {
     }
 }
 
-/// The space in which a camera sees spheres: lengths along u, v and -w from the eye, and slopes
-/// `x = u / distance`, `y = v / distance` in whole columns and rows.
+/// The camera's space, in which spheres are drawn: lengths along u, v and -w from the eye, and slopes
+/// `x = u / distance` and `y = v / distance` as functions of column and row.
 ///
 /// ```text
 /// x = column_slope (column - middle_column)      y = row_slope (middle_row - row)
@@ -181,7 +182,7 @@ pub(crate) struct CameraSpace {
     pub(crate) inverse_ratio_squared: f64,
     pub(crate) middle_column: f64,
     pub(crate) middle_row: f64,
-    /// The largest `|x|` and `|y|` of any pixel's centre, and a little more.
+    /// Upper bounds of `|x|` and `|y|` of any pixel's centre, with a small margin.
     pub(crate) widest: [f64; 2],
     /// `sqrt(1 + widest^2)` for x and for y.
     pub(crate) border_lengths: [f64; 2],
@@ -193,13 +194,13 @@ pub(crate) struct CameraSpace {
 }
 
 impl CameraSpace {
-    /// Derives `doubt`. The rays are exact, but here they are computed from the rounded basis, as
-    /// if it were orthonormal. With `u = 2^-53`, the error of `q = center - eye` is `u |q|`, that
-    /// of its three dot products `3 u |q|` each, that of the basis its rounding (or its defect, if
-    /// it is given by hand), and that of the slopes `3 u`: together less than 12 u and the defect.
-    /// So a ray that meets a sphere meets, in these numbers, a sphere around the computed centre
-    /// that is larger by `doubt (|q| + r)`; and a ray that meets a sphere smaller by as much meets
-    /// the true one.
+    /// Computes the space of a camera. `doubt` is derived as follows. The rays are exact, but here they
+    /// are computed from the rounded basis, as if it were orthonormal. With `u = 2^-53`, the error of
+    /// `q = center - eye` is `u |q|`, that of its three dot products `3 u |q|` each, that of the basis
+    /// its rounding (or its defect, if it is given by hand), and that of the slopes `3 u`: together less
+    /// than 12 u plus the defect. So a ray that meets a sphere meets, in these numbers, a sphere around
+    /// the computed centre that is larger by `doubt (|q| + r)`; and a ray that meets a sphere smaller by
+    /// as much meets the true one.
     pub(crate) fn new(camera: &ResolvedCamera) -> CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();

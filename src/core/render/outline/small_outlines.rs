@@ -34,8 +34,8 @@ const UP: f32 = 1.0 + 1e-5;
 ///
 /// where `(middle_row + row, column)` is the centre in the picture, and Q is the `t` that the centre
 /// would have if S were 0. Derivation: with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z`
-/// at the centre and linear in row and column, and the root is `sqrt h s S`; all divided by
-/// `|q|^2 / Z`:
+/// at the centre and linear in row and column, and the root is `sqrt h s S`. Dividing all of them by
+/// `|q|^2 / Z` gives
 ///
 /// ```text
 /// Q = Z (1 - r^2 / |q|^2) / distance      slope = s X Z / |q|^2      inverse = s sqrt h Z / |q|^2
@@ -52,8 +52,8 @@ pub(crate) struct SmallOutlines {
     pub(crate) middle: Halves,
     pub(crate) shear: Halves,
     pub(crate) square: [Halves; 3],
-    /// Value of `w^2` below which a row touches the outline's top or bottom so closely that its pixels
-    /// go up the ladder.
+    /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
+    /// pixels go up the ladder.
     pub(crate) thin: Halves,
     /// A whole number, at most the first covered row.
     pub(crate) first_row: Singles,
@@ -69,7 +69,7 @@ pub(crate) struct SmallOutlines {
     pub(crate) quotient: [Singles; 2],
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: Singles,
-    /// Upper bound, plus one, of the distance in columns from the centre to any covered column.
+    /// Upper bound of the distance from the centre to any covered column, in columns, plus one.
     pub(crate) reach: Singles,
     /// Lanes in which all fields above are valid.
     pub(crate) is_small: u64,
@@ -79,7 +79,7 @@ pub(crate) struct SmallOutlines {
     pub(crate) is_outside: u64,
 }
 
-/// The values of half a vector of spheres that need `f64`.
+/// The values that need `f64`, for half a vector of spheres.
 struct Doubles<S: Simd> {
     centers: Centers<S>,
     /// Column of the centre.
@@ -92,10 +92,13 @@ struct Doubles<S: Simd> {
     square1: S::f64s,
     minus_square2: S::f64s,
     quotient: S::f64s,
-    /// `X / Z`, `Y / Z`, `r / Z` and `h / Z^2`.
+    /// `X / Z`
     xc: S::f64s,
+    /// `Y / Z`
     yc: S::f64s,
+    /// `r / Z`
     a: S::f64s,
+    /// `h / Z^2`
     g: S::f64s,
     slope: S::f64s,
     row_slope: S::f64s,
@@ -165,8 +168,8 @@ struct Bounds<S: Simd> {
 }
 
 impl<S: Simd> Bounds<S> {
-    /// Computes the bounds. `UP` leaves more room than all roundings together need. For the error
-    /// of t, see [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
+    /// Computes the bounds. The factor `UP` exceeds all roundings together. For the error of t, see
+    /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
     ///
     /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds here,
     /// too. Each coefficient is the result of at most 64 roundings in none of which anything cancels, as
@@ -218,7 +221,7 @@ impl<S: Simd> Bounds<S> {
 }
 
 impl SmallOutlines {
-    /// Finds the outlines of the spheres of as many slots as a vector of `f32` has lanes.
+    /// Finds the outlines of the spheres in `low` and `high`, which together fill a vector of `f32`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(
         &mut self,
@@ -278,7 +281,8 @@ impl SmallOutlines {
 }
 
 impl SmallOutlines {
-    /// Finds the spheres with a row between the first and the last of these rows of the raster.
+    /// Returns a mask of the spheres with a row between the first and the last of these rows of the
+    /// raster.
     #[inline(always)]
     pub(crate) fn rows_meet<S: Simd>(&self, simd: S, axes: &RasterAxes, rows: Range<usize>) -> u64 {
         let load = |x: &Singles| S::f32s::from_slice(simd, &x[..S::f32s::LEN]);

@@ -6,10 +6,10 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot,
 use crate::exact::quadratic::{Form, SphereTerms};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
-/// A sphere's quadratic as polynomials. The direction is `s + m e + k g`, m columns and k rows from the
-/// middle of a [`Patch`]. The polynomials are the parts a, b and D of the sphere's quadratic, with
-/// coefficients in the order 1, m, k, m^2, mk, k^2. The middle of the patch is near that of the outline,
-/// where `r^2 a` and `|q x d|^2` are small, so that nothing cancels.
+/// A sphere's quadratic as polynomials. The direction of a pixel m steps of columns and k steps of rows
+/// from the middle of a [`Patch`] is `s + m e + k g`. The polynomials are the terms a, b and D of the
+/// quadratic, with coefficients in the order 1, m, k, m^2, mk, k^2. The middle of the patch is near that
+/// of the outline, where `r^2 a` and `|q x d|^2` are small, so that nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Conic {
     a: [f64; 6],
@@ -120,7 +120,7 @@ impl Conic {
         }
     }
 
-    /// Returns the row that is `k` steps from the middle.
+    /// Returns the row that is `k` steps from the patch's middle.
     #[inline(always)]
     pub(crate) fn row(&self, k: f64) -> ConicRow {
         let of_row = |c: &[f64; 6]| {
@@ -164,7 +164,7 @@ impl Conic {
         let hit = if left > 0.0 && root.is_finite() {
             (32.0 * doubt).max(root * root)
         } else {
-            // No error of `t` is small enough: every pixel goes up the ladder by itself.
+            // `t` cannot be accurate enough: every pixel goes up the ladder by itself.
             f64::INFINITY
         };
         Thresholds { hit, miss: -doubt, ahead: b_doubt }

@@ -1,4 +1,4 @@
-//! The view rays of a frame, as whole steps along columns and rows.
+//! The view rays of a frame, in whole steps along columns and rows.
 
 use std::ops::Range;
 
@@ -100,7 +100,7 @@ impl<'a> FrameRays<'a> {
         [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
-    /// Returns a pixel's direction in `f64`. Its length is an upper bound.
+    /// Returns a pixel's direction in `f64`. The returned length is an upper bound.
     #[inline(always)]
     pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionTerms<f64> {
         let Steppers { g, z, .. } = &self.steppers;
@@ -117,8 +117,8 @@ impl<'a> FrameRays<'a> {
 
 impl Steppers {
     /// Returns the relative error of a direction made of e, g and z. The three vectors are perpendicular
-    /// (by hand, within 1e-9), so the three terms together are no longer than `sqrt 3` times the
-    /// direction.
+    /// (within 1e-9 if the basis is given by hand), so the lengths of the three terms add up to at most
+    /// `sqrt 3` times the length of the direction.
     pub(crate) fn doubt(&self) -> f64 {
         1.74 * (self.vector_doubt + f64::DOT)
     }
@@ -129,8 +129,8 @@ impl Steppers {
     }
 }
 
-/// A rectangle of pixels in whole steps, centred at `(n, l)`, that reaches up to `columns` and `rows`
-/// steps away.
+/// A rectangle of pixels around `(n, l)` that reaches up to `columns` steps to either side and `rows`
+/// steps up and down.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) n: f64,
@@ -140,8 +140,8 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
-    /// Returns `x0 + m x1 + k x2` at the corner, for lengths x0, x1 and x2: the largest value in the
-    /// patch.
+    /// Returns `x0 + m x1 + k x2` at the patch's corner, which for lengths x0, x1 and x2 is the largest
+    /// value in the patch.
     pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
         x0 + self.columns * x1 + self.rows * x2
     }

@@ -1,5 +1,5 @@
-//! Objects that are not drawn by rows: spheres that are near or large, and planes. An object's quadratic
-//! is a polynomial in rows and columns.
+//! Draws the objects that are not drawn by rows: spheres that are near or large, and planes. Their
+//! equations are polynomials in rows and columns.
 
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
@@ -101,7 +101,8 @@ fn blend_vector<S: Simd>(
         x.simd_gt(S::f32s::splat(simd, RANGE.0)) & x.simd_lt(S::f32s::splat(simd, RANGE.1));
     let is_sure = is_miss | (is_plain & is_apart);
     let take = is_sure & x.simd_lt(known);
-    // Selecting the stored value itself would become a masked store, which is slow on many processors.
+    // Selecting between the new and the stored value would compile to a masked store, which is slow on
+    // many processors.
     take.select(x, S::f32s::splat(simd, f32::INFINITY)).min(known).store_slice(t);
     let objects = S::u32s::from_slice(simd, object);
     let change = S::u32s::splat(simd, index) ^ objects;
@@ -118,8 +119,8 @@ pub(crate) fn pixel_hit(
     factor: f64,
     known: f32,
 ) -> f64 {
-    /// Relative difference from which two `t` are certainly different: far more than the error of a `t`
-    /// in `f64`.
+    /// Relative difference beyond which two `t` are certainly different: far more than the error of a
+    /// `t` in `f64`.
     const APART: f64 = 1e-6;
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
     if discriminant < -discriminant_doubt || b < -b_doubt {

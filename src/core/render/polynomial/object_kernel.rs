@@ -1,5 +1,5 @@
-//! An object's polynomials over a patch of pixels, from which `t` of several pixels of a row is
-//! computed at a time, unless it is in doubt.
+//! An object's polynomials over a patch of pixels. They give `t` for several pixels of a row at a time,
+//! or mark a pixel as in doubt.
 
 use std::cmp::Ordering;
 
@@ -63,7 +63,7 @@ impl SphereKernel {
         Some(SphereKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
-    /// Finds a range of m that contains all hits of a row; `None` if the row has none.
+    /// Finds a range of m that contains all hits of row k; `None` if the row has none.
     pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if self.side != Ordering::Greater {
             return Some(EVERYWHERE);
@@ -105,8 +105,9 @@ impl SphereKernel {
         (low <= high).then_some([low, high])
     }
 
-    /// Computes `t` of the first hit of each pixel of the row k, m columns from the middle, or [`MISS`]
-    /// or [`DOUBT`]. `m` and `t` must have the same length, a multiple of the vector's length.
+    /// Computes the first hit's `t`, or [`MISS`] or [`DOUBT`], for the pixels of row k that are m steps
+    /// of columns from the middle. `m` and `t` must have the same length, a multiple of the vector's
+    /// length.
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let row = self.conic.row(k);
@@ -156,8 +157,8 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Moves a bound of m to one side by 4, which is two columns, and by more if the number is so large
-/// that its error may be larger.
+/// Moves a bound of m towards `side` by 4, which is two columns, plus a share of m that covers its
+/// error.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
 }
@@ -167,18 +168,21 @@ pub(crate) struct PlaneKernel {
     /// The offset, in the units of `t`.
     offset: f64,
     rate: [f64; 3],
-    /// A rate beyond this value, with the offset's sign, is a hit, whose `t` is accurate enough.
+    /// If the rate times `sign` is above this value, the pixel is a hit whose `t` is accurate enough.
     hit: f64,
-    /// A rate beyond this value, with the other sign, is a miss.
+    /// If the rate times `-sign` is above this value, the pixel is a miss.
     miss: f64,
     /// 1 or -1: the offset's sign.
     sign: f64,
 }
 
 impl PlaneKernel {
-    /// Computes the polynomial: with S the longest direction of the patch and P the direction's
-    /// doubt, the rate is off by `|n| S (DOT + P)`, and by two steps of a product and a sum where it is
-    /// put together. `t` is off by that over the rate, by the offset's share, and by its own operations.
+    /// Computes the polynomial.
+    ///
+    /// Let S be the longest direction of the patch, and P the direction's doubt. The rate is off by
+    /// `|n| S (DOT + P)`, and by two steps of a product and a sum in evaluating the polynomial. The
+    /// relative error of `t` is that error divided by the rate, plus the offset's, plus that of its own
+    /// operations.
     pub(crate) fn new(
         seen: &PlaneFromOrigin,
         factor: f64,
@@ -200,7 +204,7 @@ impl PlaneKernel {
         }
     }
 
-    /// Computes `t` of the hit of each pixel, as [`SphereKernel::answer`] does.
+    /// Computes `t`, or [`MISS`] or [`DOUBT`], for each pixel, like [`SphereKernel::answer`].
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let splat = |x: f64| Lanes::<S>::splat(simd, x);

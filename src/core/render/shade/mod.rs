@@ -17,11 +17,11 @@ use crate::scene::Scene;
 /// Number of rows that one thread shades at a time.
 const ROWS: usize = 16;
 
-/// Returns the colours of a frame that has `t` and object, row by row, in the pixel form that `to_pixel`
-/// makes. Rows are shaded in parallel. [`trace_painted`](crate::trace_painted) makes the same colours
-/// while it traces.
+/// Returns the colours of a frame, row by row, each converted to a pixel by `to_pixel`. Rows are shaded
+/// in parallel. [`trace_painted`](crate::trace_painted) computes the same colours while it traces.
 ///
-/// `color_of` gives each object's own colour. The frame must have been traced from the scene.
+/// `color_of` returns each object's own colour. The frame must have been traced from the scene and must
+/// have `t` and objects.
 pub fn shade<T: Depth, P: Clone + Send + Sync>(
     frame: &Frame<T>,
     scene: &Scene,
@@ -32,7 +32,7 @@ pub fn shade<T: Depth, P: Clone + Send + Sync>(
     shade_at_level(Level::new(), frame, scene, &Paint { shade, color_of, to_pixel })
 }
 
-/// Does what [`shade`] does with the instructions of a given SIMD level. All levels give the same bits.
+/// Shades like [`shade`], with the instructions of a given SIMD level. All levels give the same bits.
 pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     level: Level,
     frame: &Frame<T>,

@@ -22,7 +22,7 @@ pub(crate) struct Normals<'a> {
     of_planes: Vec<DVec3>,
 }
 
-/// An object with the data that its normals are computed from.
+/// An object with the data from which its normals are computed.
 pub(crate) enum Surface<'a> {
     Sphere(&'a Sphere),
     /// A plane's unit normal.
@@ -107,19 +107,18 @@ const FAR: f64 = 1e6;
 /// The range of `t` that keeps its digits in `f32`, too.
 pub(crate) const PLAIN_T: std::ops::Range<f64> = 1e-37..1e38;
 
-/// The numbers of a sphere and the eye, if they need no scaling.
+/// A sphere as seen from the eye, for numbers that need no scaling.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
     /// The vector from the centre to the eye.
     pub(crate) q: DVec3,
     pub(crate) radius: f64,
-    /// True if `q + t d` is accurate enough for the normal.
+    /// True if `q + t d` is accurate enough to compute the normal from it.
     pub(crate) is_near: bool,
 }
 
 impl Ball {
-    /// Computes the numbers. Returns `None` if the sphere is too far away for its size, or its size
-    /// is extreme.
+    /// Computes q. Returns `None` if the sphere is too far away for its size, or its size is extreme.
     #[inline(always)]
     pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> Option<Ball> {
         let (q, radius) = (eye - sphere.center, sphere.radius);

@@ -51,17 +51,17 @@ impl Shade {
 pub struct Paint<C, F> {
     /// The way to make a colour from a hit.
     pub shade: Shade,
-    /// A function `Fn(u32) -> Rgb` that gives each object's own colour.
+    /// A function `Fn(u32) -> Rgb` that returns each object's own colour.
     pub color_of: C,
     /// A function `Fn(Rgb) -> P` that converts a colour to the form of pixels.
     pub to_pixel: F,
 }
 
-/// The sRGB curve in the two directions, as tables.
+/// The sRGB curve in both directions, as tables.
 pub(crate) struct Srgb {
-    /// Byte to linear light, in [parts](PARTS).
+    /// Table from bytes to linear light, in [parts](PARTS).
     linear: [f32; 256],
-    /// Linear light, in parts, to the byte whose light is nearest. At 0, where the curve is
+    /// Table from linear light, in parts, to the byte whose light is nearest. At 0, where the curve is
     /// steepest, a byte spans 20 parts.
     bytes: Vec<u8>,
 }
@@ -95,7 +95,7 @@ impl Srgb {
         self.linear[usize::from(byte)]
     }
 
-    /// Returns the byte of this much light, in parts; at most full light.
+    /// Returns the byte nearest to this much light, in parts. More than full light counts as full light.
     #[inline(always)]
     pub(crate) fn byte_of(&self, linear: u32) -> u8 {
         self.bytes[(linear as usize).min(PARTS)]

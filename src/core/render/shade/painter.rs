@@ -1,4 +1,4 @@
-//! Rows of hits converted to rows of pixels.
+//! Converts rows of hits to rows of pixels.
 
 use std::ops::Range;
 
@@ -50,8 +50,8 @@ where
         Painter { level, paint, shader, camera, raster, columns, is_plain }
     }
 
-    /// Paints some rows of the raster from their hits. Only shadings that [need `t`](Shade::needs_t)
-    /// read `t`.
+    /// Paints some rows of the raster, given their hits. `t` is used only by shadings that [need
+    /// it](Shade::needs_t).
     pub(crate) fn rows<T: Depth, P>(
         &self,
         rows: Range<usize>,
@@ -122,7 +122,7 @@ where
     }
 }
 
-/// Returns the number of pixels at the start of a row that show the same object.
+/// Returns the number of pixels at the start of a row that show the object `same`.
 fn run_length(object: &[u32], same: u32) -> usize {
     // Without a branch, comparing a chunk takes a few vector instructions.
     let is_same = |chunk: &&[u32]| chunk.iter().fold(true, |all, o| all & (*o == same));

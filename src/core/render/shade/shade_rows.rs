@@ -24,7 +24,8 @@ pub(crate) const FROM_EYE: f64 = 0.85;
 /// Three numbers per pixel: light in parts for [`Shade::Lambert`], bytes for all other shadings.
 pub(crate) type Tones = [u32; 3];
 
-/// Converts hits to colours, as [`shade`](fn@crate::shade) does; also for rays outside a frame.
+/// Converts hits to colours like [`shade`](fn@crate::shade), but for any rays, not only those of a
+/// frame.
 pub struct HitShader<'a> {
     shade: Shade,
     /// The `t` that [`Shade::T`] shows as white.
@@ -63,12 +64,13 @@ impl RowRays<'_> {
 pub(crate) type ToneRow = [Vec<u32>; 3];
 
 impl<'a> HitShader<'a> {
-    /// Makes the shader of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows as white.
+    /// Makes a shader for hits on this scene's objects; `nearest` is the `t` that [`Shade::T`] shows as
+    /// white.
     pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> Self {
         HitShader { shade, nearest, normals: Normals::new(scene), srgb: Srgb::get() }
     }
 
-    /// Returns the colour of the ray's first hit, which is on this object at this `t`; `own` is the
+    /// Returns the colour of the ray's first hit, which must be on `object` at `t`; `own` is the
     /// object's colour.
     pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
         self.color_of(self.tones(ray, object, t, own))
@@ -83,7 +85,8 @@ impl<'a> HitShader<'a> {
         }
     }
 
-    /// Returns the tones of one ray's first hit. Lambert and object do not use `t`.
+    /// Returns the tones of one ray's first hit. [`Shade::Lambert`] and [`Shade::Object`] do not use
+    /// `t`.
     fn tones(&self, ray: &Ray, object: u32, t: f64, color: Rgb) -> Tones {
         let Some(surface) = self.normals.surface(object) else { return [0; 3] };
         match self.shade {
@@ -100,7 +103,7 @@ impl<'a> HitShader<'a> {
         }
     }
 
-    /// Computes the tones of all runs of a row. If the shading needs `t`, its buffer is padded, too.
+    /// Computes the tones of all runs of a row. If the shading needs `t`, `t` must be padded, too.
     pub(crate) fn row(
         &self,
         level: Level,
@@ -257,7 +260,8 @@ fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     ]
 }
 
-/// A lit surface in vectors. It is not a closure, for the reason that `normals.rs` gives.
+/// A lit surface, for a vector of rays. It is a trait, not a closure, for the reason given in
+/// `normals.rs`.
 trait Lit<S: Simd> {
     /// Returns `|n.d| / |d|`.
     fn cosine(&self, d: [Lanes<S>; 3]) -> Lanes<S>;
@@ -287,9 +291,9 @@ impl<S: Simd> Lit<S> for LitSphere<S> {
     }
 }
 
-/// A curved surface, in vectors.
+/// A curved surface, for a vector of rays.
 trait Curved<S: Simd> {
-    /// Returns the normals at the hits of rays with these directions, in the row's columns from `start`
+    /// Returns the normals at the hits of rays with the directions d, in the row's columns from `start`
     /// on.
     fn normal(&self, simd: S, start: usize, d: [Lanes<S>; 3]) -> [Lanes<S>; 3];
 }
@@ -319,7 +323,8 @@ impl<S: Simd> Curved<S> for FarSphere<S> {
     }
 }
 
-/// Computes the tones of lit pixels. Tones past the end of the run are overwritten by the next run.
+/// Computes the tones of a run of lit pixels. Tones past the end of the run are overwritten by the next
+/// run.
 #[inline(always)]
 fn light_of_run<S: Simd>(
     simd: S,
@@ -344,7 +349,8 @@ fn light_of_run<S: Simd>(
     }
 }
 
-/// Computes the tones of normals. Tones past the end of the run are overwritten by the next run.
+/// Computes the tones of a run of normals. Tones past the end of the run are overwritten by the next
+/// run.
 #[inline(always)]
 fn normals_of_run<S: Simd>(
     simd: S,
