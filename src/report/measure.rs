@@ -137,16 +137,12 @@ impl Measurement {
     }
 }
 
-/// Describes the processor: its name if known, the vector instructions by which programs choose
-/// their code, and the instructions that every method was compiled for.
+/// Describes the processor: its name if known, and the vector instructions that every method was
+/// compiled for.
 fn describe_cpu() -> String {
     let arch = std::env::consts::ARCH;
     let name = cpu_name().unwrap_or_else(|| arch.to_owned());
-    let features = match features() {
-        found if found.is_empty() => "no vector instructions asked for".to_owned(),
-        found => found.join(", "),
-    };
-    format!("{name} ({arch}; {features}; every method compiled for {})", level())
+    format!("{name} ({arch}; every method compiled for {})", level())
 }
 
 /// Returns the name of the vector instructions that `pinhole_core` chose.
@@ -169,26 +165,4 @@ fn cpu_name() -> Option<String> {
     let line = info.lines().find(|line| line.starts_with("model name"))?;
     let name = line.split_once(':')?.1.trim();
     (!name.is_empty()).then(|| name.to_owned())
-}
-
-#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-fn features() -> Vec<&'static str> {
-    let found = [
-        ("sse2", std::is_x86_feature_detected!("sse2")),
-        ("sse4.2", std::is_x86_feature_detected!("sse4.2")),
-        ("avx2", std::is_x86_feature_detected!("avx2")),
-        ("fma", std::is_x86_feature_detected!("fma")),
-        ("avx512f", std::is_x86_feature_detected!("avx512f")),
-    ];
-    found.into_iter().filter_map(|(name, is_there)| is_there.then_some(name)).collect()
-}
-
-#[cfg(target_arch = "aarch64")]
-fn features() -> Vec<&'static str> {
-    vec!["neon"]
-}
-
-#[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
-fn features() -> Vec<&'static str> {
-    Vec::new()
 }

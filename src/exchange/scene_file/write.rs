@@ -43,12 +43,12 @@ pub(super) fn fresh(document: &Document) -> String {
         number(viewport.distance)
     ));
     text.push_str(&format!("\n[image]\nwidth = {}\nheight = {}\n", image.width(), image.height()));
-    for item in &document.spheres {
+    for item in document.spheres.iter() {
         let Sphere { center, radius } = item.shape;
         let shape = format!("center = {}\nradius = {}\n", vector(center), number(radius));
         text.push_str(&format!("\n[[sphere]]\n{}", fields(item, shape)));
     }
-    for item in &document.planes {
+    for item in document.planes.iter() {
         let Plane { point, normal } = item.shape;
         let shape = format!("point = {}\nnormal = {}\n", vector(point), vector(normal));
         text.push_str(&format!("\n[[plane]]\n{}", fields(item, shape)));

@@ -257,14 +257,7 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
 /// of the right answer with the largest error if none is wrong.
 fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
-    let mut worst: Option<(usize, f64)> = None;
-    for (index, judged) in judged.iter().enumerate() {
-        if judged.is_right == any_wrong {
-            continue;
-        }
-        if worst.is_none_or(|(_, error)| judged.error > error) {
-            worst = Some((index, judged.error));
-        }
-    }
-    worst
+    let candidates = judged.iter().enumerate().filter(|(_, judged)| judged.is_right != any_wrong);
+    let worst = candidates.rev().max_by(|(_, a), (_, b)| a.error.total_cmp(&b.error));
+    worst.map(|(index, judged)| (index, judged.error))
 }

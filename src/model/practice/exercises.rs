@@ -155,8 +155,8 @@ impl Exercises {
         Some(Document {
             note: format!("{}.", question.exercise.title()),
             camera: question.camera()?,
-            spheres: question.sphere().map(Item::plain).into_iter().collect(),
-            planes: question.plane().map(Item::plain).into_iter().collect(),
+            spheres: Vec::from_iter(question.sphere().map(Item::plain)).into(),
+            planes: Vec::from_iter(question.plane().map(Item::plain)).into(),
             ..Document::default()
         })
     }

@@ -131,7 +131,7 @@ fn check(document: &Document) -> Result<(), SceneError> {
     for (index, item) in document.spheres.iter().enumerate() {
         Object::Sphere(item.shape).check_at(index)?;
     }
-    for (index, item) in (document.sphere_count()..).zip(&document.planes) {
+    for (index, item) in (document.sphere_count()..).zip(document.planes.iter()) {
         Object::Plane(item.shape).check_at(index)?;
     }
     Ok(())
