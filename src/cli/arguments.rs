@@ -109,6 +109,7 @@ pub enum Shell {
 
 /// `pinhole inspect`
 #[derive(Args, Clone, Debug)]
+#[command(mut_group("ray", |ray| ray.required(true)))]
 pub struct InspectArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
@@ -120,9 +121,9 @@ pub struct InspectArguments {
     pub json: bool,
 }
 
-/// A view ray: exactly one of these.
+/// A view ray: at most one of these.
 #[derive(Args, Clone, Copy, Debug)]
-#[group(required = true, multiple = false)]
+#[group(id = "ray", multiple = false)]
 pub struct RayArguments {
     /// The ray through a pixel's centre; rows and columns count from 0, row 0 on top
     #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
@@ -225,19 +226,7 @@ pub struct FigureArguments {
     pub per_second: u16,
     /// The ray that is shown.
     #[command(flatten)]
-    pub ray: MaybeRayArguments,
-}
-
-/// A view ray, or none: at most one of these.
-#[derive(Args, Clone, Copy, Debug)]
-#[group(required = false, multiple = false)]
-pub struct MaybeRayArguments {
-    /// Show the ray through a pixel's centre; rows and columns count from 0, row 0 on top
-    #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
-    pub pixel: Option<Pixel>,
-    /// Show the ray through a point of the viewport, in world units from its centre
-    #[arg(long, value_name = "U,V", allow_hyphen_values = true, value_parser = uv)]
-    pub uv: Option<DVec2>,
+    pub ray: RayArguments,
 }
 
 /// `pinhole trace`

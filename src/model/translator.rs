@@ -9,7 +9,7 @@ use pinhole_exchange::format::{
     Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention, Text,
 };
 use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
-use pinhole_exchange::{Document, FileError, limits, scene_file};
+use pinhole_exchange::{Document, limits};
 use pinhole_lecture::numbers::{written, written_whole};
 
 use crate::model::symbols::{bold, italic};
@@ -79,20 +79,6 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
         );
         return failed("This text was not pasted: nothing was changed", problem);
     }
-    if let Some(scene) = own_scene(text) {
-        return match scene {
-            Ok(document) => {
-                let title = "Camera pasted: a scene of Pinhole".to_owned();
-                let note = match document.object_count() {
-                    0 => None,
-                    1 => Some("1 object is left out: a paste sets only the camera".to_owned()),
-                    n => Some(format!("{n} objects are left out: a paste sets only the camera")),
-                };
-                taken_over(title, document.camera, note.into_iter().collect())
-            }
-            Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
-        };
-    }
     let Some(importer) = Importer::of(text) else {
         return failed("This text is not a camera: nothing was changed", UNKNOWN.to_owned());
     };
@@ -110,12 +96,6 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
 
 fn taken_over(title: String, camera: Camera, notes: Vec<String>) -> (Option<Camera>, Notice) {
     (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
-}
-
-/// Reads a scene file of this program. Returns `None` if the text is not a scene file.
-fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
-    let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
-    is_one.then(|| scene_file::parse_alone(text, Path::new("pasted")))
 }
 
 /// Returns what is written besides the camera: the objects, if the user wants them and there are not

@@ -209,7 +209,7 @@ impl Monkey {
             && document.camera.resolve().is_ok()
         {
             let text = scene_file::to_text(document, None);
-            let read = scene_file::parse_alone(&text, Path::new("saved.toml"));
+            let read = scene_file::parse(&text, Path::new("saved.toml"), Path::new(""));
             assert_eq!(read.as_ref(), Ok(document), "{text}");
         }
     }

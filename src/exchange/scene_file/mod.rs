@@ -82,14 +82,6 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
-/// Reads a scene file's text without the CSV file, whose path is still part of the document.
-///
-/// # Errors
-/// Returns the first error in the text.
-pub fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
-    read::document(text, path, None)
-}
-
 /// A document as [`save`] writes it.
 #[derive(Clone, Debug)]
 pub struct Saved {

@@ -203,20 +203,6 @@ fn what_is_pasted_into_a_field_is_typed_there() {
 }
 
 #[test]
-fn a_scene_of_our_own_is_a_camera_too() {
-    let mut harness = window("canonical");
-    let text = "pinhole = 1\n[camera]\neye = [1, 2, 3]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
-                [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
-    paste(&mut harness, text);
-    assert_says(&harness, "Camera pasted: a scene of Pinhole");
-    assert_says(&harness, "1 object is left out: a paste sets only the camera.");
-    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
-    paste(&mut harness, "pinhole = 1\n[camera]\neye = 3\n");
-    assert_says(&harness, "Not pasted: this scene cannot be read");
-    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
-}
-
-#[test]
 fn objects_go_along_where_they_are_asked_for() {
     let mut harness = translating("canonical", "POV-Ray");
     assert!(!shown(&harness).contains("sphere {"));
