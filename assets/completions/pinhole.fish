@@ -96,8 +96,8 @@ walk\t''
 scan\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'The number of frames; by default, as many as the animation\'s duration takes' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d 'Frames per second' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l to -d 'The other program, form or language' -r -f -a "gltf\t'glTF 2.0; its camera\'s x, y, z are u, v, w'
