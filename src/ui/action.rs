@@ -28,7 +28,7 @@ pub struct MadeUp {
     pub uv: Option<DVec2>,
 }
 
-/// A reason to leave the open scene. The user is asked about unsaved changes first.
+/// An action that leaves the open scene. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leave {
     /// Open a scene.
@@ -41,7 +41,7 @@ pub enum Leave {
     BackToStep,
     /// Open the recovered changes that were offered.
     Restore {
-        /// True to open them as a new scene, so that the file for which they were made stays as it is.
+        /// True to open them as a new scene, so that the file to which they belong stays unchanged.
         as_new: bool,
     },
     /// Close the window.
@@ -75,9 +75,9 @@ pub enum FileAction {
     DiscardRecovered,
     /// Read the scene's file again if another program has changed it.
     CheckFile,
-    /// Allow saving over another program's changes.
+    /// Continue with the user's version, which may then be saved over another program's changes.
     KeepMine {
-        /// True to save now.
+        /// True to save at once.
         saves: bool,
         /// The action to take once the scene is saved.
         then: Option<Leave>,
@@ -196,8 +196,8 @@ pub enum GhostAction {
     Swap,
 }
 
-/// Moves the camera with keys as the mouse moves it in the camera view, in steps to the right and up, or
-/// forward.
+/// Moves the camera with keys, as the mouse does in the camera view. The numbers count steps to the
+/// right and up, or forward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steer {
     /// Look around.
@@ -210,7 +210,7 @@ pub enum Steer {
     Dolly(i32),
 }
 
-/// Moves the world view's observer with keys, in the same steps.
+/// Moves the world view's observer with keys. The numbers count steps, as in [`Steer`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observe {
     /// Orbit the point that the observer looks at.
@@ -284,7 +284,7 @@ pub enum HelpAction {
     About,
 }
 
-/// Defines the enum of all actions, and makes each action of a part into one of them.
+/// Defines the enum of all actions, and the conversions from the actions of each part.
 macro_rules! actions {
     ($($(#[$doc:meta])* $part:ident($action:ty),)*) => {
         /// A command from the user. It is applied once per pass, after the panels are drawn and before
@@ -345,14 +345,14 @@ fn queue() -> Id {
     Id::unique("requested actions")
 }
 
-/// Requests an action of the window: it is applied in this pass if the views are not drawn yet, otherwise in
-/// the next one.
+/// Requests an action of the window. It is applied in this pass if the views are not drawn yet,
+/// otherwise in the next one.
 pub(crate) fn request(ctx: &Context, action: impl Into<Action>) {
     let action = action.into();
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Vec<Action>>(queue()).push(action));
 }
 
-/// Returns true if an action is requested and not yet applied.
+/// Returns true if an action was requested and has not been applied yet.
 pub(crate) fn is_any_requested(ctx: &Context) -> bool {
     ctx.data(|data| data.get_temp::<Vec<Action>>(queue())).is_some()
 }
@@ -362,16 +362,20 @@ pub(crate) fn take_requested(ctx: &Context) -> Vec<Action> {
     ctx.data_mut(|data| data.remove_temp(queue())).unwrap_or_default()
 }
 
-/// What exists at the moment for actions to work on.
+/// The preconditions of actions that hold at the moment.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
-    /// A step to undo.
+    /// True if there is a step to undo.
     pub(crate) undo: bool,
-    /// A step to redo.
+    /// True if there is a step to redo.
     pub(crate) redo: bool,
+    /// True if a lesson is open.
     pub(crate) lesson: bool,
+    /// True if an animation is open.
     pub(crate) animation: bool,
+    /// True if there is a ghost to compare with.
     pub(crate) ghost: bool,
+    /// True if a student's answers are open.
     pub(crate) answers: bool,
 }
 
@@ -382,7 +386,7 @@ impl Action {
         !matches!(self, Action::Steer(_) | Action::Observe(_) | Action::Figure(_))
     }
 
-    /// Returns true if the action's precondition holds, such as a step to undo.
+    /// Returns true if the action is possible now. Undo, for example, needs a step to undo.
     pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {
             Action::History(HistoryAction::Undo) => there.undo,
@@ -397,7 +401,7 @@ impl Action {
     }
 }
 
-/// A setting that is either on or off.
+/// A setting that is either on or off. The comment on each variant says what holds while it is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switch {
     /// An item of the overlay.
@@ -408,7 +412,7 @@ pub enum Switch {
     ExactForms,
     /// Rows and columns are counted from 1.
     CountFromOne,
-    /// When on, moving the eye keeps the view direction; when off, the eye orbits at.
+    /// Moving the eye keeps the view direction. While this is off, the eye orbits *at*.
     EyeTravels,
     /// Changing the viewport or the image keeps the pixels' shape.
     KeepPixelShape,

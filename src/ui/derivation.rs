@@ -1,6 +1,6 @@
 //! The derivation of every number, line by line. Hovering a line highlights its concept in the views,
-//! and hovering a concept in a view highlights its line. The given numbers can be dragged or typed over
-//! in the formulas.
+//! and hovering a concept in a view highlights its line. In the formulas, the user can drag the given
+//! numbers, or type new ones.
 
 use std::sync::Arc;
 
@@ -32,24 +32,24 @@ pub(crate) struct DerivationPanel {
     scrolled_to: Option<Concept>,
     /// The fields of given numbers, with the concepts of the lines that contain them.
     fields: Vec<(Id, Option<Concept>)>,
-    /// The number of lines that were revealed last.
+    /// The number of revealed lines in the last pass.
     revealed: Option<usize>,
 }
 
-/// The inputs that all lines of a pass share, and the outputs.
+/// The state of one pass over the lines: the inputs that all lines share, and the outputs.
 struct DerivationPass<'a> {
     givens: Givens<'a>,
     inks: Inks,
     highlighted: Option<Concept>,
     /// The concept to scroll to.
     goal: Option<Concept>,
-    /// The number of lines that are revealed.
+    /// The number of revealed lines; `None` if all lines are visible.
     revealed: Option<usize>,
     /// The line to scroll to.
     goal_line: Option<usize>,
-    /// The number of lines so far.
+    /// The number of lines shown so far.
     line: usize,
-    /// True if the given numbers can be changed.
+    /// True if the user can change the given numbers.
     is_editable: bool,
 }
 
@@ -93,8 +93,8 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the derivation without the title and the options above it. If `is_editable` is true, the given
-    /// numbers can be changed, which requests an action.
+    /// Shows the derivation without the title and the options above it. If `is_editable` is true, the
+    /// user can change the given numbers; each change requests an action.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
@@ -164,7 +164,7 @@ impl DerivationPanel {
         section: &DerivedSection,
         frame: &mut DerivationPass<'_>,
     ) {
-        // If lines are revealed one by one, no section is folded.
+        // While lines are revealed one by one, no section is folded.
         let is_folded = frame.revealed.is_none() && self.is_folded(section);
         let is_lit =
             |line: &DerivedLine| frame.highlighted.is_some_and(|concept| line.is_about(concept));
@@ -211,7 +211,8 @@ impl DerivationPanel {
         }
     }
 
-    /// Shows a section's title, which folds it. Returns its rectangle.
+    /// Shows a section's title; a click on it folds or unfolds the section. Returns the title's
+    /// rectangle.
     fn title(&mut self, ui: &mut Ui, section: &DerivedSection, is_folded: bool) -> Rect {
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
@@ -325,12 +326,13 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     response
 }
 
-/// Distance between the dots below a given number, and radius of a dot, in points.
+/// Distance between the dots below a given number, in points.
 const BETWEEN_DOTS: f32 = 3.0;
+/// Radius of such a dot, in points.
 const DOT: f32 = 0.7;
 
-/// Shows the field of a given number over its digits in a formula; the formula's first baseline begins at
-/// `baseline`. An edit becomes an action, which is applied before the frame is presented.
+/// Shows the field of a given number over its digits in a formula, whose first baseline begins at
+/// `baseline`. An edit requests an action, which is applied before the frame is presented.
 fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -> Option<Response> {
     let given = shown.given;
     let mut value = givens.value(given)?;
@@ -356,7 +358,7 @@ fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -
     Some(response)
 }
 
-/// Marks a number as one that can be changed.
+/// Underlines a number with dots, which mark it as one that can be changed.
 fn underline(ui: &Ui, rect: Rect) {
     let color = ui.visuals().weak_text_color();
     let y = rect.bottom() - 1.0;

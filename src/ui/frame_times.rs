@@ -1,4 +1,4 @@
-//! Measures the work of a frame.
+//! Measures how long the work of each frame takes.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ pub(crate) struct WorkTimes {
     pub(crate) overlay: Duration,
     /// Time for everything else that is derived from the document.
     pub(crate) readouts: Duration,
-    /// True if a new picture was made.
+    /// True if the frame made a new picture.
     pub(crate) is_new: bool,
 }
 
@@ -46,13 +46,13 @@ impl Stopwatch {
 }
 
 impl WorkTimes {
-    /// Returns the time of tracing; `None` if nothing was traced.
+    /// Returns the time spent on tracing; `None` if nothing was traced.
     pub(crate) fn traced(&self) -> Option<Duration> {
         Some(self.trace).filter(|trace| !trace.is_zero())
     }
 }
 
-/// The work of the last frame, summed over its passes.
+/// The times of the last frame's work, summed over the frame's passes.
 #[derive(Debug, Default)]
 pub(crate) struct FrameWork {
     /// The context's number for the frame.
@@ -61,7 +61,8 @@ pub(crate) struct FrameWork {
 }
 
 impl FrameWork {
-    /// Adds a pass of the frame with this number. Ignores passes before the first new picture.
+    /// Adds the times of a pass of the frame with this number. Ignores passes before the first new
+    /// picture.
     pub(crate) fn add(&mut self, frame: u64, pass: WorkTimes) {
         if self.frame != frame {
             *self = FrameWork { frame, work: None };
@@ -76,7 +77,7 @@ impl FrameWork {
         }
     }
 
-    /// Returns the work of the last frame; `None` if it showed no new picture.
+    /// Returns the times of the last frame's work; `None` if the frame showed no new picture.
     pub(crate) fn work(&self) -> Option<WorkTimes> {
         self.work
     }

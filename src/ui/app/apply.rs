@@ -1,5 +1,5 @@
-//! Applies the actions of a pass, each to the part of the window that it concerns, including presenter mode
-//! and the window's colours and sizes.
+//! Applies the actions of a pass, each to the part of the window that it concerns. Presenter mode and
+//! the window's colours and sizes are handled here.
 
 use std::path::Path;
 
@@ -38,8 +38,8 @@ impl App {
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // During an animation that moves the camera, undo only ends the animation.
         let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
-        // Opening something else restores the camera from before the animation; saving keeps the camera as it
-        // is shown.
+        // Opening something else restores the camera from before the animation; saving keeps the camera
+        // as it is shown.
         match &action {
             Action::Leave(_)
             | Action::History(_)
@@ -109,8 +109,8 @@ impl App {
         Dialog::Question(Question::new(title, "Unsaved changes will be lost.", answers))
     }
 
-    /// Returns the dialog that asks which version to keep after another program has changed the scene's file.
-    /// `saves` is true if the user was about to save the scene to that file.
+    /// Returns the dialog that asks which version to keep after another program has changed the scene's
+    /// file. `saves` is true if the user was about to save the scene to that file.
     fn ask_which_version(title: &str, saves: bool, then: Option<Leave>) -> Dialog {
         let text = "Your changes are not in the file, and the other program's changes are not on the screen.";
         let mine =
@@ -159,7 +159,8 @@ impl App {
         Ok(opened)
     }
 
-    /// Prepares the views for the scene that was opened, and starts the scene's animation.
+    /// Prepares the views for a newly opened scene. If a lesson's step was opened, schedules its
+    /// animation, if it has one.
     pub(super) fn show_opened(&mut self, Opened { is_another, play }: Opened) {
         if is_another {
             self.views.deriver = Deriver::default();
@@ -207,8 +208,8 @@ impl App {
         Ok(self.scene.replace(open, Selection::default()))
     }
 
-    /// Reads the scene's files again if another program has changed them; asks first if there are unsaved
-    /// changes.
+    /// Reads the scene's files again if another program has changed them. If there are unsaved changes,
+    /// asks the user first.
     fn check_file(&mut self, ctx: &Context) -> Option<Dialog> {
         let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
@@ -294,7 +295,7 @@ impl App {
 
     fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {
         match action {
-            // The text arrives as a paste event, as it does from the keyboard.
+            // The text arrives later, as a paste event, like text pasted with the keyboard.
             ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
             ExchangeAction::Paste(text) => {
                 let (camera, said) = pasted(&text, &self.scene.open.document.camera);
@@ -374,7 +375,7 @@ fn present_or_end(session: &mut Session) {
         None => {
             let spotlight_before = session.spotlight;
             session.presenting = Some(Presenting { spotlight_before, ..Presenting::default() });
-            // The derivation that answers the open question is revealed line by line.
+            // The derivation answers the open question, so it is revealed line by line.
             let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
             session.revealed_lines = (session.is_asking && derives).then_some(0);
         }
@@ -402,7 +403,8 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
     } else {
         settings.zoom
     };
-    // A zoom computed from the size in points would never settle, because points are rounded.
+    // Small differences are ignored: the zoom is computed from a rounded size in points, and would never
+    // settle.
     if (ctx.zoom_factor() / zoom - 1.0).abs() > 0.004 {
         ctx.set_zoom_factor(zoom);
         ctx.request_repaint();
@@ -412,7 +414,8 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
 /// Returns the window's size in points at a zoom of 1, or zero if the window is not on a screen.
 fn window_size(ctx: &Context) -> [f32; 2] {
     let size = ctx.content_rect().size() * ctx.zoom_factor();
-    // A window that exists only in memory has no size in pixels, so its size in points does not change.
+    // A window that exists only in memory has no size in pixels, so its size in points does not depend
+    // on the zoom.
     let is_real = ctx.input(|input| input.viewport().inner_rect.is_some());
     if is_real { size.into() } else { [0.0; 2] }
 }

@@ -67,7 +67,7 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
     Some(Dialog::file(field, ExchangeAction::Save))
 }
 
-/// Saves the translated camera; returns a message if that fails.
+/// Saves the translated camera. Returns a message if that fails.
 pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog> {
     let text = translated(scene)?.text.text;
     let write = |()| {
@@ -78,7 +78,8 @@ pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog>
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
 }
 
-/// Maximum size of a file that is graded in the window: two million answers take several seconds.
+/// Maximum size of a file to grade in the window, in bytes. That is about two million answers, which
+/// take several seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
 const ANSWERS: FileQuestion = FileQuestion {
@@ -124,7 +125,8 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
     None
 }
 
-/// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the file does.
+/// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the
+/// file does.
 fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     let size = fs::metadata(path).map_or(0, |file| file.len());
     if size > MOST_BYTES {
@@ -146,9 +148,11 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     Ok(())
 }
 
-/// `VIEW` is the larger side of a view that is not on the screen; the others are sizes of figures, in points.
+/// The larger side of a view that is not on the screen, in points.
 const VIEW: f32 = 960.0;
+/// Size of a derivation that is not on the screen, in points.
 const DERIVATION: [f32; 2] = [800.0, 600.0];
+/// Size of a lab of lines that is not on the screen, in points.
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
@@ -222,7 +226,8 @@ impl App {
         Session { hovered: None, ..self.scene.session.clone() }
     }
 
-    /// Returns a figure's subject with its size on the screen, or with a default size if it is not shown.
+    /// Returns a figure's subject with its size on the screen, or with a default size if it is not on
+    /// the screen.
     fn on_screen(&self, ctx: &Context, subject: FigureSubject) -> OnScreen {
         let (scale, derived) = (ctx.pixels_per_point(), &self.views.derived);
         let view = match subject {

@@ -1,9 +1,9 @@
 //! The order of a frame: inputs, actions, derivation, outputs.
 //!
-//! Panels edit the document while they are drawn, from the top. At the end of the pass, the document and the
-//! session are compared with the state in which the panels began to draw. If anything on the screen is out of
-//! date, egui runs the pass again before it presents anything. If a pass panics, the next one shows a page
-//! about the panic: the scene is kept, and the user chooses how to continue.
+//! Panels edit the document while they are drawn, from the top. At the end of the pass, the document and
+//! the session are compared with their state before the panels were drawn. If anything on the screen is
+//! out of date, egui runs the pass again before it presents anything. If a pass panics, the next one
+//! shows a page about the panic: the scene is kept, and the user chooses how to continue.
 
 use egui::{
     CentralPanel, Context, Key, Modifiers, Panel, Popup, RichText, ScrollArea, Ui, UiBuilder,
@@ -59,7 +59,7 @@ impl App {
             }
         });
         self.over.marks(ui, self.scene.session.spotlight);
-        // A drag is a single undo step, and the frames of an animation are none.
+        // A drag is a single undo step. The frames of an animation are not recorded as steps.
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
             self.settle(&ctx, None);
         }
@@ -86,8 +86,8 @@ impl App {
         if self.over.dialog.is_none() && !is_any_requested(ctx) {
             self.over.dialog = self.recovery.offer();
         }
-        // Keys, pasted text and dropped files are ignored under a dialog, whose answer would otherwise apply
-        // to another scene.
+        // While a dialog is open, keys, pasted text and dropped files are ignored: the dialog's answer
+        // would otherwise apply to another scene.
         if !self.over.covers() {
             self.keys(ctx);
             if let Some(text) = files::pasted_text(ctx) {
@@ -115,8 +115,8 @@ impl App {
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
-        // A vote gets the key first, because the key must reveal the vote's answer rather than advance the
-        // lesson.
+        // A vote handles the key first, because the key must reveal the vote's answer rather than
+        // advance the lesson.
         if !is_typing {
             vote::reveal_by_key(ctx, &mut self.scene.session);
         }
@@ -154,7 +154,7 @@ impl App {
         }
     }
 
-    /// Returns what exists for commands to work on.
+    /// Returns which preconditions of commands hold.
     fn available(&self) -> Available {
         Available {
             undo: self.history.steps.undo_name().is_some(),
@@ -183,7 +183,8 @@ impl App {
         scene.lesson_strip(ui);
         self.advance_animation(ui);
         let session = &self.scene.session;
-        // Nothing above shows what an animation moves.
+        // The panels above do not show the values that an animation changes, so they need not be drawn
+        // again.
         start.session.ray_point_t = session.ray_point_t;
         start.session.scanned_pixels = session.scanned_pixels;
         let hidden = presenting || session.settings.hides_panel;
@@ -222,7 +223,7 @@ impl App {
             ui.separator();
         }
         let chosen = &mut scene.chosen_object;
-        // An object chosen elsewhere unfolds the section with its fields.
+        // If an object was chosen elsewhere, the section with its fields unfolds.
         let mut is_open = settings.unfolded.objects || chosen.is_some();
         section(ui, "Objects", &mut is_open, |ui| objects::ui(ui, document, chosen));
         if !is_open {

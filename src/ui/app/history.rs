@@ -9,7 +9,8 @@ use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
 use crate::ui::action::HistoryAction;
 
-/// Seconds within which a repeated change without a mouse button, such as scrolling, extends the last step.
+/// Time within which a repeated change without a mouse button, such as scrolling, extends the last step,
+/// in seconds.
 const PAUSE: f64 = 1.0;
 
 /// The undo steps, and the state with which the document is compared to find the next step.
@@ -43,8 +44,8 @@ impl SceneHistory {
         SceneHistory { steps: History::default(), settled: document.clone(), last: None }
     }
 
-    /// Records the changes since the last step, if there are any, as a step with this name, or with a name
-    /// that describes the changes.
+    /// Records any changes since the last step as a step. Without a `name`, the name of the step
+    /// describes the changes.
     fn settle(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
         if *document == self.settled {
             return;
@@ -90,8 +91,8 @@ impl SceneHistory {
 }
 
 impl App {
-    /// Records the changes since the last step, if there are any, as a step with this name, or with a name
-    /// that describes the changes.
+    /// Records any changes since the last step as a step. Without a `name`, the name of the step
+    /// describes the changes.
     pub(super) fn settle(&mut self, ctx: &Context, name: Option<&str>) {
         self.history.settle(ctx, &self.scene.open.document, name);
     }

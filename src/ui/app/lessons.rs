@@ -24,7 +24,7 @@ pub(super) struct Lessons {
     seen_from: Option<Observer>,
     /// The session before the first step.
     before: Option<Session>,
-    /// The scene that was open before the first step, as the command line names it.
+    /// The scene that was open before the first step, as an argument of the command line.
     pub(super) scene_before: Option<PathBuf>,
 }
 
@@ -57,8 +57,8 @@ impl Lessons {
 }
 
 impl OpenScene {
-    /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if the step
-    /// does not exist.
+    /// Opens a lesson at this step. `file` is the lesson, if it comes from a file. Returns `None` if the
+    /// step does not exist.
     pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
         self.lessons.file = file.or(self.lessons.file.take());
         let next = OpenLesson::at(id, self.lessons.file.as_ref())?;
@@ -116,8 +116,9 @@ impl OpenScene {
         is_asking || is_left
     }
 
-    /// Returns the number of the derivation's lines that are visible at the start of a step while presenting:
-    /// the lines already shown if the derivation stays the same, otherwise none.
+    /// Returns how many lines of the derivation are visible when a step starts while presenting: as many
+    /// as before if the derivation stays the same, otherwise none. Returns `None` if lines are not
+    /// revealed one by one.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let session = &self.session;
         session.presenting?;
@@ -158,7 +159,7 @@ impl OpenScene {
         if !is_asking {
             self.answer();
         }
-        // The step's own observer is fitted again when the world view is next shown.
+        // The step's own observer is fitted again the next time the world view is shown.
         let observer = open.step().view.observer.or(seen_from);
         (self.session.observer, self.lessons.seen_from) = (observer, observer);
         opened
@@ -186,7 +187,8 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip. While presenting, a vote replaces the strip, because it asks another question.
+    /// Shows the lesson's strip. While presenting, a vote replaces the strip, because the vote asks a
+    /// different question.
     pub(super) fn lesson_strip(&self, ui: &mut Ui) {
         let Some(open) = &self.lessons.open else { return };
         if self.session.presenting.is_some() && self.session.shows_vote() {

@@ -53,7 +53,7 @@ pub struct App {
     window: AppWindow,
     recovery: Recovery,
     watch: FileWatch,
-    /// The message of a panic in the last frame.
+    /// The message of a panic in the last frame, if there was one.
     failure: Option<String>,
     /// Actions for the next pass.
     waiting: Vec<Action>,
@@ -165,13 +165,13 @@ impl App {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
-    /// Starts to measure the work of frames, for the log.
+    /// Starts to measure how long the work of each frame takes, for the log.
     pub(crate) fn time_frames(&mut self) {
         self.views.frame_work = Some(FrameWork::default());
     }
 
-    /// Returns the work of the last presented frame, if frames are measured and the frame showed a new
-    /// picture.
+    /// Returns the times of the work of the last presented frame. Returns `None` if frames are not
+    /// measured, or if that frame showed no new picture.
     pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
         self.views.frame_work.as_ref()?.work()
     }
@@ -196,12 +196,12 @@ impl App {
         self.over.has_desktop = true;
     }
 
-    /// Returns the question for the desktop's dialog; `None` means that the dialog must be closed.
+    /// Returns the request to the desktop's file dialog. If this is `None`, the dialog must be closed.
     pub fn file_request(&mut self) -> Option<&FileRequest> {
         self.over.dialog.as_mut()?.field()?.request()
     }
 
-    /// Receives the answer of the desktop's dialog, which the next frame applies.
+    /// Stores the answer of the desktop's file dialog. The next frame applies it.
     pub fn answer_file(&mut self, answer: FileAnswer) {
         self.over.answer(answer);
     }

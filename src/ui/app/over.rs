@@ -22,21 +22,22 @@ const LISTED_OBJECTS: usize = 200;
 #[derive(Default)]
 pub(super) struct Overlays {
     pub(super) dialog: Option<Dialog>,
-    /// True if the desktop has a dialog for files.
+    /// True if the desktop has a working file dialog.
     pub(super) has_desktop: bool,
     palette: Option<CommandPalette>,
     shows_keys: bool,
-    /// True if the keyboard moved the focus last; a ring then shows the focus.
+    /// True if the focus was last moved by the keyboard. A ring then shows the focus.
     by_keyboard: bool,
 }
 
 impl Overlays {
-    /// Returns true if an overlay takes mouse and keys.
+    /// Returns true if an overlay is open that receives all mouse and key input.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
-    /// Opens a dialog. If the desktop's dialog is available, it asks for files instead.
+    /// Opens a dialog. If the dialog asks for a file and the desktop has a file dialog, that one is
+    /// used.
     pub(super) fn open(&mut self, mut dialog: Dialog) {
         if self.has_desktop {
             dialog.leave_to_desktop();
@@ -44,7 +45,8 @@ impl Overlays {
         self.dialog = Some(dialog);
     }
 
-    /// Takes the answer of the desktop's dialog, and stops using that dialog if it fails.
+    /// Passes on the answer of the desktop's file dialog, and stops using that dialog if it does not
+    /// work.
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
         dialogs::answer(&mut self.dialog, answer);

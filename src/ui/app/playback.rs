@@ -34,8 +34,8 @@ impl Playback {
 }
 
 impl App {
-    /// Advances the open animation, shows its strip and updates the scene, before anything else draws the
-    /// scene.
+    /// Advances the open animation, shows its strip and updates the scene. This must happen before
+    /// anything else draws the scene.
     pub(super) fn advance_animation(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let Some(player) = &mut self.playback.player else { return };
@@ -59,7 +59,7 @@ impl App {
         show_still(player, &still, &mut self.scene);
     }
 
-    /// Applies an action of the strip or a key.
+    /// Applies an action of the animation's strip or of a key.
     pub(super) fn play(&mut self, ctx: &Context, action: PlayAction) {
         match (action, &mut self.playback.player) {
             (PlayAction::Open(kind), _) => {
@@ -77,8 +77,9 @@ impl App {
         }
     }
 
-    /// Opens an animation at its start. Moves the observer back until the camera stays in sight throughout
-    /// the animation, unless the animation belongs to a lesson's step, which has its own observer.
+    /// Opens an animation at its start. Moves the observer back far enough that the camera stays in
+    /// sight throughout the animation. An animation of a lesson's step is excepted, because the step has
+    /// its own observer.
     fn open_animation(&mut self, kind: Kind) {
         let (scene, derived) = (&mut self.scene, &self.views.derived);
         let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());
@@ -173,7 +174,7 @@ impl App {
     }
 }
 
-/// Sets the parts of the scene that the animation changes.
+/// Sets the parts of the scene that the animation changes to their state in `still`.
 fn show_still(player: &mut Player, still: &Still, scene: &mut OpenScene) {
     still.show(player.kind, &mut scene.open.document, &mut scene.session);
     player.shown = scene.open.document.camera;

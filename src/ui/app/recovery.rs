@@ -1,5 +1,5 @@
-//! Recovery files: writes unsaved changes while the user works, and offers the changes of a window that ended
-//! without asking.
+//! Recovery files. Unsaved changes are written to such a file while the user works. If a window ends
+//! without asking the user, its changes are offered later.
 
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -14,26 +14,28 @@ use crate::model::{OpenDocument, Store};
 use crate::ui::action::{FileAction, Leave};
 use crate::ui::dialogs::{Dialog, Question};
 
-/// Seconds until changes are written: after the last edit, and the maximum after the first one.
+/// Time from the last edit until changes are written, in seconds.
 const REST: f64 = 1.0;
+/// Maximum time from the first unwritten edit until changes are written, in seconds.
 const LONGEST: f64 = 4.0;
 
-/// Time until the next attempt if the last write is not finished.
+/// Time until the next attempt if the last write is still in progress.
 const BUSY: Duration = Duration::from_millis(100);
 
-/// This window's recovery slot, and the changes found in others.
+/// This window's recovery slot, and the changes found in the slots of other windows.
 #[derive(Default)]
 pub(super) struct Recovery {
     slot: Option<Arc<Slot>>,
     found: Vec<Found>,
     /// Index of the next changes to offer.
     next: usize,
-    /// True if the slot holds changes, or is being written.
+    /// True if the slot contains changes, or is being written to.
     is_written: bool,
     /// The document in the last pass.
     last_document: Option<Document>,
-    /// Times of the last edit and of the first unwritten one, in seconds.
+    /// Time of the last edit, in seconds.
     last_edit: f64,
+    /// Time of the first edit that is not written yet, in seconds; `None` if there is none.
     first_edit: Option<f64>,
     writing: Option<JoinHandle<()>>,
 }
@@ -79,7 +81,7 @@ impl Recovery {
         (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
-    /// Writes changes in another thread once the user pauses or has been editing for long.
+    /// Writes changes on another thread once the user pauses, or after [`LONGEST`].
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
         if self.slot.is_none() {
             return;

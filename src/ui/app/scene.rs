@@ -27,7 +27,8 @@ pub(super) struct OpenScene {
     pub(super) lessons: Lessons,
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
-    /// The observer that was framed last. The current observer differs from it if the user has moved it.
+    /// The observer that was last fitted to the world view. If the current observer differs from it, the
+    /// user has moved the observer.
     pub(super) framed: Option<Framed>,
 }
 
@@ -38,14 +39,15 @@ pub(super) struct Framed {
     size: ViewSize,
     /// The camera that was framed.
     camera: Camera,
-    /// The observer given by a lesson's step; this observer keeps its direction and target.
+    /// The observer that a lesson's step specifies, if any. The fitted observer has the same direction
+    /// and target.
     named: Option<Observer>,
 }
 
-/// The work that remains for the other parts after a scene is opened.
+/// The work that the other parts of the window must do after a scene is opened.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Opened {
-    /// True if the scene is a different one, so that nothing derived from the last scene may be shown.
+    /// True if a different scene was opened, so that nothing derived from the last scene may be shown.
     pub(super) is_another: bool,
     /// The animation to open once the ray's hit is known.
     pub(super) play: Option<Kind>,
@@ -101,7 +103,8 @@ impl OpenScene {
         Opened { is_another: true, play: None }
     }
 
-    /// Returns whether there are unsaved changes, and whether anything differs from the lesson's step.
+    /// Returns two flags: true if there are unsaved changes, and true if anything differs from the
+    /// lesson's step.
     pub(super) fn marks(&self) -> [bool; 2] {
         [self.open.has_changes(), self.differs_from_step()]
     }
@@ -118,7 +121,7 @@ impl OpenScene {
         }
         let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
         let named = match (own, shown) {
-            // The step's observer was for another camera.
+            // If the camera is out of sight, the observer of the lesson's step no longer suits it.
             (Some(framed), _) => framed.named.filter(|_| !lost),
             (None, None) => None,
             (None, Some(_)) if of_step == shown => shown,
@@ -128,7 +131,7 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
-        // Items that are switched later do not move the observer.
+        // Switching items later must not move the observer.
         let items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
             None => self.session.settings.items,
@@ -202,8 +205,8 @@ impl OpenScene {
         self.session.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, removes the ghost, or swaps the two. Returns true if the camera
-    /// changed.
+    /// Freezes the camera as the ghost, removes the ghost, or swaps the camera and the ghost. Returns
+    /// true if the camera changed.
     pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
         let camera = &mut self.open.document.camera;
         let ghost = &mut self.session.ghost;
@@ -238,7 +241,7 @@ impl OpenScene {
         self.open.document = document;
     }
 
-    /// Sets a given number in the same way as its field in the side panel.
+    /// Sets a given number, with the same effect as editing its field in the side panel.
     pub(super) fn give(&mut self, ctx: &Context, given: Given, value: f64) {
         let (document, session) = (&mut self.open.document, &mut self.session);
         let before = document.camera;
@@ -254,7 +257,7 @@ impl OpenScene {
         session.follow_camera(&before, &document.camera);
     }
 
-    /// Returns to another scene or step with its previous view. The window's own settings stay.
+    /// Returns to a scene or step that was open before, with its view. The window's own settings stay.
     pub(super) fn go_back(&mut self, to: OpenScene) {
         let now = &self.session.settings;
         let settings = Settings {

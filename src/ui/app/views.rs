@@ -33,8 +33,9 @@ pub(super) struct Views {
     pub(super) deriver: Deriver,
     pub(super) derived: Derived,
     pub(super) adaptive_resolution: AdaptiveResolution,
-    /// The selection in the last pass, and the pointer's position when it changed.
+    /// The selection in the last pass.
     pub(super) seen_selection: Option<Selection>,
+    /// The pointer's position when the selection last changed.
     pub(super) rested_at: Option<Pos2>,
     /// The work of the last frame, if it is measured.
     pub(super) frame_work: Option<FrameWork>,
@@ -75,7 +76,7 @@ impl App {
         if let Some(frame_work) = &mut views.frame_work {
             frame_work.add(ctx.cumulative_frame_nr(), times);
         }
-        // Coarse pictures are refined once the drag rests. Grading may be postponed until then, too.
+        // Coarse pictures are refined once the drag pauses. Grading may also be postponed until then.
         let waits = views.adaptive_resolution.is_followed(time) && session.answers.is_some();
         let is_coarse = |shown: &Subsampling| views.adaptive_resolution.is_made_finer(*shown);
         if waits || views.derived.subsampling.iter().any(is_coarse) {

@@ -20,10 +20,11 @@ pub(super) struct AppWindow {
     title: String,
     /// The renderer's name.
     pub(super) renderer: String,
-    /// While presenting, true if the window filled the screen before.
+    /// While presenting, true if the window filled the screen before; otherwise `None`.
     filled_before: Option<bool>,
+    /// True if the close button may close the window without a question.
     may_close: bool,
-    /// True if the user chose to discard the changes.
+    /// True if the user chose to discard the unsaved changes.
     pub(super) discarded: bool,
 }
 
@@ -124,9 +125,9 @@ pub(super) struct FileWatch {
 }
 
 impl FileWatch {
-    /// Takes the files' stamps if one of them has changed. Returns true if the change must be reported. That
-    /// happens once, and only when two checks see the same stamps, because another program may still be
-    /// writing the file.
+    /// Returns true if a change of the scene's files must be reported. `touched` is the files' stamps if
+    /// one of them has changed. A change is reported once, and only when two checks see the same stamps,
+    /// because until then another program may still be writing the file.
     pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_report: bool) -> bool {
         let rests = touched.is_some() && touched == self.last;
         self.last = touched;

@@ -1,8 +1,8 @@
 //! The table of commands: each command's name, description, keys and [`Action`].
 //!
-//! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a new
-//! command is a row in `table.rs`. A [gesture](GESTURES) depends on what is under the pointer; it is listed
-//! there, but the views handle it.
+//! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a
+//! new command is a row in `table.rs`. That file also lists the [gestures](GESTURES), but the views
+//! handle them, because their effect depends on what is under the pointer.
 
 use std::sync::LazyLock;
 
@@ -17,7 +17,7 @@ pub(crate) use table::{command, of_lesson};
 mod search;
 mod table;
 
-/// The group of a command, a heading in the list of keys.
+/// The group of a command. The list of keys has a heading for each group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// Opening, saving, quitting.
@@ -34,7 +34,7 @@ pub enum Group {
     Hand,
     /// The scene's spheres and planes.
     Objects,
-    /// Animations, and the camera to compare with.
+    /// Animations and the ghost.
     Play,
     /// The program itself.
     Program,
@@ -167,8 +167,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
     keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the list of keys: commands with keys and gestures, by group. Commands that differ only in
-/// direction share one entry.
+/// Returns the list of keys, by group: the commands that have keys, and the gestures. Commands that
+/// differ only in direction share one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
     let with_keys: Vec<&UiCommand> =
@@ -276,8 +276,8 @@ fn name(key: Key) -> &'static str {
     }
 }
 
-/// Returns the actions of the keys that were pressed, once per press; `counts` returns true for conditions
-/// that hold now. If two commands share a key, the first one in the table gets it.
+/// Returns the actions of the keys that were pressed, once per press. `counts` returns true for the
+/// conditions that hold now. If two commands share a key, the first one in the table gets it.
 pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Action)> {
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     if !ctx.input(|input| input.events.iter().any(is_key)) {

@@ -29,8 +29,8 @@ macro_rules! commands {
     };
 }
 
-/// The gestures with the mouse or with held keys: group, gesture, effect. They appear in the list of keys, but
-/// the keyboard does not look them up.
+/// The gestures with the mouse or with held keys: group, gesture, effect. They appear in the list of
+/// keys, but the keyboard does not look them up.
 pub const GESTURES: [(Group, &str, &str); 16] = [
     (Group::Views, "Drag in the world view", "Orbit the observer"),
     (Group::Views, "Shift+drag in the world view", "Pan the observer"),

@@ -34,8 +34,8 @@ impl OnScreen {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
 
-    /// Returns the order for a figure of this size in pixels, at the largest scale at which the figure fits;
-    /// a derivation must fit only in width.
+    /// Returns the order for a figure of this size in pixels. The scale is the largest at which the
+    /// figure fits; a derivation only needs to fit in width.
     pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
         let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
         let scale =

@@ -9,19 +9,21 @@ use crate::ui::widgets::cell;
 
 /// Minimum and maximum size of the text, in points; the largest size at which the text fits is used.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
-/// Width of a column and height of a row, relative to the text's size.
+/// Width of a column, relative to the text's size.
 const COLUMN: f32 = 21.0;
+/// Height of a row, relative to the text's size.
 const ROW: f32 = 1.64;
 /// Fraction of a column's width for the keys.
 const KEYS: f32 = 0.44;
-/// Margin between the list and the window's edge, and height of the heading.
+/// Margin between the list and the window's edge, in points.
 const EDGE: f32 = 16.0;
+/// Height of the heading, in points.
 const HEAD: f32 = 46.0;
 
 /// A group with the keys and names of its entries.
 type Entries = (Group, Vec<(String, String)>);
 
-/// Shows the list. Returns true if it stays open.
+/// Shows the list of keys. Returns true if it stays open.
 pub(crate) fn ui(ctx: &Context) -> bool {
     let keys = [Key::Questionmark, Key::F1];
     let again = keys.iter().any(|key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, *key)));
@@ -69,13 +71,13 @@ fn scroll(ui: &mut Ui, page: f32) {
     }
 }
 
-/// Returns the height in rows; a heading counts as two.
+/// Returns the height of groups in rows; a heading counts as two rows.
 fn height(groups: &[Entries]) -> usize {
     groups.iter().map(|(_, rows)| rows.len() + 2).sum()
 }
 
-/// Returns a group's column. All groups form one long column that is cut into equal parts; the group belongs
-/// to the part that contains its middle.
+/// Returns the index of the column for a group. All groups form one long column that is cut into equal
+/// parts. A group belongs to the part that contains its middle.
 fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
     let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
     (columns * middle / height(groups).max(1)).min(columns - 1)

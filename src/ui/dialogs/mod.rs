@@ -16,9 +16,9 @@ pub mod path_field;
 
 /// The open dialog.
 pub(crate) enum Dialog {
-    /// Asks for a file; the function makes the file's path into an action.
+    /// Asks for a file. The function turns the file's path into an action.
     File(PathField, Box<dyn Fn(PathBuf) -> Action + Send>),
-    /// Asks for a figure and the file to which it is written.
+    /// Asks which figure to export, and to which file.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
     Progress { done: u32, frames: u32 },
@@ -35,8 +35,8 @@ pub(crate) struct Question {
     answers: Vec<Choice>,
 }
 
-/// A button that answers a question: its text, its tooltip (empty for none), and its action; `None` only
-/// closes the dialog.
+/// A button that answers a question: its text, its tooltip (empty for none), and its action. Without an
+/// action, the button only closes the dialog.
 pub(crate) type Choice = (&'static str, &'static str, Option<Action>);
 
 impl Question {
@@ -86,7 +86,7 @@ impl Dialog {
         Dialog::Question(Question::message(title, text))
     }
 
-    /// Creates a dialog that asks for a file, and then requests the action.
+    /// Creates a dialog that asks for a file and then requests the action for its path.
     pub(crate) fn file<A: Into<Action>>(
         field: PathField,
         action: impl Fn(PathBuf) -> A + Send + 'static,
@@ -94,8 +94,8 @@ impl Dialog {
         Dialog::File(field, Box::new(move |path| action(path).into()))
     }
 
-    /// Lets the desktop's dialog ask for a file, if this dialog needs one. The dialog for a figure does so
-    /// only when its button is clicked.
+    /// If this dialog needs a file, lets the user choose the file in the desktop's dialog. For a figure,
+    /// that dialog opens only when its button is clicked.
     pub(crate) fn leave_to_desktop(&mut self) {
         let at_once = !matches!(self, Dialog::Export(_));
         if let Some(field) = self.field() {
@@ -113,7 +113,8 @@ impl Dialog {
     }
 }
 
-/// Passes the desktop dialog's answer to the open dialog, and closes it if it was cancelled.
+/// Passes the answer of the desktop's file dialog to the open dialog. If the user cancelled, closes the
+/// open dialog, unless it exports a figure.
 pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
     let is_figure = matches!(dialog, Some(Dialog::Export(_)));
     let Some(field) = dialog.as_mut().and_then(Dialog::field) else { return };
@@ -163,8 +164,8 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>) {
             request(ctx, action);
         }
     });
-    // The dialog was centred by the last size, which may belong to another dialog, so it would move under the
-    // pointer in the next frame.
+    // The dialog was centred by its size in the last frame, which may belong to another dialog. Without
+    // another pass, it would move under the pointer in the next frame.
     if size() != size_before {
         ctx.request_discard("a dialog has another size");
     }

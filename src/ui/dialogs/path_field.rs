@@ -7,7 +7,7 @@ use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
 
-/// A question for a file to read or to write.
+/// A question that asks for a file to read or to write.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileQuestion {
     /// The heading of the dialog.
@@ -51,16 +51,16 @@ pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     pub(crate) question: FileQuestion,
-    /// True if the desktop's dialog asks for the file.
+    /// True if the user chooses the file in the desktop's dialog, rather than in the window's list.
     is_desktops: bool,
-    /// The question to the desktop's dialog while that is open.
+    /// The request to the desktop's dialog, while that dialog is open.
     request: Option<FileRequest>,
     /// The path that was chosen in the desktop's dialog.
     chosen: Option<PathBuf>,
     /// The listed folder and its entries.
     folder: PathBuf,
     entries: Vec<FolderEntry>,
-    /// The path of an existing file that may be overwritten.
+    /// The path of an existing file that is overwritten if the user chooses it again.
     overwrite: Option<PathBuf>,
 }
 
@@ -99,7 +99,8 @@ impl PathField {
         field
     }
 
-    /// Lets the desktop's dialog ask for the file, immediately or when the button is clicked.
+    /// Lets the user choose the file in the desktop's dialog. That dialog opens at once, or else when
+    /// the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
         (self.is_desktops, self.request) = (true, None);
         if at_once {
@@ -110,7 +111,7 @@ impl PathField {
         }
     }
 
-    /// Returns the question while the desktop's dialog is open.
+    /// Returns the request to the desktop's dialog, while that dialog is open.
     pub(crate) fn request(&self) -> Option<&FileRequest> {
         self.request.as_ref()
     }
@@ -239,8 +240,8 @@ impl PathField {
         chosen
     }
 
-    /// Returns the path of a file to read, or the path of a file to write, with its extension, once it is safe
-    /// or confirmed to write to it.
+    /// Returns the chosen path. A file to write gets its extension; its path is returned only if there
+    /// is no such file yet, or the user has confirmed that it may be overwritten.
     fn check_overwriting(&mut self, ui: &mut Ui, chosen: Option<PathBuf>) -> Option<PathBuf> {
         let Some(ending) = self.question.writes else { return chosen };
         let chosen = chosen.and_then(|mut path| {
