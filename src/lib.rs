@@ -55,7 +55,7 @@
 //! 3. `ui/panels/camera.rs`: the button that switches to it; `model/given.rs`: its vectors as fields that
 //!    can be typed and pasted;
 //! 4. patterns that name *at* or *up* alone: `core/camera/difference.rs`, `core/steering/handles.rs`,
-//!    `view/handles.rs`, `view/overlay/*/highlighted.rs`, `view/overlay/world_view/camera_in_space.rs`,
+//!    `view/handles.rs`, `highlighted.rs` in `view/overlay/world_view/` and in `view/overlay/camera_view/`,
 //!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/families.rs` converts it.
 //!
