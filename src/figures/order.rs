@@ -180,18 +180,14 @@ impl Order {
         })
     }
 
-    fn derivation(
-        &self,
-        shown: &Derivation,
-        is_folded: impl Fn(&DerivedSection) -> bool,
-    ) -> Figure {
+    fn derivation(&self, shown: &Derivation, folded: impl Fn(&DerivedSection) -> bool) -> Figure {
         let width = self.size[0] as f32 / self.scale;
         let column = vec2((width - 2.0 * MARGIN).max(60.0), UNLIMITED);
         let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
         let draw = |ctx: &Context, size| {
             let mut height = 0.0;
             let drawn = UiPass::draw(ctx, size, self.scale, |ui| {
-                height = derivation::draw(ui, shown, column, &is_folded);
+                height = derivation::draw(ui, shown, column, &folded);
             });
             (drawn, height + 2.0 * MARGIN)
         };

@@ -21,24 +21,18 @@ const LINES: f32 = 2.0;
 
 /// Shows the strip. `file` is the lesson that was opened from a file. `changed` is true if anything differs
 /// from the step.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    open: &OpenLesson,
-    file: Option<&Lesson>,
-    is_asking: bool,
-    changed: bool,
-) {
+pub(crate) fn ui(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, asks: bool, changed: bool) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            buttons(ui, open, file, is_asking, changed);
+            buttons(ui, open, file, asks, changed);
             // The titles are the same before and after the answer.
             let [next, answer] = [NEXT, SHOW_ANSWER].map(|text| width(ui, text, BUTTON));
-            let reserved = if is_asking { 0.0 } else { answer - next };
+            let reserved = if asks { 0.0 } else { answer - next };
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open, reserved));
         });
     });
-    text(ui, open, is_asking);
+    text(ui, open, asks);
 }
 
 /// Shows the strip while presenting: the text without buttons.

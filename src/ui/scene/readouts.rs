@@ -238,13 +238,9 @@ fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle)
 }
 
 /// Returns the numbers that decide between hit and miss, for each object if there are only a few.
-fn listed_parts(
-    derived: &Derived,
-    document: &Document,
-    style: NumberStyle,
-) -> Vec<(String, String)> {
-    let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let inspection = derived.inspection.as_deref().filter(|_| scene.is_some());
+fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec<(String, String)> {
+    let scene = shown.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
+    let inspection = shown.inspection.as_deref().filter(|_| scene.is_some());
     let listed = inspection.into_iter().flat_map(|found| found.terms.iter().enumerate());
     listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }

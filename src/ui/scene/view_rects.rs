@@ -174,12 +174,7 @@ impl Divider<'_> {
 
 impl ViewRects {
     /// Lays out everything in these areas, with a title above each picture.
-    pub(crate) fn new(
-        areas: Areas,
-        image: ImageSize,
-        per_point: f32,
-        presenting: bool,
-    ) -> ViewRects {
+    pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, presenting: bool) -> Self {
         // A second picture keeps its title and legend while presenting.
         let strip = if presenting && areas.second.is_none() { 0.0 } else { STRIP };
         let below_strip = |rect: Rect| snapped(rect.with_min_y(rect.top() + strip), per_point);

@@ -281,16 +281,9 @@ pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DV
     dot(position_of(resolved, size, uv))
 }
 
-pub(crate) fn position_of(
-    resolved: &ResolvedCamera,
-    [width, height]: [usize; 2],
-    uv: DVec2,
-) -> DVec2 {
-    let viewport = resolved.viewport();
-    DVec2::new(
-        width as f64 * (0.5 + uv.x / viewport.width),
-        height as f64 * (0.5 - uv.y / viewport.height),
-    )
+pub(crate) fn position_of(camera: &ResolvedCamera, [w, h]: [usize; 2], uv: DVec2) -> DVec2 {
+    let viewport = camera.viewport();
+    DVec2::new(w as f64 * (0.5 + uv.x / viewport.width), h as f64 * (0.5 - uv.y / viewport.height))
 }
 
 #[cfg(test)]

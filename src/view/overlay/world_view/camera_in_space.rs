@@ -363,13 +363,7 @@ fn grid_step(distance: f64) -> f64 {
 impl Sketch<'_> {
     /// Draws the rim of a sphere that is cut away, and three circles on its remaining part, orthogonal to x,
     /// y and z.
-    pub(crate) fn cut_away(
-        &mut self,
-        index: u32,
-        sphere: &Sphere,
-        [r, g, b]: Rgb,
-        observer: DVec3,
-    ) {
+    pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, viewer: DVec3) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen =
             LineStyle::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
@@ -378,13 +372,13 @@ impl Sketch<'_> {
             let ring: Vec<DVec3> = circle(72).map(at).collect();
             let is_left = |p: DVec3| {
                 let out = p - sphere.center;
-                out.dot(observer - sphere.center) <= sphere.radius * sphere.radius
+                out.dot(viewer - sphere.center) <= sphere.radius * sphere.radius
             };
             for ends in ring.windows(2).filter(|ends| is_left(ends[0].midpoint(ends[1]))) {
                 self.line(ends[0], ends[1], pen);
             }
         }
-        let rim = silhouette(sphere, observer).unwrap_or_default();
+        let rim = silhouette(sphere, viewer).unwrap_or_default();
         let pen = LineStyle { width: 2.0, ..pen };
         rim.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
     }

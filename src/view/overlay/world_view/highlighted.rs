@@ -239,32 +239,27 @@ impl Sketch<'_> {
     }
 
     /// Highlights the concepts that need the basis: its vectors, the viewport and its distance.
-    fn highlight_camera(
-        &mut self,
-        resolved: &ResolvedCamera,
-        highlighted: Highlighted,
-        pen: LineStyle,
-    ) {
+    fn highlight_camera(&mut self, resolved: &ResolvedCamera, shown: Highlighted, pen: LineStyle) {
         let eye = resolved.eye();
         let arrow = self.screen.arrow_length(eye);
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let basis = resolved.basis();
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
         for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
-            if concept == highlighted.concept {
+            if concept == shown.concept {
                 let pen = LineStyle { color, pattern, ..pen };
                 self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
             }
         }
         let pen = LineStyle { color: self.colors.ink, ..pen };
-        match highlighted.concept {
+        match shown.concept {
             Concept::Viewport => {
                 self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
             }
             Concept::Distance => {
                 let ends = [eye, resolved.viewport_point(DVec2::ZERO)];
                 self.line(ends[0], ends[1], pen);
-                self.label_middle(ends, pen, highlighted.distance(resolved));
+                self.label_middle(ends, pen, shown.distance(resolved));
             }
             _ => {}
         }
