@@ -1,4 +1,5 @@
-//! A student's answers from a file: a CSV, whose header determines the kind of answers, or a picture as PNG.
+//! A student's answers from a file: a PNG picture, or a CSV file whose header determines the kind of
+//! answers.
 //!
 //! ```text
 //! basis   ux,uy,uz,vx,vy,vz,wx,wy,wz           one row
@@ -6,8 +7,8 @@
 //! hits    row,column and t, or x,y,z, or object, or several of them
 //! ```
 //!
-//! For a miss, all cells are empty, or contain inf or nan, or object -1. Capitals and blanks in the first line
-//! do not matter.
+//! For a miss, the cells are empty or contain inf or nan, or the object is -1. Capitals and blanks
+//! in the first line are ignored.
 
 use std::path::Path;
 
@@ -31,7 +32,7 @@ const X: usize = 3;
 const Z: usize = 5;
 const OBJECT: usize = 6;
 
-/// Returns the required columns that are missing from the first line.
+/// Returns the required columns in `asked` that are missing from the first line.
 pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
     let names = header(bytes);
     asked
@@ -41,7 +42,7 @@ pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
         .collect()
 }
 
-/// Returns the kind of answers in a file, judging by its first bytes; `None` if the file contains
+/// Returns the kind of answers in a file, as detected from its first bytes; `None` if the file contains
 /// no answers.
 pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     if png::is_png(bytes) {
@@ -60,15 +61,15 @@ pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     }
 }
 
-/// Returns true if a dropped file should be treated as answers: the file contains answers, or is a
-/// table of something other than spheres.
+/// Returns true if a dropped file should be treated as answers: it contains answers, or is a table of
+/// something other than spheres.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
     let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
     let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
     kind_of(bytes).is_some() || is_table && !is_of_spheres()
 }
 
-/// Returns the column names in the first line.
+/// Returns the column names in the first line that is not empty.
 fn header(bytes: &[u8]) -> Vec<String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let line = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).find(|line| !line.is_empty());
@@ -77,12 +78,12 @@ fn header(bytes: &[u8]) -> Vec<String> {
     line.split(',').map(name).collect()
 }
 
-/// Reads the answers from a file's content; `path` is used in messages. `image` is the image size
-/// of the scene to which the answers belong. `count_from` is the first number of rows and columns,
-/// 0 or 1.
+/// Reads the answers from a file's content. `path` is used in messages. `image` is the image size of
+/// the scene to which the answers belong. `count_from`, 0 or 1, is the number of the first row and
+/// column.
 ///
 /// # Errors
-/// Returns the first row at fault with its line, column and value, or an error if the file holds no
+/// Returns an error for the first invalid row, with line, column and value, or if the file contains no
 /// answers.
 pub fn parse(
     path: &Path,
@@ -218,26 +219,26 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
     Ok(Answers::Hits(hits))
 }
 
-/// Describes a valid cell of a hit, for messages.
+/// The rule for a cell of a hit, used in messages.
 const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
-/// Returns true for the text that languages print if nothing is hit: `inf`, `nan`, C's `-nan(ind)`. A number
-/// too large for a double does not count.
+/// Returns true for the texts that programming languages print when nothing is hit: `inf`, `nan`, C's
+/// `-nan(ind)`. Does not accept a number that is too large for a double.
 fn stands_for_a_miss(cell: &[u8]) -> bool {
     let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
     let word = text.trim_start_matches(['+', '-']);
     !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
 }
 
-/// Returns the number in a cell, including `inf`, `nan` and C's `-nan(ind)`; `None` if the cell
+/// Returns the number in a cell, which may be `inf`, `nan` or C's `-nan(ind)`; `None` if the cell
 /// contains no number.
 fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
     let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
     text.trim_end_matches("(ind)").parse().ok()
 }
 
-/// Parses a whole number, also in NumPy's notation: `12`, `1.2e+01`.
+/// Parses a whole number, which may be in NumPy's notation: `12`, `1.2e+01`.
 fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
     match number_in(row, column) {
         Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
@@ -259,21 +260,21 @@ fn vector(row: &CsvRow, first: usize) -> Result<WrittenVector, FileError> {
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
 }
 
-/// Half a unit in the sixth digit of a number that begins with 1, relative to the number: the largest rounding
-/// error of a number with six digits.
+/// Largest relative rounding error of a number with six digits: half a unit in the sixth digit of a
+/// number that begins with 1.
 const ROUNDING_SHARE: f64 = 0.5e-5;
 
-/// Returns the precision of a vector's digits relative to its length: a tiny vector written with six decimals
-/// has no precise direction.
+/// Limits the rounding error of a vector to a fraction of its length. Otherwise, a tiny vector written
+/// with six decimals would have no precise direction.
 fn relative(vector: WrittenVector) -> WrittenVector {
     let most = ROUNDING_SHARE * vector.value.abs().max_element();
     Written { rounding: vector.rounding.min(most), ..vector }
 }
 
-/// Returns half a unit in the last written digit. A number with fewer than six digits counts as one
-/// with six, because `%g` and C++ streams omit trailing zeros, unless it was written with six
-/// decimals. The result is at most [`ROUNDING_SHARE`] of the number; near 0, six decimals are
-/// enough.
+/// Returns the rounding error of a written number: half a unit in its last digit. A number with fewer
+/// than six digits counts as one with six, because `%g` and C++ streams omit trailing zeros, unless it
+/// was written with six decimals. The result is at most [`ROUNDING_SHARE`] of the number; near 0, six
+/// decimals are enough.
 fn rounding_of(text: &str, value: f64) -> f64 {
     const DIGITS: usize = 6;
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -293,16 +294,16 @@ fn rounding_of(text: &str, value: f64) -> f64 {
     }
 }
 
-/// The pixels that have an answer so far. Each pixel must be in the image and occur only once.
+/// The pixels that have been answered so far. Each pixel must lie in the image and occur only once.
 struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
-    /// One bit per pixel, with an extra row and column.
+    /// One bit for each pixel, including one extra row and column.
     answered_bits: Vec<u64>,
-    /// True once a row or column 0 was read.
+    /// True once a row or column number 0 has been read.
     has_zero: bool,
-    /// The first row or column equal to H or W, which is outside the image unless all rows and
-    /// columns count from 1.
+    /// The error for the first row equal to H or column equal to W. That is outside the image, unless
+    /// all rows and columns are counted from 1.
     beyond: Option<FileError>,
 }
 
@@ -359,7 +360,7 @@ impl AnsweredPixels {
         row.error(column, &right)
     }
 
-    /// Checks that all rows and columns that were read are consistent.
+    /// Checks that all row and column numbers are counted from the same first number.
     fn finish(self) -> Result<(), FileError> {
         match self.beyond {
             Some(error) if self.has_zero => Err(error),

@@ -1,7 +1,7 @@
-//! Writes files so that a crash, a signal or a full disk leaves the old ones intact.
+//! Writes files in such a way that a crash, a signal or a full disk leaves existing files intact.
 //!
-//! A file is written under a temporary name and then renamed. This run's temporary files are
-//! removed when it ends.
+//! A file is written under a temporary name and then renamed. A run removes its temporary files when it
+//! ends.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata, Permissions};
@@ -13,16 +13,14 @@ use tempfile::NamedTempFile;
 
 use crate::FileError;
 
-/// Writes a file as a whole or not at all.
+/// Writes a file completely or not at all.
 ///
-/// `content` writes to a temporary file in the same directory, which takes the place of the old one
-/// only after it has reached the disk. An existing file keeps its permissions, and a symbolic link
-/// keeps pointing where it did. A device or pipe, which cannot be replaced, gets the finished
-/// content.
+/// `content` writes to a temporary file in the same directory, which replaces the old file only after
+/// it has reached the disk. An existing file keeps its permissions, and a symbolic link keeps its
+/// target. The finished content is copied to a device or pipe, which cannot be replaced.
 ///
-/// # Errors
-/// Returns an error if the content or the system fails, or the file is marked as read-only; then
-/// nothing has changed.
+/// # Errors Returns an error if `content` or the system fails, or if the file is read-only. Nothing has
+/// changed then.
 pub fn write(
     path: &Path,
     content: impl FnOnce(&mut File) -> io::Result<()>,
@@ -32,11 +30,11 @@ pub fn write(
     batch.finish()
 }
 
-/// Several files that are written together: each as a whole, and all of them or none. If the batch
-/// is dropped before it is finished, nothing is written.
+/// Several files that are written together: each completely, and either all of them or none. If the
+/// batch is dropped before it is finished, nothing is written.
 ///
-/// If the program is killed, or power fails, while the files are being renamed, the first ones may be new and
-/// the others old.
+/// If the program is killed or power fails while the files are being renamed, some of them may be new
+/// and the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
     /// Files that are complete except for their final names.
@@ -92,9 +90,8 @@ impl Batch {
 
     /// Gives all files their final names.
     ///
-    /// # Errors
-    /// Returns an error if a file cannot get its final name; then all files are as they were
-    /// before.
+    /// # Errors Returns an error if a file cannot be given its final name; all files are then as they
+    /// were before.
     pub fn finish(self) -> Result<(), FileError> {
         for (target, buffer) in self.through {
             write_through(&target, buffer)
@@ -108,10 +105,10 @@ impl Batch {
     }
 }
 
-/// Renames the files, or undoes the renames if one fails. Signals are deferred until then.
+/// Renames the files. If one rename fails, all are undone. Signals are deferred until the end.
 fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
-    // The names are removed from the list once it is unlocked.
+    // These remove their names from the list when they are dropped, after the list has been unlocked.
     let (_names, files): (Vec<Known>, Vec<_>) = files
         .into_iter()
         .map(|Complete { new, target, is_there, path }| {
@@ -121,7 +118,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let _live = live();
     let mut placed: Vec<(PathBuf, bool, Option<NamedTempFile<()>>)> = Vec::new();
     for (file, target, is_there, path) in files {
-        // A second name of the old file, from which it can be restored.
+        // A second hard link to the old file, from which it can be restored.
         let link = |name: &Path| fs::hard_link(&target, name);
         let second = (is_there && !is_alone).then(|| builder().make_in(folder_of(&target), link));
         if let Err(error) = file.persist(&target) {
@@ -135,7 +132,7 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
 
 /// Restores the old file. If the system has no hard links, the new file stays.
 fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
-    // The error that leads here is already reported.
+    // The error that led here has already been reported.
     match old {
         Some(old) => drop(old.persist(target)),
         None if !was_there => drop(fs::remove_file(target)),
@@ -143,20 +140,20 @@ fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>
     }
 }
 
-/// Checks that [`write()`] can write to this path, before a long computation. Nothing is written, so the disk
-/// may still turn out to be full, or the folder not to be writable.
+/// Checks before a long computation that [`write()`] can write to this path. Since nothing is written,
+/// the disk may still turn out to be full, or the folder not to be writable.
 ///
 /// # Errors
-/// Returns an error if the path is a folder, lies in a folder that does not exist, or is marked as
-/// read-only.
+/// Returns an error if the path is a folder, lies in a folder that does not exist, or is read-only.
 pub fn check(path: &Path) -> Result<(), FileError> {
     let check = || fs::metadata(folder_of(&target_of(path)?.0)).map(drop);
     check().map_err(|error| FileError::unwritable(path, &error))
 }
 
-/// Returns the file that will be written, and the metadata of the existing one, which may be replaced.
+/// Returns the file that will be written, and the metadata of the file that it replaces, if there is
+/// one.
 fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
-    // The link of a pipe, such as /dev/stdout, does not point to the name of a file.
+    // The link of a pipe, such as /dev/stdout, does not lead to a file name.
     let is_device = |data: &Metadata| !data.is_file() && !data.is_dir();
     if let Some(device) = fs::metadata(path).ok().filter(is_device) {
         return Ok((path.to_owned(), Some(device)));
@@ -176,14 +173,15 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-/// Writes to a device or pipe, which supports neither seeking nor replacement.
+/// Copies the content to a device or pipe, which can be neither rewound nor replaced.
 fn write_through(target: &Path, mut content: File) -> io::Result<()> {
     content.rewind()?;
     let mut device = File::options().write(true).open(target)?;
     io::copy(&mut content, &mut device).map(drop)
 }
 
-/// Returns the file that a path refers to, even if a link points to a file that does not exist yet.
+/// Returns the file to which a path refers after following all links, even if that file does not exist
+/// yet.
 fn follow_links(path: &Path) -> io::Result<PathBuf> {
     const MOST_LINKS: usize = 40;
     let mut target = path.to_owned();
@@ -199,8 +197,8 @@ fn follow_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many symbolic links"))
 }
 
-/// Returns true if the two paths refer to the same file, also through links, and also if the file
-/// does not exist yet. Devices and pipes never count as the same file.
+/// Returns true if the two paths refer to the same file, possibly through links. The file need not
+/// exist yet. Devices and pipes never count as the same file.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     identity(a).is_some_and(|a| identity(b) == Some(a))
 }
@@ -230,14 +228,14 @@ fn identity(path: &Path) -> Option<Identity> {
     }
 }
 
-/// The prefix of the names of temporary files. Nobody would choose such a name.
+/// The prefix of the names of temporary files, which no user is likely to choose.
 const PREFIX: &str = ".pinhole-";
 /// The suffix of the names of temporary files.
 const SUFFIX: &str = ".tmp";
 /// The number of random letters and digits between the prefix and the suffix.
 const RANDOM: usize = 12;
 
-/// A temporary file, known to [`abandon`].
+/// A temporary file. Its name is listed, so that [`abandon`] removes it.
 #[derive(Debug)]
 pub(crate) struct Temporary {
     pub(crate) file: NamedTempFile,
@@ -259,8 +257,8 @@ impl Temporary {
     }
 }
 
-/// Flushes a folder's directory entries to the disk. Errors are ignored: not every system lets a folder be
-/// opened, and the contents of the files are safe either way.
+/// Flushes a folder's directory entries to the disk. Errors are ignored: some systems do not allow
+/// opening a folder, and the contents of the files are safe either way.
 pub(crate) fn sync(folder: &Path) {
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
@@ -274,7 +272,7 @@ pub(crate) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The name of a temporary file, listed in [`LIVE`] until it is dropped.
+/// The name of a temporary file, which stays in [`LIVE`] until this value is dropped.
 #[derive(Debug)]
 pub(crate) struct Known(PathBuf);
 
@@ -284,8 +282,8 @@ impl Drop for Known {
     }
 }
 
-/// Removes the temporary files of this run, which is about to end. Afterwards, no file is finished, and writers
-/// wait forever. A batch that is being renamed is finished first.
+/// Removes the temporary files of this run, which is about to end. Afterwards, no file can be finished,
+/// and all writers block forever. A batch that is being renamed is finished first.
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
@@ -300,8 +298,8 @@ pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
     builder
 }
 
-/// Returns the permissions that the system gives to a new file, before the user's mask; a temporary file would
-/// only be accessible to its owner.
+/// Returns the permissions that the system gives to a new file before applying the umask. A temporary
+/// file would be accessible only to its owner.
 #[cfg(unix)]
 fn default_permissions() -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,5 +1,5 @@
-//! Code for the current camera: in each language a short function from a pixel to its view ray, with this
-//! camera's numbers and the lecture's names, to show on a slide or to run.
+//! Code for the current camera. In each language, it is a short function from a pixel to its view ray,
+//! with this camera's numbers and the lecture's names, to show on a slide or to run.
 //!
 //! All these programs contain the same few lines:
 //!
@@ -9,17 +9,17 @@
 //! origin = eye        direction = u*U + v*V - distance*W
 //! ```
 //!
-//! with row i and column j from 0, row 0 at the top. Capital U, V, W are the basis vectors, as in
-//! the lecture's formula; columns and rows are the image's W and H, which could be confused with
-//! the vectors. The programs themselves are in the folder `templates`. A language is a [`Format`]
-//! without conventions of its own; the lecture's conventions apply.
+//! with row i and column j counted from 0, and row 0 at the top. Capital U, V, W are the basis vectors,
+//! as in the lecture's formula. The image's W and H are called columns and rows, because W could be
+//! confused with the vector. The templates of the programs are in the folder `templates`. A language is
+//! a [`Format`] without its own conventions; the lecture's conventions apply.
 
 use std::ops::RangeInclusive;
 
 use crate::format::{ExportScene, ExtraValues, Format, LeftOut};
 use crate::template::n;
 
-/// Every language.
+/// All supported languages.
 pub static LANGUAGES: [Format; 6] = [
     language("julia", "Julia", "camera.jl", include_str!("templates/julia.txt")),
     language("numpy", "Python + NumPy", "camera.py", include_str!("templates/numpy.txt")),
@@ -51,14 +51,14 @@ const fn language(
     }
 }
 
-/// The range in which `f32` has its full precision, with a margin.
+/// The magnitudes at which `f32` has its full precision, with a margin.
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
-/// Checks that no number is outside the range of `f32`, in which GLSL calculates.
+/// Checks that all numbers are within the range of `f32`, in which GLSL calculates.
 fn in_single(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let camera = subject.resolve();
     let viewport = camera.viewport();
-    // A component of the eye that is too small may become 0.
+    // A component of the eye may be rounded to 0 if it is too small.
     let eye = camera.eye().to_array().into_iter().filter(|x| x.abs() > 1.0).map(|x| ("eye", x));
     let numbers = eye.chain([
         ("the viewport's width", viewport.width),

@@ -1,5 +1,5 @@
-//! CSV tables, read without an allocation per row: many spheres (header `x,y,z,r`, optionally `color` and
-//! `name`), and rays (header `ox,oy,oz,dx,dy,dz`). Columns may be in any order.
+//! Reads CSV tables without allocating memory per row: many spheres (header `x,y,z,r`, optionally
+//! `color` and `name`), and rays (header `ox,oy,oz,dx,dy,dz`). Columns may be in any order.
 
 use std::path::Path;
 
@@ -16,11 +16,10 @@ const COLOR: usize = 4;
 const NAME: usize = 5;
 const RAY: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
 
-/// Reads the spheres of a file.
+/// Reads the spheres of a CSV file.
 ///
-/// # Errors
-/// Returns an error if the file cannot be read, or the first row at fault with its line, column and
-/// value.
+/// # Errors Returns an error if the file cannot be read or a row is invalid. The error for a row has
+/// its line, column and value.
 pub fn load_spheres(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
     spheres(path, &limits::read(path, limits::TABLE)?)
 }
@@ -28,7 +27,7 @@ pub fn load_spheres(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
 /// Reads spheres from a file's content; `path` is used in messages.
 ///
 /// # Errors
-/// Returns the first row at fault with its line, column and value.
+/// Returns an error for the first invalid row, with its line, column and value.
 pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError> {
     let mut spheres = Vec::new();
     CsvTable::new(path, bytes, SPHERE, R + 1)?.for_each(|row| {
@@ -50,8 +49,8 @@ pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError
 /// Reads rays from a file's content; `path` is used in messages.
 ///
 /// # Errors
-/// Returns the first row at fault with its line, column and value: a text that is no finite number,
-/// or a direction of zero.
+/// Returns an error for the first invalid row, with its line, column and value. A row is invalid if a
+/// text is not a finite number, or if the direction is zero.
 pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
     let mut rays = Vec::new();
     CsvTable::new(path, bytes, RAY, RAY.len())?.for_each(|row| {
@@ -68,12 +67,12 @@ pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
 /// The error message for a direction of zero.
 pub(crate) const NO_DIRECTION: &str = "the direction (dx, dy, dz) is zero: it must point somewhere";
 
-/// A CSV file in memory, with a parsed header.
+/// A CSV file in memory, with its header parsed.
 pub(crate) struct CsvTable<'a> {
     file: &'a Path,
     bytes: &'a [u8],
     reader: csv::Reader<&'a [u8]>,
-    /// For each known column, the index of its field in a row.
+    /// For each known column, the index of its field in a row; `None` if the file has no such column.
     fields: Vec<Option<usize>>,
     names: &'static [&'static str],
     width: usize,
@@ -86,8 +85,8 @@ pub(crate) struct CsvRow<'t, 'a> {
 }
 
 impl<'a> CsvTable<'a> {
-    /// Reads the header: `required` columns, then optional ones, in any order and case. `names`
-    /// contains all of them, the required columns first.
+    /// Reads the header, which contains the required columns and may contain the optional ones, in any
+    /// order and case. `names` lists all of them: first the `required` ones, then the optional ones.
     pub(crate) fn new(
         file: &'a Path,
         bytes: &'a [u8],
@@ -129,7 +128,7 @@ impl<'a> CsvTable<'a> {
         Ok(table)
     }
 
-    /// Calls `each` with every row.
+    /// Calls `each` for every row.
     pub(crate) fn for_each(
         mut self,
         mut each: impl FnMut(&CsvRow) -> Result<(), FileError>,
@@ -162,10 +161,10 @@ impl<'a> CsvTable<'a> {
         FileError { location, ..FileError::of_file(self.file, problem) }
     }
 
-    /// Returns the position of a field by searching its row again, which happens only for errors.
+    /// Returns the location of a field, by searching its row again. This happens only for errors.
     fn location_of(&self, record: &csv::ByteRecord, field: usize) -> Location {
         let start = record.position().map_or(0, |p| p.byte() as usize).min(self.bytes.len());
-        // The reader's position includes empty lines before the row, if there are any.
+        // The reader's position includes the empty lines before the row.
         let is_row = |b: &u8| !matches!(b, b'\r' | b'\n');
         let start = start + self.bytes[start..].iter().position(is_row).unwrap_or(0);
         let (mut left, mut quoted, mut byte) = (field, false, start);
@@ -181,9 +180,9 @@ impl<'a> CsvTable<'a> {
     }
 }
 
-/// Finds the place where a table can no longer be split into rows, and the reason: a quote that is
-/// not closed, or too much text without a line break. A CSV reader would load all remaining bytes
-/// into memory.
+/// Finds where a table can no longer be split into rows, and the reason: an unclosed quote, or a row
+/// that is too long. Returns `None` if there is no such place. Without this check, a CSV reader would
+/// load all remaining bytes into memory.
 fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     let (mut row, mut quote, mut passed) = (0, None, 0);
     let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
@@ -193,7 +192,7 @@ fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
             return Some(quote.map(unclosed).unwrap_or((row, problem)));
         }
         match (bytes.get(at), quote) {
-            // The second of two, which stand for one.
+            // The second of two quotes, which together stand for one.
             _ if at < passed => (),
             (Some(b'"'), None) if at == row || bytes[at - 1] == b',' => quote = Some(at),
             (Some(b'"'), Some(_)) if bytes.get(at + 1) == Some(&b'"') => passed = at + 2,
@@ -205,8 +204,8 @@ fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     quote.map(unclosed)
 }
 
-/// Returns the problem with a first line that has none of the column names. The message does not
-/// quote the line, because a scene may refer to any file as its table.
+/// Returns the error message for a first line that has none of the column names; `None` if it has one.
+/// The message does not quote the line, because a scene may refer to any file as its table.
 fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String> {
     let is_known = |cell: &[u8]| {
         let cell = String::from_utf8_lossy(plain(cell));
@@ -229,15 +228,15 @@ fn unclosed(quote: usize) -> (usize, String) {
     (quote, "this quote is not closed: a second one must end its cell".to_owned())
 }
 
-/// Returns the message about a table with other separators.
+/// Returns the error message for a table with other separators than commas.
 pub(crate) fn separated_by(separators: &str) -> String {
     format!(
         "the first line has {separators}: commas must stand between cells, and a point in a number"
     )
 }
 
-/// Returns a cell without surrounding blanks, and without quotes that the reader kept because a
-/// blank precedes them.
+/// Returns a cell without surrounding blanks and quotes. The reader keeps the quotes if a blank
+/// precedes them.
 fn plain(cell: &[u8]) -> &[u8] {
     let cell = cell.trim_ascii();
     let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
@@ -245,13 +244,14 @@ fn plain(cell: &[u8]) -> &[u8] {
 }
 
 impl CsvRow<'_, '_> {
-    /// Returns the cell of a known column, without surrounding blanks; empty if the file has no such column.
+    /// Returns the cell of a known column without surrounding blanks; it is empty if the file has no
+    /// such column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
         let field = self.table.fields[column];
         plain(field.and_then(|field| self.record.get(field)).unwrap_or_default())
     }
 
-    /// Returns the finite number in a column.
+    /// Returns the number in a column, which must be finite.
     pub(crate) fn number(&self, column: usize) -> Result<f64, FileError> {
         let text = std::str::from_utf8(self.cell(column)).unwrap_or_default();
         match text.parse::<f64>() {

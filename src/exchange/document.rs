@@ -1,4 +1,4 @@
-//! The document that is edited and saved: plain data that can be compared and cloned.
+//! The document that the user edits and saves: plain data that can be compared and cloned.
 
 use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use pinhole_core::{Camera, Object, Plane, Rgb, Scene, SceneError, Sphere};
 /// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// The author's note: the comment at the beginning of the scene's file, without the `#`s.
+    /// The author's note: the comment at the beginning of the scene file, without the `#` signs.
     pub note: String,
     /// The camera.
     pub camera: Camera,
@@ -23,13 +23,13 @@ pub struct Document {
     pub planes: SharedList<Item<Plane>>,
 }
 
-/// A list that clones of the document share until one of them changes it: every step of the history contains a
-/// document.
+/// A list that clones of a document share until one of them changes it. Each step of the history
+/// contains a document.
 #[derive(Clone, Debug)]
 pub struct SharedList<T>(Arc<Vec<T>>);
 
 impl<T> SharedList<T> {
-    /// Returns true if the two values share one list in memory, which is stronger than equality.
+    /// Returns true if both values share one list in memory. Lists that are merely equal do not count.
     pub fn is_same(&self, other: &SharedList<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -72,18 +72,18 @@ impl<T: Clone> DerefMut for SharedList<T> {
 pub struct Item<S> {
     /// The object's name, if any.
     pub name: Option<String>,
-    /// The object's own colour; if `None`, the object has its kind's [`default_color`].
+    /// The object's own colour; if it is `None`, the object gets a [`default_color`].
     pub color: Option<Rgb>,
     /// The sphere or plane.
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, shared by clones of the document. These spheres cannot be edited.
+/// Many spheres from a CSV file, which cannot be edited. Clones of the document share them.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
     /// The path in the scene file, relative to the scene file.
     pub path: String,
-    /// Path at which the file was found.
+    /// The path from which the file was read.
     pub file: PathBuf,
     /// Spheres in the file's order.
     pub items: Arc<Vec<Item<Sphere>>>,
@@ -91,21 +91,21 @@ pub struct CsvSpheres {
 
 impl PartialEq for CsvSpheres {
     fn eq(&self, other: &Self) -> bool {
-        // A million spheres are compared only if they are not shared.
+        // Comparing a million spheres takes time, so it is done only if they are not shared.
         self.path == other.path
             && (Arc::ptr_eq(&self.items, &other.items) || self.items == other.items)
     }
 }
 
 impl<S> Item<S> {
-    /// Creates an object without a name or colour of its own.
+    /// Creates an object without a name or a colour.
     pub fn plain(shape: S) -> Self {
         Item { name: None, color: None, shape }
     }
 }
 
-/// Okabe and Ito's palette, which colour-blind viewers can distinguish (*Color Universal Design*, 2008),
-/// without black and the yellow that is hardly visible on a projector.
+/// Okabe and Ito's palette, whose colours colour-blind viewers can distinguish (*Color Universal
+/// Design*, 2008), without black and the yellow that is hardly visible on a projector.
 const PALETTE: [Rgb; 6] = [
     [0xe6, 0x9f, 0x00],
     [0x56, 0xb4, 0xe9],
@@ -115,7 +115,7 @@ const PALETTE: [Rgb; 6] = [
     [0x00, 0x72, 0xb2],
 ];
 
-/// Returns the default colour of the sphere or plane with this index among its kind.
+/// Returns the default colour of the sphere or plane with this index among the objects of its kind.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]
 }
@@ -134,13 +134,13 @@ impl Default for Document {
 }
 
 impl Document {
-    /// Returns the CSV file's spheres; empty without a CSV file.
+    /// Returns the spheres of the CSV file; empty if there is no CSV file.
     fn csv_items(&self) -> &[Item<Sphere>] {
         self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
     }
 
-    /// Returns the number of spheres, including those of the CSV file. The number is also the index
-    /// of the first plane.
+    /// Returns the number of spheres, including those of the CSV file. This is also the index of the
+    /// first plane.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len() + self.csv_items().len()
     }
@@ -150,7 +150,8 @@ impl Document {
         self.sphere_count() + self.planes.len()
     }
 
-    /// Returns the object with this index, among those that can be edited; `None` for a sphere of the CSV file.
+    /// Returns the object with this index if it can be edited. Returns `None` if there is no such
+    /// object, and for a sphere of the CSV file.
     pub fn object(&self, index: usize) -> Option<Object> {
         match index.checked_sub(self.sphere_count()) {
             None => Some(Object::Sphere(self.spheres.get(index)?.shape)),
@@ -158,8 +159,8 @@ impl Document {
         }
     }
 
-    /// Replaces the object with this index by one of its kind; does nothing if [`Document::object`] returns
-    /// `None`.
+    /// Replaces the object with this index by one of the same kind. Does nothing if
+    /// [`Document::object`] returns `None`.
     pub fn set_object(&mut self, index: usize, object: Object) {
         let plane = index.checked_sub(self.sphere_count());
         match object {
@@ -173,7 +174,7 @@ impl Document {
         }
     }
 
-    /// Returns an object's title in lists and readouts: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    /// Returns an object's title for lists and readouts: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
     pub fn title_of(&self, index: usize) -> String {
         let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
         match self.name_of(index as u32) {
@@ -185,7 +186,7 @@ impl Document {
     /// Checks the objects, and returns them without names and colours.
     ///
     /// # Errors
-    /// Returns the first invalid object.
+    /// Returns an error for the first invalid object.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let spheres = self.spheres.iter().chain(self.csv_items()).map(|item| item.shape).collect();
         Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
@@ -198,7 +199,7 @@ impl Document {
 
     /// Returns the colour of the object with this index.
     pub fn color_of(&self, index: u32) -> Rgb {
-        // Planes are counted separately, to keep their colours when a sphere is added.
+        // Planes are counted separately, so that they keep their colours when a sphere is added.
         let k = index as usize;
         let k = k.checked_sub(self.sphere_count()).unwrap_or(k);
         self.look_of(index).1.unwrap_or_else(|| default_color(k))

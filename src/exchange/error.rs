@@ -1,14 +1,14 @@
-//! Errors of files, and the known names nearest to a mistyped one.
+//! File errors, and suggestions for mistyped names.
 
 use std::path::Path;
 use std::{fmt, io};
 
 use strsim::osa_distance;
 
-/// An error of a file that cannot be read or written.
+/// The error of a file that cannot be read, is invalid, or cannot be written.
 ///
-/// The error is printed as `room.toml:12:10: sphere[3].radius is -1.0: it must be greater than 0`:
-/// file, line, column, then field, value, and the rule for valid values.
+/// It is printed as `room.toml:12:10: sphere[3].radius is -1.0: it must be greater than 0`: file, line
+/// and column, then the field, its value, and the rule for valid values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
     /// The file, as the user gave it.
@@ -19,7 +19,7 @@ pub struct FileError {
     pub problem: String,
 }
 
-/// A location in a text: line and column, both counted from 1; columns count characters.
+/// A location in a text as line and column, both counted from 1. Columns count characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Location {
     /// The line, counted from 1.
@@ -56,12 +56,12 @@ impl FileError {
         FileError { location: Some(location), ..FileError::of_file(path, problem) }
     }
 
-    /// Creates an error about a file that the system refuses to read.
+    /// Creates an error about a file that the system cannot read.
     pub fn unreadable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be read: {}", reason(error)))
     }
 
-    /// Creates an error about a file that the system refuses to write.
+    /// Creates an error about a file that the system cannot write.
     pub fn unwritable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be written: {}", reason(error)))
     }
@@ -86,7 +86,7 @@ impl fmt::Display for FileError {
 
 impl std::error::Error for FileError {}
 
-/// Returns a value on one line, shortened to fit into a message.
+/// Returns the text on one line, shortened to fit into a message.
 pub(crate) fn one_line(text: &str) -> String {
     const LONGEST: usize = 60;
     let words = text.split_whitespace().take(LONGEST);
@@ -98,9 +98,9 @@ pub(crate) fn one_line(text: &str) -> String {
     }
 }
 
-/// Returns true for characters that a terminal or a window would interpret instead of showing:
-/// control characters; marks that change the direction of writing (Unicode Standard Annex 9), which
-/// can make one text look like another; and noncharacters, which XML does not allow.
+/// Returns true for a character that a terminal or a window would interpret rather than show. These are
+/// control characters; marks that change the writing direction (Unicode Standard Annex 9), which can
+/// make one text look like another; and noncharacters, which XML does not allow.
 pub fn is_hidden(c: char) -> bool {
     let is_of_direction = matches!(
         c,
@@ -111,8 +111,9 @@ pub fn is_hidden(c: char) -> bool {
     c.is_control() || is_of_direction || ends_a_line || is_none
 }
 
-/// Returns a message in which hidden characters are escaped, as `\u{202e}`. The middle of a message of more
-/// than 1000 characters is omitted, because it begins with the field and ends with the remedy.
+/// Returns the message with hidden characters escaped, as in `\u{202e}`. If it has more than 1000
+/// characters, its middle is omitted, because the beginning names the field and the end gives the
+/// remedy.
 pub fn legible(message: &str) -> String {
     const LONGEST: usize = 1000;
     const GAP: &str = " ... ";
@@ -129,9 +130,9 @@ pub fn legible(message: &str) -> String {
     begin + GAP + &shown.chars().skip(count - end).collect::<String>()
 }
 
-/// Returns the names that may have been mistyped as `word`, the nearest first.
+/// Returns the `known` names of which `word` may be a misspelling, the nearest first.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
-    // No name is as long.
+    // All names are shorter.
     const LONGEST: usize = 100;
     if word.len() > LONGEST {
         return Vec::new();
@@ -139,7 +140,7 @@ pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
     let word = word.to_lowercase();
     let mut near: Vec<(usize, &str)> =
         known.into_iter().map(|name| (osa_distance(&word, name), name)).collect();
-    // A third of the letters may be wrong.
+    // Up to a third of the letters may be wrong.
     let most = |name: &str| word.chars().count().max(name.chars().count()) / 3;
     near.retain(|(distance, name)| *distance <= most(name));
     near.sort_by_key(|(distance, _)| *distance);

@@ -1,4 +1,4 @@
-//! The scene that is exported to other programs and languages: the camera with its basis, and the objects.
+//! A scene to export to other programs and languages: the camera with its basis, and the objects.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
@@ -15,7 +15,7 @@ pub enum Include {
     /// The objects that the format supports.
     #[default]
     Objects,
-    /// The objects that the format supports, and meshes in place of other objects.
+    /// The objects that the format supports, and meshes in place of the others.
     Meshes,
 }
 
@@ -26,7 +26,7 @@ pub struct ExportScene<'a> {
     pub document: &'a Document,
     /// The objects to export with the camera.
     pub include: Include,
-    /// The objects, spheres first; empty unless objects are requested.
+    /// The objects, spheres first; empty if no objects were requested.
     pub(crate) objects: Vec<ExportObject>,
     resolved: ResolvedCamera,
 }
@@ -39,11 +39,11 @@ pub(crate) struct ExportObject {
     pub(crate) title: String,
 }
 
-/// Largest difference from 1 of an aspect ratio that counts as square: a few rounding errors.
+/// Maximum difference from 1 at which a pixel's aspect ratio counts as square: a few rounding errors.
 const SQUARE: f64 = 1e-14;
 
 impl<'a> ExportScene<'a> {
-    /// Creates the scene from a document whose camera has a basis.
+    /// Creates the scene from a document. Its camera must have a basis.
     ///
     /// # Errors
     /// Returns an error if the camera, or a requested object, is invalid.
@@ -75,7 +75,7 @@ impl<'a> ExportScene<'a> {
         })
     }
 
-    /// Returns the point at and the vector up.
+    /// Returns the vectors at and up of the camera, which need not be given by them.
     pub(crate) fn look_at(&self) -> Result<[DVec3; 2], String> {
         let camera = self.document.camera.given_by(OrientationKind::At);
         match camera.map(|camera| camera.orientation) {
@@ -88,8 +88,8 @@ impl<'a> ExportScene<'a> {
         }
     }
 
-    /// Returns a pixel's width divided by its height in the world; exactly 1 if the ratio differs
-    /// from 1 only by rounding.
+    /// Returns the ratio of a pixel's width to its height in world units. It is exactly 1 if it differs
+    /// from 1 only by rounding errors.
     pub(crate) fn pixel_shape(&self) -> f64 {
         let (viewport, image) = (self.resolved.viewport(), self.resolved.image());
         let shape = (viewport.width / f64::from(image.width()))
@@ -97,7 +97,7 @@ impl<'a> ExportScene<'a> {
         if (shape - 1.0).abs() <= SQUARE { 1.0 } else { shape }
     }
 
-    /// Returns the near and far distances for programs that clip.
+    /// Returns the near and far clipping distances, for programs that clip.
     pub(crate) fn clip(&self) -> (f64, f64) {
         let spheres = self.objects.iter().filter_map(|object| match object.shape {
             Object::Sphere(sphere) => {
@@ -111,15 +111,16 @@ impl<'a> ExportScene<'a> {
         (near, if far > 1e4 { 2.0 * far } else { far })
     }
 
-    /// Returns a square that replaces the plane in programs without infinite planes: its centre, half its side,
-    /// and two unit vectors along its sides.
+    /// Returns a square that stands for the plane in programs without infinite planes: its centre, half
+    /// its side length, and two unit vectors along its sides.
     pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
         let normal = unit(plane.normal);
         let height = (self.resolved.eye() - plane.point).dot(normal);
         let middle = self.resolved.eye() - height * normal;
         let basis = normal.any_orthonormal_pair();
         let reach = length(self.resolved.eye() - plane.point).max(1.0);
-        // A power of ten, at least a thousand times as far as anything visible.
+        // Half the side is a power of ten, and at least a thousand times the distance from the eye to
+        // the plane's point.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
 }

@@ -1,4 +1,4 @@
-//! The fields of a TOML file's tables, with the name and position of each for messages.
+//! The fields of the tables in a TOML file, with their names and positions for messages.
 
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
@@ -17,7 +17,7 @@ pub struct TomlSource<'a> {
     pub path: &'a Path,
 }
 
-/// A table: `camera`, `sphere[3]`, or the file itself, whose name is empty.
+/// A table of the file, such as `camera` or `sphere[3]`, or the whole file, whose name is empty.
 pub struct Section<'a> {
     source: &'a TomlSource<'a>,
     name: String,
@@ -25,7 +25,7 @@ pub struct Section<'a> {
     span: Range<usize>,
 }
 
-/// A field with a value.
+/// A field, with its value.
 pub struct TomlField<'a> {
     source: &'a TomlSource<'a>,
     name: String,
@@ -41,23 +41,23 @@ enum FieldItem<'a> {
 }
 
 impl TomlSource<'_> {
-    /// Returns an error at a position of the file.
+    /// Creates an error at a position in the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
         FileError::at(self.path, Location::of_byte(self.text.as_bytes(), span.start), problem)
     }
 }
 
 impl<'a> Section<'a> {
-    /// Returns the section for the file itself, whose name is empty.
+    /// Returns the section for the whole file, whose name is empty.
     pub fn root(source: &'a TomlSource<'a>, table: &'a dyn TableLike) -> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
-    /// Checks the version of a file's format, which stands under `key`. `what` is what the file contains, in a
-    /// word; `known` is the version that this program reads.
+    /// Checks the version of a file's format, which is the value of `key`. `what` says in a word what
+    /// the file contains, for messages; `known` is the version that this program reads.
     ///
     /// # Errors
-    /// Returns an error if the version is missing or another one.
+    /// Returns an error if the version is missing or is not `known`.
     pub fn version(&self, key: &str, what: &str, known: i64) -> Result<(), FileError> {
         let field = self.need(key, &format!("{key} = {known} (the format version) at the top"))?;
         match field.integer() {
@@ -69,14 +69,14 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Returns a field's name in messages, prefixed by its table's name.
+    /// Returns the name of a field for messages, prefixed with the table's name.
     pub fn path_of(&self, key: &str) -> String {
         let key = one_line(key);
         if self.name.is_empty() { key } else { format!("{}.{key}", self.name) }
     }
 
-    /// Returns an error for the first field that is not `known`; `top` lists the fields of the file
-    /// itself.
+    /// Returns an error for the first field that is not in `known`. `top` lists the fields that belong
+    /// at the top of the file.
     pub fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
         let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
             return Ok(());
@@ -108,19 +108,19 @@ impl<'a> Section<'a> {
         Some(TomlField { source: self.source, name: self.path_of(key), item: entry, span })
     }
 
-    /// Returns a required field; `such_as` is an example line for the message.
+    /// Returns a required field. `such_as` is an example of a line with it, for the message.
     pub fn need(&self, key: &str, such_as: &str) -> Result<TomlField<'a>, FileError> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
-    /// Returns the error for a key that is missing in the table.
+    /// Creates the error for a key that is missing in the table.
     pub fn missing(&self, what: &str, such_as: &str) -> FileError {
         self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
     }
 }
 
 impl<'a> TomlField<'a> {
-    /// Returns an error such as `camera.eye[2] is nan: ` followed by `right`, the rule for valid
+    /// Creates an error such as `camera.eye[2] is nan: ` followed by `right`, the rule for valid
     /// values.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
@@ -131,17 +131,17 @@ impl<'a> TomlField<'a> {
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
 
-    /// Returns an error about the field, for a message that already states the value.
+    /// Creates an error about the field, for a message that already contains the value.
     pub fn fault(&self, problem: impl std::fmt::Display) -> FileError {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
 
-    /// Returns the error about a field that must not be present.
+    /// Creates the error for a field that must not be present.
     pub fn refuse(&self, why: &str) -> FileError {
         self.source.error(&self.span, format!("{} is there {why}", self.name))
     }
 
-    /// Returns the value as a finite number; an integer is accepted.
+    /// Returns the value as a number, which must be finite. Integers are accepted.
     pub fn number(&self) -> Result<f64, FileError> {
         match self.item {
             FieldItem::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
@@ -153,7 +153,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns the value as a finite number greater than 0.
+    /// Returns the value as a number, which must be finite and greater than 0.
     pub fn positive(&self) -> Result<f64, FileError> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.error("it must be greater than 0")) }
@@ -167,7 +167,8 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns a whole number in `range`; `what` describes it in the message.
+    /// Returns the value as a whole number, which must be in `range`. `what` describes it in the
+    /// message.
     pub fn whole(&self, range: RangeInclusive<i64>, what: &str) -> Result<i64, FileError> {
         self.integer().filter(|number| range.contains(number)).ok_or_else(|| {
             self.error(&format!("it must be {what}, {} to {}", range.start(), range.end()))
@@ -182,12 +183,12 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns the value as a vector of three finite numbers.
+    /// Returns the value as a vector, which must have three finite components.
     pub fn vector(&self) -> Result<DVec3, FileError> {
         self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
     }
 
-    /// Returns `N` finite numbers; `such_as` describes them in the message.
+    /// Returns the value as a list of `N` finite numbers. `such_as` describes it in the message.
     pub fn numbers<const N: usize>(&self, such_as: &str) -> Result<[f64; N], FileError> {
         let elements = self.elements().filter(|elements| elements.len() == N);
         let elements = elements.ok_or_else(|| self.error(&format!("it must be {such_as}")))?;
@@ -221,8 +222,7 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns the value, which must be one of the `known` names; the error suggests the nearest
-    /// name.
+    /// Returns the value, which must be one of the `known` names. The error suggests the nearest one.
     pub fn one_of(&self, known: &[&'static str]) -> Result<&'static str, FileError> {
         let choices = || format!("it must be one of {}", known.join(", "));
         let text = self.text().map_err(|_| self.error(&choices()))?;
@@ -251,7 +251,7 @@ impl<'a> TomlField<'a> {
         self.sections_named(|k| format!("{}[{k}]", self.name))
     }
 
-    /// Returns the tables of a list; errors count them from 1.
+    /// Returns the value as a list of tables. Errors count the tables from 1.
     ///
     /// # Errors
     /// Returns an error if the value is not an array of tables.

@@ -1,4 +1,4 @@
-//! Formats of other programs and languages: the name, the template and the conventions of each.
+//! The formats of other programs and languages: the name, the template and the conventions of each.
 
 use std::path::Path;
 
@@ -19,32 +19,32 @@ pub struct Format {
     pub label: &'static str,
     /// Short name, of one or two words.
     pub short: &'static str,
-    /// Proposed file name.
+    /// The suggested file name.
     pub file: &'static str,
     /// The format's conventions; `None` for code, which uses the lecture's conventions.
     pub conventions: Option<Conventions>,
-    /// The file's text, with names in braces that stand for values.
+    /// The text of the file, with names in braces in place of values.
     pub(crate) template: &'static str,
-    /// The objects that the template leaves out or replaces, for the notes.
+    /// The objects that the format omits or replaces, which a note mentions.
     pub(crate) left_out: LeftOut,
-    /// Returns the values that only this format has, and adds notes. Fails if the format cannot
-    /// express the scene.
+    /// Returns the values that only this format has, and adds notes. Returns an error if the format
+    /// cannot express the scene.
     pub(crate) extra: fn(&ExportScene, &mut Vec<String>) -> Result<ExtraValues, String>,
 }
 
-/// The values that only one format has, by their names in its template.
+/// The values that only one format has, with their names in its template.
 pub(crate) type ExtraValues = Vec<(&'static str, TemplateValue)>;
 
-/// The objects that a format leaves out or replaces.
+/// The objects that a format omits or replaces.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum LeftOut {
-    /// No objects, or objects that no note mentions.
+    /// None, or only objects that need no note.
     Nothing,
-    /// Planes: each is replaced by a square.
+    /// Planes, each of which is replaced by a square.
     Squares,
-    /// Planes, for this reason.
+    /// Planes are omitted, for this reason.
     Planes(&'static str),
-    /// All objects, for this reason.
+    /// All objects are omitted, for this reason.
     Objects(&'static str),
 }
 
@@ -53,11 +53,11 @@ pub(crate) enum LeftOut {
 pub struct Exported {
     /// The file's text.
     pub text: Text,
-    /// Notes about anything that the format cannot express, or expresses differently.
+    /// Notes about parts that the format cannot express, or expresses in a different way.
     pub notes: Vec<String>,
 }
 
-/// A text from another program, and its path for messages.
+/// A text from another program, with its path for messages.
 #[derive(Clone, Copy, Debug)]
 pub struct Input<'a> {
     /// The path of the file, as the user gave it.
@@ -71,7 +71,7 @@ pub struct Input<'a> {
 pub struct Imported {
     /// The camera.
     pub camera: Camera,
-    /// Notes about anything that could not be imported, or that the text does not specify.
+    /// Notes about parts that could not be imported, or that the text does not specify.
     pub notes: Vec<String>,
 }
 
@@ -81,7 +81,7 @@ impl Format {
         self.file.rsplit('.').next().unwrap_or_default()
     }
 
-    /// Returns no values, for a format whose template says everything.
+    /// Returns no values, for a format whose template needs none.
     pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
         Ok(Vec::new())
     }
@@ -89,7 +89,8 @@ impl Format {
     /// Writes the camera, and the objects if requested, in this format.
     ///
     /// # Errors
-    /// Returns the first quantity that the format cannot express, such as one that is not finite.
+    /// Returns a message about the first quantity that the format cannot express, such as one that is
+    /// not finite.
     pub fn write(&self, subject: &ExportScene) -> Result<Exported, String> {
         if self.conventions.as_ref().is_some_and(|theirs| theirs.shape.starts_with("square only")) {
             square_pixels(subject, self.label)?;
@@ -124,37 +125,37 @@ impl Format {
 }
 
 impl Input<'_> {
-    /// Creates an error at a byte of the text.
+    /// Creates an error at this byte of the text.
     pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
         FileError::at(self.path, Location::of_byte(self.text.as_bytes(), at), problem)
     }
 }
 
-/// Direction of an axis of a format's camera.
+/// The direction of an axis of a format's camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     /// The axis's letter with its sign: `u`, `−w`.
     pub name: &'static str,
     /// The direction in words: `right`, `up`, `backwards`, and their opposites.
     pub meaning: &'static str,
-    /// The axis's vector, in coordinates (u, v, w).
+    /// The axis's direction in the camera's coordinates (u, v, w).
     pub direction: DVec3,
 }
 
 /// How a format counts pixels, and where their centres are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PixelConvention {
-    /// x right, y down from the image's corner, centres at halves: Pinhole's convention.
+    /// x to the right and y down from the image's corner, with centres at halves: Pinhole's convention.
     Corner,
-    /// x right, y down, centres at whole numbers.
+    /// x to the right and y down, with centres at whole numbers.
     AtCentre,
-    /// y up from the lower left corner, centres at halves.
+    /// y up from the lower left corner, with centres at halves.
     FromBottom,
-    /// Rows and columns from 1.
+    /// Rows and columns are counted from 1.
     FromOne,
-    /// Row and column from 0, the column first.
+    /// Columns and rows are counted from 0, and the column comes first.
     ColumnFirst,
-    /// -1 to 1 across the image, y up.
+    /// From -1 to 1 across the image, with y up.
     Device,
 }
 
@@ -163,19 +164,19 @@ pub enum PixelConvention {
 pub struct Conventions {
     /// Directions of the x, y and z axes of the format's camera.
     pub axes: [Axis; 3],
-    /// The numbers that specify the camera.
+    /// The quantities that specify the camera.
     pub given_by: &'static str,
-    /// The format's convention for pixels.
+    /// The convention for counting pixels.
     pub pixels: PixelConvention,
     /// The quantity that specifies the field of view.
     pub view: &'static str,
-    /// The template of the numbers that describe the field of view of a camera.
+    /// The template for the numbers that specify a camera's field of view.
     pub(crate) field: &'static str,
     /// The format's counterpart of the viewport's distance.
     pub distance: &'static str,
     /// The pixel shapes that the format allows.
     pub shape: &'static str,
-    /// The precision in which the other program computes.
+    /// The precision with which the other program computes.
     pub lengths: &'static str,
 }
 
@@ -204,7 +205,7 @@ impl Conventions {
         x.cross(y).dot(z) > 0.0
     }
 
-    /// Returns the number or numbers that describe the field of view of a camera.
+    /// Returns the number or numbers that specify the camera's field of view in this format.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
         let value = |name: &str| template::scene_value(subject, name);
         let field = template::filled(self.field, value).unwrap_or_default();
@@ -230,7 +231,7 @@ fn square_pixels(subject: &ExportScene, program: &str) -> Result<(), String> {
     ))
 }
 
-/// Returns the note about a square that replaces a plane.
+/// Returns the note about a plane that is replaced by a square.
 pub(crate) fn square_note(title: &str, program: &str, half: f64) -> String {
     format!(
         "{title} is infinite, and {program} has no infinite plane: written as a square that reaches {} \

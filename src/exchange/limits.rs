@@ -6,33 +6,32 @@ use std::path::Path;
 
 use crate::FileError;
 
-/// Maximum bytes of a text: a scene, a lesson, another program's file.
+/// Maximum size of a text in bytes: a scene, a lesson, or another program's file.
 pub const TEXT: u64 = 64 << 20;
 
-/// Maximum bytes of a table, or of a picture that is graded.
+/// Maximum size in bytes of a table, or of a picture to be graded.
 pub const TABLE: u64 = 1 << 30;
 
-/// Maximum bytes of a text that is pasted.
+/// Maximum size of a pasted text in bytes.
 pub const PASTE: usize = 128 << 10;
 
-/// Maximum bytes of a table's row.
+/// Maximum size of a row of a table in bytes.
 pub const ROW: usize = 64 << 10;
 
-/// Maximum number of rows in a table, of spheres or anything else.
+/// Maximum number of rows in a table.
 pub const ROWS: usize = 10_000_000;
 
-/// Maximum depth of nested brackets, which is far more than real files need.
+/// Maximum nesting depth of brackets, which is far more than real files need.
 pub const NESTING: usize = 64;
 
-/// Files that a shell has opened for the program. They may be pipes.
+/// The paths of files that a shell has opened for the program. They may be pipes.
 const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
 
 /// Reads a file of at most `most` bytes.
 ///
-/// # Errors
-/// Returns an error if the system cannot read the file, if the file is larger, or if the file is a
-/// device or a pipe that was not opened for the program: such a source may never end, or never
-/// begin.
+/// # Errors Returns an error if the system cannot read the file, or if it is larger. Also returns an
+/// error for a device, and for a pipe that was not opened for the program: reading such a source may
+/// block forever.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
     let kind = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
@@ -58,10 +57,10 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
     })
 }
 
-/// Reads at most `most` bytes from a source that messages call `path`.
+/// Reads at most `most` bytes from a source. `path` is its name in messages.
 ///
 /// # Errors
-/// Returns an error if reading fails, or the source has more bytes.
+/// Returns an error if reading fails, or if the source contains more bytes.
 pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     let read = source.take(most + 1).read_to_end(&mut bytes);

@@ -1,4 +1,4 @@
-//! The built-in scenes, and the scene that an argument on the command line names: a file or a built-in one.
+//! The built-in scenes, and the scene that a command-line argument names: a file or a built-in scene.
 
 use std::path::{Path, PathBuf};
 
@@ -16,8 +16,9 @@ pub enum SceneSource {
 }
 
 impl SceneSource {
-    /// Returns the file at this path if there is one, or if the argument can only be a path (because it has a
-    /// folder, or ends in `.toml`); otherwise the built-in scene of this name.
+    /// Returns the scene that an argument names. It is a file if there is one at this path, or if the
+    /// argument can only be a path, because it contains a folder or ends in `.toml`. Otherwise it is
+    /// the built-in scene with this name.
     ///
     /// # Errors
     /// Returns an error that suggests similar names if there is no such scene.
@@ -46,7 +47,7 @@ impl SceneSource {
     /// Reads the scene.
     ///
     /// # Errors
-    /// Returns the first error in the file.
+    /// Returns the first error in the file or in its CSV file.
     pub fn load(&self) -> Result<Document, FileError> {
         match self {
             SceneSource::File(path) => scene_file::load(path),
@@ -72,7 +73,7 @@ pub struct BuiltinScene {
     pub text: &'static str,
 }
 
-/// A list of the files `scenes/builtin/NAME.toml`.
+/// Expands to a list of the files `scenes/builtin/NAME.toml`.
 macro_rules! scenes {
     [$($name:literal),* $(,)?] => {
         &[$(BuiltinScene {
@@ -82,8 +83,8 @@ macro_rules! scenes {
     };
 }
 
-/// The built-in scenes in the lecture's order: the canonical camera, then its parameters, then numerically
-/// difficult scenes.
+/// The built-in scenes in the order of the lecture: the canonical camera, then its parameters, and then
+/// numerically difficult scenes.
 const BUILTIN: &[BuiltinScene] = scenes![
     "canonical",
     "distance-two",
@@ -118,7 +119,7 @@ impl BuiltinScene {
     /// Reads the scene.
     ///
     /// # Errors
-    /// Never fails; tests check all scenes.
+    /// Never returns an error; tests check all built-in scenes.
     pub fn load(&self) -> Result<Document, FileError> {
         scene_file::parse(self.text, Path::new(self.name), Path::new(""))
     }

@@ -1,13 +1,15 @@
-//! Texts of other programs and languages as templates, filled with the numbers of an exported scene.
+//! Templates of texts for other programs and languages, which are filled with the numbers of an
+//! exported scene.
 //!
-//! In a template, `{eye}` stands for the value of that name, and `{eye:STYLE}` for the value in a
-//! style: `real` has a point or an exponent, so that no language reads an integer; `single` is
-//! rounded to `f32`; `flipped` is marked as having the opposite sign; `spaces` separates the numbers
-//! by blanks in place of commas. Any other text in braces stays as it is.
+//! In a template, `{eye}` stands for the value with that name, and `{eye:STYLE}` for the value in a
+//! style. In the style `real`, a number has a point or an exponent, so that no language reads it as an
+//! integer; in `single`, it is rounded to `f32`; in `flipped`, it is marked as having the opposite
+//! sign; in `spaces`, numbers are separated by blanks instead of commas. Any other text in braces stays
+//! as it is.
 //!
-//! A line `@sphere` or `@plane` begins the text that is written for each sphere or plane. `@objects`
-//! begins the text before the first of them, which is left out without objects, and `@end` the text
-//! after the last.
+//! The line `@sphere` or `@plane` begins the text that is written for each sphere or plane. The line
+//! `@objects` begins the text before the first object, which is omitted if there are no objects, and
+//! `@end` the text after the last one.
 
 use std::ops::Range;
 
@@ -17,7 +19,7 @@ use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Vi
 use crate::error::is_hidden;
 use crate::export_scene::{ExportObject, ExportScene};
 
-/// A text, and the parts whose sign is the opposite of Pinhole's.
+/// A text, and those of its parts whose sign is the opposite of Pinhole's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// The text.
@@ -26,12 +28,12 @@ pub struct Text {
     pub flipped: Vec<Range<usize>>,
 }
 
-/// Marks around a flipped part while the text is being written: characters of the private use area,
-/// which never occur in a number.
+/// Characters that mark the start and the end of a flipped part while the text is being written. They
+/// are in Unicode's private use area and never occur in a number.
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
 
-/// Placeholder for a number that is not finite, which no format allows.
+/// The placeholder for a number that is not finite. No format allows such numbers.
 pub(crate) const BEYOND: char = '\u{e002}';
 
 impl Text {
@@ -50,7 +52,8 @@ impl Text {
     }
 }
 
-/// Formats a number with the fewest digits that read back to the same number.
+/// Formats a number with the fewest digits that read back to the same number; [`BEYOND`] if it is not
+/// finite.
 pub(crate) fn n(x: f64) -> String {
     if x.is_finite() { pinhole_core::shortest(x) } else { BEYOND.to_string() }
 }
@@ -60,13 +63,13 @@ pub(crate) fn commas(v: DVec3) -> String {
     v.to_array().map(n).join(", ")
 }
 
-/// Returns an external text, such as a name, without characters that would end a line, are hidden,
-/// or serve as marks in this module.
+/// Returns a text that comes from the user, such as a name, without characters that end a line, are
+/// hidden, or serve as marks in this module.
 fn sanitized(text: &str) -> String {
     text.chars().filter(|c| !is_hidden(*c) && ![OPEN, CLOSE, BEYOND].contains(c)).collect()
 }
 
-/// Returns a name that can be quoted in every format.
+/// Returns a name in which characters that cannot be quoted in every format are replaced.
 pub(crate) fn quotable(name: &str) -> String {
     sanitized(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
 }
@@ -114,7 +117,7 @@ impl TemplateValue {
         let with_point = |text: String| if text.contains(['.', 'e']) { text } else { text + ".0" };
         let number = |x: f64| match style {
             "real" => with_point(n(x)),
-            // No reader needs to know of a negative zero.
+            // The sign of a negative zero is not needed.
             "single" => with_point(format!("{:?}", x as f32 + 0.0)),
             "flipped" => format!("{OPEN}{}{CLOSE}", n(x)),
             _ => n(x),
@@ -124,7 +127,8 @@ impl TemplateValue {
     }
 }
 
-/// Returns the filled template. `extra` contains the values that only this format has.
+/// Returns the template with its values filled in. `extra` contains the values that only this format
+/// has.
 ///
 /// # Errors
 /// Returns an error if a value does not exist for the scene.
@@ -151,7 +155,7 @@ pub(crate) fn written(
     Ok(text + section(template, "\n@end\n"))
 }
 
-/// Returns the text after the line that begins a section; empty if there is no such line.
+/// Returns the text of the section that begins after `line`; empty if there is no such line.
 pub(crate) fn section<'t>(template: &'t str, line: &str) -> &'t str {
     template.split_once(line).map_or("", |(_, section)| before_mark(section))
 }
@@ -160,7 +164,7 @@ fn before_mark(text: &str) -> &str {
     text.find("\n@").map_or(text, |at| &text[..=at])
 }
 
-/// Returns a text in which each name in braces is replaced by its value, if it has one.
+/// Returns the template with each name in braces replaced by its value, if it has one.
 pub(crate) fn filled(
     template: &str,
     value: impl Fn(&str) -> Result<Option<TemplateValue>, String>,
@@ -178,7 +182,8 @@ pub(crate) fn filled(
     Ok(text + rest)
 }
 
-/// Returns the value of this name that a scene has without its objects; `None` if there is none.
+/// Returns the value with this name that every scene has, whatever its objects; `None` if there is
+/// none.
 pub(crate) fn scene_value(
     subject: &ExportScene,
     name: &str,
@@ -235,8 +240,9 @@ pub(crate) fn scene_value(
     }))
 }
 
-/// Returns the value of this name that an object has; `None` if there is none. The square that
-/// replaces a plane has rows, the matrix from the unit square to the world, and corners.
+/// Returns the value with this name that an object has; `None` if there is none. The values of a plane
+/// are those of the square that stands for it: rows of the matrix from the unit square to the world,
+/// and corners.
 fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Option<TemplateValue> {
     match name {
         "title" => return Some(sanitized(&object.title).into()),

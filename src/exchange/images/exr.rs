@@ -1,16 +1,17 @@
-//! The hits of the camera's rays, pixel by pixel, as OpenEXR.
+//! Writes the hits of the camera's rays, pixel by pixel, as OpenEXR.
 
 use std::io::{self, BufWriter, Seek, Write};
 
 use exr::prelude::*;
 use pinhole_core::{Certificate, DVec3, Frame, Step};
 
-/// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v`, `margin` and the uint channels `object`
-/// and `step` of a frame that was traced with normals. There is one certificate for each of its pixels.
+/// Writes a frame that was traced with normals, and one certificate for each of its pixels. The float
+/// channels are `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and `margin`; the uint channels are `object` and
+/// `step`.
 ///
-/// (u, v) is the pixel's centre. If nothing is hit, `t` is infinite, the normal is zero and `object` is
-/// [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the [`Certificate`]: 0 for `f64`,
-/// 1 for double-double, 2 for exact; the margin is in bits.
+/// (u, v) is the pixel's centre. If nothing is hit, `t` is infinite, the normal is zero, and `object`
+/// is [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the [`Certificate`].
+/// The step is 0 for `f64`, 1 for double-double and 2 for exact; the margin is in bits.
 ///
 /// # Errors
 /// Returns an error if writing to `out` fails.
@@ -43,14 +44,14 @@ pub fn encode(
     let layer = Layer::new(
         (columns.len(), rows.len()),
         LayerAttributes::default(),
-        // The order does not depend on the threads: the same frame gives the same file.
+        // Rows are written in order, so that the file does not depend on the threads.
         Encoding { line_order: LineOrder::Increasing, ..Encoding::FAST_LOSSLESS },
         channels,
     );
     Image::from_layer(layer).write().to_buffered(BufWriter::new(out)).map_err(to_io)
 }
 
-/// Returns the number of a certificate's step.
+/// Returns the number that stands for a certificate's step in the file.
 fn number_of(certificate: &Certificate) -> u32 {
     match certificate.step {
         Step::F64 => 0,

@@ -1,4 +1,4 @@
-//! Writes animations as GIF, which every slide program accepts.
+//! Writes animations as GIF, which every presentation program can show.
 
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -7,13 +7,14 @@ use std::mem;
 use color_quant::NeuQuant;
 use gif::{Encoder, EncodingError, Frame, Repeat};
 
-/// Maximum number of colours of a frame; one more index marks pixels that have not changed.
+/// Maximum number of colours in a frame. One more index is reserved for pixels that have not changed.
 const COLORS: usize = 255;
 
-/// Maximum number of frames per second: players show a frame for at least two hundredths of a second.
+/// Maximum number of frames per second: players show each frame for at least two hundredths of a
+/// second.
 pub const MOST_PER_SECOND: u16 = 50;
 
-/// A writer of an animated GIF (GIF89a): opaque, with a palette of up to 255 colours for each frame.
+/// Writes an animated GIF (GIF89a). It is opaque, with a palette of up to 255 colours for each frame.
 pub struct Animated<W: Write> {
     encoder: Encoder<W>,
     size: [u16; 2],
@@ -25,11 +26,10 @@ pub struct Animated<W: Write> {
 
 impl<W: Write> Animated<W> {
     /// Creates an animation of frames with this size in sRGB pixels and this number of frames per
-    /// second. If `repeats`, the animation repeats forever; otherwise it is shown once.
+    /// second. If `repeats` is true, the animation repeats forever; otherwise it is shown once.
     ///
-    /// # Errors
-    /// Returns an error if the size or the number of frames per second is not possible in GIF, or
-    /// writing the header to `out` fails.
+    /// # Errors Returns an error if GIF does not allow the size or the number of frames per second, or
+    /// if writing the header to `out` fails.
     pub fn new(out: W, size: [u32; 2], per_second: u16, repeats: bool) -> io::Result<Self> {
         let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
             return Err(io::Error::other("GIF has at most 65535 columns and rows"));
@@ -45,10 +45,10 @@ impl<W: Write> Animated<W> {
         Ok(Animated { encoder, size: [width, height], per_second, done: 0, before: Vec::new() })
     }
 
-    /// Writes the next frame; the opacity of its pixels is ignored.
+    /// Writes the next frame. The opacity of its pixels is ignored.
     ///
     /// # Errors
-    /// Returns an error if the frame has another size, or writing fails.
+    /// Returns an error if the frame has another size, or if writing fails.
     pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
         let [width, height] = self.size;
         if pixels.len() != usize::from(width) * usize::from(height) {
@@ -74,13 +74,14 @@ impl<W: Write> Animated<W> {
         self.encoder.write_frame(&frame).map_err(to_io)
     }
 
-    /// Returns the duration of the next frame, in hundredths of a second. Rounding does not accumulate.
+    /// Returns the duration of the next frame, in hundredths of a second. Rounding errors do not
+    /// accumulate.
     fn delay(&self) -> u16 {
         let end = |frame: u32| u64::from(frame) * 100 / u64::from(self.per_second);
         (end(self.done + 1) - end(self.done)) as u16
     }
 
-    /// Finishes the animation after the last frame, and returns what it was written to.
+    /// Finishes the animation and returns the underlying writer.
     ///
     /// # Errors
     /// Returns an error if writing fails.
@@ -89,19 +90,20 @@ impl<W: Write> Animated<W> {
     }
 }
 
-/// The colours of a frame.
+/// The palette of a frame.
 struct FramePalette {
-    /// Red, green and blue of each colour.
+    /// Red, green and blue of each colour in the palette.
     colors: Vec<u8>,
-    /// For each colour of the frame, the index of the palette's colour that replaces it.
+    /// For each colour in the frame, the index of the palette's colour that replaces it.
     indices: HashMap<[u8; 3], u8>,
 }
 
 impl FramePalette {
-    /// Returns the pixels' own colours if they are few, otherwise colours that a neural network learns from
-    /// them (Dekker, *Kohonen neural networks for optimal colour quantization*, Network 5, 1994).
+    /// Creates the palette for a frame's pixels. It contains their own colours if these are few enough,
+    /// and otherwise colours that a neural network learns from them (Dekker, *Kohonen neural networks
+    /// for optimal colour quantization*, Network 5, 1994).
     fn new(pixels: impl Iterator<Item = [u8; 4]> + Clone) -> FramePalette {
-        /// The network learns from one pixel out of this many.
+        /// The network learns from one in this many pixels.
         const SAMPLED: i32 = 10;
         let mut indices = HashMap::new();
         let mut colors = Vec::new();

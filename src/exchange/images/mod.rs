@@ -1,4 +1,4 @@
-//! Pictures as PNG, GIF and OpenEXR files; colours as `#rrggbb`.
+//! Reads and writes pictures as PNG, GIF and OpenEXR files, and colours as `#rrggbb`.
 
 use pinhole_core::Rgb;
 
@@ -7,7 +7,7 @@ pub mod exr;
 pub mod gif;
 pub mod png;
 
-/// Reads `#rrggbb` or `#rgb`; `None` for anything else.
+/// Parses `#rrggbb` or `#rgb`. Returns `None` for any other text.
 pub fn parse_color(text: &str) -> Option<Rgb> {
     let digits = text.strip_prefix('#')?;
     if !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
@@ -21,7 +21,7 @@ pub fn parse_color(text: &str) -> Option<Rgb> {
     }
 }
 
-/// Returns a colour as `#rrggbb`, in lowercase.
+/// Formats a colour as `#rrggbb`, in lowercase.
 pub fn color_to_text([r, g, b]: Rgb) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }

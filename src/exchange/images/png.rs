@@ -1,4 +1,4 @@
-//! Pictures as PNG.
+//! Reads and writes pictures as PNG.
 
 use std::io::{self, Cursor, Write};
 use std::path::Path;
@@ -11,8 +11,8 @@ use png::{
 
 use crate::FileError;
 
-/// Writes a picture of sRGB pixels, row by row from the top: with their opacity if `transparent`, otherwise opaque.
-/// The colours are not premultiplied.
+/// Writes a picture of sRGB pixels, row by row from the top. If `transparent` is true, their opacity is
+/// included; otherwise the picture is opaque. Colours are not premultiplied.
 ///
 /// # Errors
 /// Returns an error if writing to `out` fails.
@@ -42,12 +42,12 @@ pub fn encode(
 pub struct Decoded {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// Row by row from the top, with opacity; colours are not premultiplied.
+    /// The pixels, row by row from the top, with opacity. Colours are not premultiplied.
     pub pixels: Vec<[u8; 4]>,
 }
 
 impl Decoded {
-    /// Returns the opaque colours of the picture over a background.
+    /// Returns the colours of the picture when it is drawn over an opaque background.
     pub fn over(&self, background: Rgb) -> Vec<Rgb> {
         let mix = |front: u8, back: u8, alpha: u8| {
             let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
@@ -66,12 +66,12 @@ pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
-/// Reads a PNG of any kind as eight bits per channel; `path` is used in messages. Colours are assumed to be
-/// sRGB.
+/// Decodes any kind of PNG to eight bits per channel. `path` is used in messages. Colours are assumed
+/// to be sRGB.
 ///
 /// # Errors
-/// Returns an error if the bytes are not a PNG, are damaged, or hold a picture larger than any
-/// image may be.
+/// Returns an error if the bytes are not a PNG or are damaged, or if the picture is larger than the
+/// maximum image size.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
     let at_fault = |error: &dyn std::fmt::Display| {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))

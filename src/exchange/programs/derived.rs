@@ -1,4 +1,5 @@
-//! Derives a camera from what a text specifies: a frame, an angle, the aspect ratio of an image.
+//! Derives a camera from what a text specifies: a frame of axes, an angle, and the aspect ratio of an
+//! image.
 
 use pinhole_core::glam::{DAffine3, DMat4};
 use pinhole_core::{
@@ -8,22 +9,22 @@ use pinhole_core::{
 
 use crate::template::n;
 
-/// The note on a mirrored camera.
+/// The note about a camera in a left-handed world.
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \
                             the picture is the same";
 
-/// Returns the affine map of 16 numbers in column-major order; `None` for any other count, or if the last row
-/// is not 0 0 0 1.
+/// Returns the affine map of a matrix of 16 numbers in column-major order. Returns `None` for any other
+/// number of them, or if the last row is not 0 0 0 1.
 pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
     let m = DMat4::from_cols_array(columns.try_into().ok()?);
     (m.row(3).to_array() == [0.0, 0.0, 0.0, 1.0]).then(|| DAffine3::from_mat4(m))
 }
 
-/// Returns the orientation and the eye of a camera that looks along its own -z with y up, from its frame in the
-/// world, whose axes may have any length. In a left-handed world, every z is negated, and a note is added.
+/// Returns the orientation and the eye of a camera that looks along its own -z with y up. `frame` is
+/// its frame in the world, whose axes may have any length. If the world is left-handed, every z is
+/// negated, and a note is added.
 ///
-/// # Errors
-/// Returns the problem with the axes, such as "one of its axes is (0, 0, 0)".
+/// # Errors Returns a message about the axes, such as "one of its axes is (0, 0, 0)".
 pub(super) fn right_handed(
     frame: &DAffine3,
     notes: &mut Vec<String>,
@@ -42,8 +43,8 @@ pub(super) fn right_handed(
     Ok((orientation, frame.translation))
 }
 
-/// Returns the orientation with these axes (right, up, backwards); `notes` gets a sentence for each
-/// correction.
+/// Returns the orientation with these axes: right, up and backwards. For each correction, a sentence is
+/// added to `notes`.
 fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation, String> {
     let axes = axes.map(without_noise);
     let [right, up, backwards] = axes;
@@ -69,7 +70,8 @@ fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation,
     Ok(Orientation::Basis(basis))
 }
 
-/// Returns an axis in which components within a rounding error of -1, 0 or 1 times its length are exactly that.
+/// Returns the axis with rounding errors removed: a component that is within them of -1, 0 or 1 times
+/// the axis's length is set to that value.
 fn without_noise(axis: DVec3) -> DVec3 {
     let roundings = 4.0 * f64::EPSILON;
     let length = axis.length();
@@ -79,7 +81,7 @@ fn without_noise(axis: DVec3) -> DVec3 {
     }))
 }
 
-/// Returns the number with the fewest digits near `x` that satisfies the predicate; `x` if none does.
+/// Returns the number near `x` with the fewest digits that satisfies `fits`; `x` if there is none.
 pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
     (0..17)
         .filter_map(|digits| format!("{x:.digits$e}").parse::<f64>().ok())
@@ -95,8 +97,8 @@ pub(super) fn settled(x: f64, roundings: f64) -> f64 {
     shortest_where(x, |y| (y - x).abs() <= roundings)
 }
 
-/// Returns the viewport at `distance` that spans about this angle in radians, whose height satisfies `fits`,
-/// and that is `aspect` times as wide as high, in as few digits as possible.
+/// Returns a viewport at `distance` whose height spans about this angle in radians and satisfies
+/// `fits`, and which is `aspect` times as wide as high. Its numbers have as few digits as possible.
 fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) -> Viewport {
     let height = shortest_where(extent_of_fov(fov, distance), fits);
     let is_in_ratio = |x: f64| (x / height / aspect - 1.0).abs() <= 2.0 * f64::EPSILON;
@@ -107,19 +109,19 @@ fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) ->
     Viewport { width, height, distance }
 }
 
-/// Returns the viewport at `distance` that spans this vertical angle in degrees, and is `aspect` times as wide
-/// as high.
+/// Returns the viewport at `distance` that spans this vertical angle in degrees and is `aspect` times
+/// as wide as high.
 pub(super) fn viewport_of_angle(degrees: f64, aspect: f64, distance: f64) -> Viewport {
     let fits = |height| fov_of_extent(height, distance).to_degrees() == degrees;
     viewport(degrees.to_radians(), aspect, distance, fits)
 }
 
-/// Like [`viewport_of_angle`], for an angle in radians.
+/// Does the same as [`viewport_of_angle`], for an angle in radians.
 pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
     viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
 }
 
-/// Returns the image with `height` rows and this aspect ratio; `None` if no such image exists.
+/// Returns the image size with `height` rows and this aspect ratio; `None` if there is none.
 fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
     let width = (f64::from(height) * aspect).round();
     (1.0..=f64::from(ImageSize::MAX))
@@ -127,9 +129,9 @@ fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
         .then(|| ImageSize::new(width as u32, height).ok())?
 }
 
-/// Returns an image close to the current one with this aspect ratio, which gives square pixels:
-/// with the same height or width if possible, otherwise with multiples of ten pixels, otherwise
-/// any. The ratio may have been rounded to a float.
+/// Returns an image size close to the current one with this aspect ratio, so that pixels are square. It
+/// has the same height or width if possible, otherwise multiples of ten pixels, otherwise any size. The
+/// ratio may have been rounded to `f32`.
 fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     let (w, h) = (at_hand.width(), at_hand.height());
     let by_height = |height: u32, off: f64| {
@@ -150,8 +152,8 @@ fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     })
 }
 
-/// Returns the image for a format that only specifies the aspect ratio: the current one if it has this ratio,
-/// otherwise one close to it.
+/// Returns the image size for a format that specifies only the aspect ratio: the current size if it has
+/// this ratio, and otherwise one close to it.
 pub(super) fn image_of_ratio(
     at_hand: ImageSize,
     aspect: f64,
@@ -169,13 +171,13 @@ pub(super) fn image_of_ratio(
     image
 }
 
-/// Returns the note on an image whose size is not specified: the missing information, and the
-/// reason for this size.
+/// Returns the note about an image whose size is not specified. `unsaid` says what is missing, and
+/// `taken` why this size is used.
 pub(super) fn size_note(unsaid: &str, image: ImageSize, taken: &str) -> String {
     format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }
 
-/// Checks the size of an image.
+/// Returns the image size, if it is valid.
 pub(super) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
     let whole = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(ImageSize::MAX)).contains(&x);
     if !(whole(width) && whole(height)) {

@@ -1,6 +1,6 @@
-//! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos,
-//! *glTF 2.0 Specification*, section 3.10). In glTF, spheres and planes are meshes: a sphere and a
-//! square, whose vertices all objects share. The meshes are only written on request.
+//! glTF 2.0: a node with a perspective camera, which looks along its own -z with y up (Khronos, *glTF
+//! 2.0 Specification*, section 3.10). Spheres and planes are written as meshes, only on request. All
+//! objects share the vertices of one sphere and one square.
 
 use std::f32::consts::PI;
 
@@ -32,7 +32,7 @@ pub(super) const FORMAT: Format = Format {
     extra,
 };
 
-/// Returns the nodes of the objects, and the glTF tables to which the nodes refer.
+/// Returns the nodes of the objects, and the glTF tables to which they refer.
 fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, String> {
     let mut nodes = Vec::new();
     let mut tables = String::new();
@@ -55,17 +55,17 @@ fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, 
     ])
 }
 
-/// Number of steps of the sphere from pole to pole; there are twice as many around the axis.
+/// Number of steps of the sphere's mesh from pole to pole. There are twice as many around the axis.
 const STEPS: u16 = 32;
 
-/// Vertices and triangles.
+/// A mesh of triangles, given by their vertices.
 struct Mesh {
     points: Vec<[f32; 3]>,
     triangles: Vec<[u16; 3]>,
 }
 
-/// Returns a node for each object, and the different colours. The colour of index k has the meshes 2
-/// k, a sphere, and 2 k + 1, a square.
+/// Returns a node for each object, and the distinct colours. The colour with index k has two meshes:
+/// number 2 k is a sphere, and number 2 k + 1 a square.
 fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec<Rgb>) {
     let mut colors: Vec<Rgb> = Vec::new();
     let mut nodes = Vec::new();
@@ -102,8 +102,8 @@ fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec
     (nodes, colors)
 }
 
-/// Returns the meshes, two for each colour, with their materials and vertices. The template states
-/// the number of vertices of each shape, and where in the buffer they are.
+/// Returns the tables of the meshes, of which each colour has two, with their materials and vertices.
+/// The template contains the number of vertices of each shape, and their position in the buffer.
 fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     let material = |color: &Rgb| {
         format!(
@@ -138,8 +138,8 @@ fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     })
 }
 
-/// Returns the unit sphere, divided by longitude and latitude, with counterclockwise triangles as seen from
-/// outside.
+/// Returns the unit sphere, divided by longitude and latitude. Seen from outside, its triangles are
+/// counterclockwise.
 fn sphere() -> Mesh {
     let round = 2 * STEPS;
     let mut points = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
@@ -165,7 +165,7 @@ fn sphere() -> Mesh {
     Mesh { points, triangles }
 }
 
-/// Returns a square from -1 to 1 in x and y.
+/// Returns the square from -1 to 1 in x and y.
 fn square() -> Mesh {
     let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
     Mesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }

@@ -1,5 +1,5 @@
-//! Reads the camera of a glTF, in JSON or binary. All numbers are read as `f64`: the crate `gltf` uses `f32`,
-//! which would move the camera in the eighth digit.
+//! Reads the camera of a glTF file in JSON or binary. All numbers are read as `f64`. The crate `gltf`
+//! would read them as `f32`, which changes the camera from the eighth digit on.
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{Basis, Camera, DVec3};
@@ -17,12 +17,11 @@ pub(super) fn detect(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
 }
 
-/// Returns the JSON of a binary glTF: a header of 12 bytes, then chunks, of which the first is the
-/// JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks are not needed for a
-/// camera.
+/// Returns the JSON of a binary glTF. The file consists of a header of 12 bytes and of chunks, the
+/// first of which is the JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks are
+/// not needed for a camera.
 ///
-/// # Errors
-/// Returns the problem with the header or the first chunk.
+/// # Errors Returns a message about the header or the first chunk.
 pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     let is_cut = |what: &str, has: u32, of: usize| {
         format!("binary glTF: {what} is {has} bytes, and {of} are there: is all of the file there?")
@@ -48,7 +47,7 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
 }
 
-/// Reads the camera; anything that the text does not specify is taken from `at_hand`.
+/// Reads the camera. Values that the text does not specify are those of `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = parse(input)?;
     let root = JsonNode { input, path: String::new(), value: &value };
@@ -82,7 +81,7 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
     let distance = extra("distance").map(|d| d.positive()).transpose()?;
     let distance = distance.unwrap_or(at_hand.viewport.distance);
     let viewport = viewport_of_radians(fov, aspect.unwrap_or(image.aspect()), distance);
-    // Scales are no matter.
+    // The scale of the frame does not matter.
     let (orientation, eye) = right_handed(&world_of(&nodes, index)?, &mut notes)
         .map_err(|right| nodes[index].fault(&format!("it is no rotation: {right}")))?;
     if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
@@ -91,8 +90,9 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-/// Returns the node whose camera is imported, and that camera's index: the first perspective camera in the
-/// shown scene, otherwise the first perspective camera of all, otherwise the first camera of any kind.
+/// Returns the node whose camera is imported, and its field with that camera's index. The first
+/// perspective camera in the shown scene is chosen, otherwise the first perspective camera in the file,
+/// otherwise the first camera. Returns `None` if no node has a camera.
 fn node_of_camera<'a>(
     root: &JsonNode<'a>,
     nodes: &[JsonNode<'a>],
@@ -123,8 +123,8 @@ fn node_of_camera<'a>(
     Ok(Some(taken.clone()))
 }
 
-/// Marks the nodes of the shown scene: the scene with the index `scene`, otherwise the first scene.
-/// Without scenes, all nodes are marked.
+/// Returns true for each node of the shown scene. That is the scene whose index is the value of
+/// `scene`, or the first one by default. If there are no scenes, all nodes count as shown.
 fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
     let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
@@ -147,7 +147,7 @@ fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     Ok(shown)
 }
 
-/// Returns a node's frame in the world, which depends on its ancestors.
+/// Returns a node's frame in world coordinates, for which the frames of its ancestors are combined.
 fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
@@ -171,7 +171,7 @@ fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     }
 }
 
-/// Returns a node's frame relative to its parent.
+/// Returns a node's frame in the coordinates of its parent.
 fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
     if let Some(matrix) = node.get("matrix") {
         return affine(&matrix.numbers::<16>()?)
@@ -202,7 +202,7 @@ fn parse(input: &Input) -> Result<Value, FileError> {
             }
             None => said.to_owned(),
         };
-        // serde_json counts columns in bytes, with 0 before the first one.
+        // serde_json counts columns in bytes. Column 0 is before the first byte.
         let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
         let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
         let location = Location::of_byte(input.text.as_bytes(), byte);
@@ -240,14 +240,15 @@ impl<'a> JsonNode<'a> {
         items.map(node).collect()
     }
 
-    /// Returns the indices in the list with this name.
+    /// Returns the indices in the list that is the value of the key `list`.
     fn indices(&self, list: &str) -> impl Iterator<Item = usize> {
         let list = self.value.get(list).and_then(Value::as_array);
         let list = list.map_or(&[][..], Vec::as_slice).iter();
         list.filter_map(|index| usize::try_from(index.as_u64()?).ok())
     }
 
-    /// Returns the error `path is value: right`, located at the path's last name if it occurs only once.
+    /// Creates the error `path is value: right`. It is located at the last name of the path if the text
+    /// contains that name only once.
     fn fault(&self, right: &str) -> FileError {
         let value: String = self.value.to_string().chars().take(60).collect();
         let problem = format!("{} is {value}: {right}", self.path);

@@ -1,8 +1,9 @@
-//! Reads cameras from literal numbers: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`, a look-at, a matrix, or K, R and
-//! t.
+//! Reads cameras from literal numbers: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`, a look-at, a matrix, or
+//! K, R and t.
 //!
-//! Variables are not resolved, and only quotients such as 4.0 / 3.0 are computed. A text is either understood
-//! completely or rejected with the line at fault: each statement must contribute to the camera.
+//! Variables are not resolved, and no arithmetic is done except for quotients such as 4.0 / 3.0. A text
+//! is either understood completely, so that each statement contributes to the camera, or rejected with
+//! the line of the error.
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{
@@ -17,11 +18,11 @@ use crate::error::one_line;
 use crate::format::{Imported, Input};
 use crate::template::n;
 
-/// Names of a matrix from camera to world, for a camera that looks along its own -z with y up.
+/// Variable names of a camera-to-world matrix, for a camera that looks along its own -z with y up.
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
-/// Names of OpenCV's matrices, and of the image's width and height.
+/// Variable names of OpenCV's matrices, and of the image's width and height.
 const K_NAMES: [&str; 7] = [
     "K",
     "camera_matrix",
@@ -42,12 +43,12 @@ const MAKERS: [&str; 10] = [
     "vec3", "dvec3", "Vec3", "Vector3", "point3", "array", "asarray", "Matrix", "Vector", "SVector",
 ];
 
-/// Words that may precede the name of a variable.
+/// Words that may precede the name of a variable in an assignment.
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
-/// Preprocessor directives that may exclude lines. Whether they do cannot be decided without
-/// running the preprocessor.
+/// Preprocessor directives that may exclude lines. Whether they do is known only after running the
+/// preprocessor.
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
 
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), a \
@@ -56,7 +57,7 @@ const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertica
 
 const OF_NUMBERS: &str = "it must be given by numbers, without names or calculations";
 
-/// Returns true if a text looks like a camera of literal numbers.
+/// Returns true if a text looks like a camera that is given by literal numbers.
 pub(super) fn detect(text: &str) -> bool {
     let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
         let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
@@ -76,7 +77,8 @@ pub(super) fn detect(text: &str) -> bool {
             && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some()
 }
 
-/// Reads the camera; a field of view or an image size that is not specified is taken from `at_hand`.
+/// Reads the camera. The field of view and the image size are those of `at_hand` if they are not
+/// specified.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let plain = without_comments(input)?;
     let source = Statements { input, statements: statements(input, &plain)? };
@@ -111,7 +113,7 @@ fn is_of_intrinsics(name: &str) -> bool {
     lists.iter().any(|list| list.contains(&name))
 }
 
-/// Reads numbers without names: eye, at and up, or a matrix from camera to world.
+/// Reads numbers without names: eye, at and up, or a camera-to-world matrix.
 fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
     let (first, mut numbers) = (&source.statements[0], Vec::new());
     let is_alone = source.statements.len() == 1;
@@ -162,7 +164,7 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported
     Imported { camera: Camera { eye, orientation, viewport, image: at_hand.image }, notes }
 }
 
-/// Imports a matrix whose `vectors`, rows or columns, are right, up, backwards and eye.
+/// Imports a matrix. Its `vectors`, which are called rows or columns, are right, up, backwards and eye.
 fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Imported, String> {
     let taken = format!(
         "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"
@@ -176,7 +178,7 @@ fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Impor
     Ok(Imported { camera: Camera { eye, orientation, ..*at_hand }, notes })
 }
 
-/// Returns the note on a field of view that is not specified.
+/// Returns the note about a field of view that is not specified.
 fn unsaid(at_hand: &Camera) -> String {
     let viewport = &at_hand.viewport;
     let degrees = fov_of_extent(viewport.height, viewport.distance).to_degrees();
@@ -186,8 +188,8 @@ fn unsaid(at_hand: &Camera) -> String {
     )
 }
 
-/// Returns the affine map of 12 or 16 numbers in row-major order; `None` for any other count, or if the last
-/// row is not 0 0 0 1.
+/// Returns the affine map of a matrix of 12 or 16 numbers in row-major order. Returns `None` for any
+/// other number of them, or if the last row is not 0 0 0 1.
 fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     let whole: [f64; 16] = match m.len() {
         12 => [m, &[0.0, 0.0, 0.0, 1.0]].concat().try_into().ok()?,
@@ -196,7 +198,7 @@ fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     affine(&std::array::from_fn::<f64, 16, _>(|k| whole[4 * (k % 4) + k / 4]))
 }
 
-/// OpenCV's K, R and t:
+/// Imports a camera from OpenCV's K, R and t:
 ///
 /// ```text
 /// s (x, y, 1) = K (R q + t)        x = j, y = i at the centre of pixel (row i, column j)
@@ -224,7 +226,7 @@ fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, File
         ));
     }
     let [x, y, z, t] = pose(source, &mut notes)?;
-    // eye = -R^T t: the digits of nine products and six sums are not the camera's.
+    // eye = -R^T t: this removes the rounding errors of nine products and six sums.
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
     let roundings = 4.0 * f64::EPSILON * t.length();
     let eye = DVec3::from_array(eye.to_array().map(|x| settled(x, roundings)));
@@ -240,7 +242,7 @@ fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
     let (field, k) = source
         .given(&K_NAMES, &[9], "it must be 3 × 3 numbers")?
         .ok_or_else(|| source.missing("K", "it must be nine numbers"))?;
-    // A skew of roundings is none.
+    // A skew within rounding errors counts as none.
     let has_skew = k[1].abs() > 4.0 * f64::EPSILON * k[0];
     let is_diagonal = [k[3], k[6], k[7], k[8]] == [0.0, 0.0, 0.0, 1.0] && !has_skew;
     if !(is_diagonal && k[0] > 0.0 && k[4] > 0.0) {
@@ -250,7 +252,7 @@ fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
     Ok(Intrinsics { fx: k[0], fy: k[4], cx: k[2] + 0.5, cy: k[5] + 0.5 })
 }
 
-/// Returns the viewport with the fewest digits that has these focal lengths.
+/// Returns the viewport, in as few digits as possible, that has these focal lengths.
 fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
     let near = k.viewport(image, distance);
     let of = |viewport: Viewport| Intrinsics::from_viewport(&viewport, image);
@@ -259,7 +261,7 @@ fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
     Viewport { width, height, distance }
 }
 
-/// Minimum size of images that are guessed from the principal point.
+/// Minimum width and height of an image size that is guessed from the principal point.
 const SMALLEST: f64 = 4.0;
 
 fn size(
@@ -275,7 +277,7 @@ fn size(
         };
         return image_of(width[0], height[0]).map_err(|right| source.value_fault(field, &right));
     }
-    // People who do not count from pixel centres write cx = 320 for half of 640.
+    // If pixels are counted from their corners, cx = 320 is exactly half of 640.
     let doubled = [k.cx, k.cy].map(|c| 2.0 * (c - 0.5));
     let [around_x, around_y] = [k.cx, k.cy].map(|c| (2.0 * c).round());
     if around_x.min(around_y) < SMALLEST {
@@ -298,8 +300,8 @@ fn size(
     Ok(image)
 }
 
-/// Returns R's rows and t, given separately or as one 3 × 4 or 4 × 4 matrix. A calibration without them uses
-/// the camera's frame as the world's.
+/// Returns the rows of R, and t, given separately or as one 3 × 4 or 4 × 4 matrix. For a calibration
+/// without them, the world's frame is that of the camera.
 fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
     let whole = source.given(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = source.given(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
@@ -335,37 +337,37 @@ struct Statements<'s> {
     statements: Vec<Statement<'s>>,
 }
 
-/// A call, an assignment, or numbers that stand alone.
+/// A statement: a call, an assignment, or numbers alone.
 struct Statement<'s> {
     piece: Piece<'s>,
-    /// The assigned name, such as `view` in `glm::mat4 view = ...`; empty if there is none.
+    /// The name that is assigned to, such as `view` in `glm::mat4 view = ...`; empty if there is none.
     target: &'s str,
-    /// The called function; empty if nothing is called.
+    /// The name of the called function; empty if nothing is called.
     called: &'s str,
-    /// The arguments of the call, or the values.
+    /// The arguments of the call; without a call, the values.
     arguments: Vec<Argument<'s>>,
 }
 
-/// An argument, or a value.
+/// An argument of a call, or a value.
 struct Argument<'s> {
     piece: Piece<'s>,
-    /// The argument's numbers, regardless of brackets; `None` if the argument is not literal.
+    /// The numbers of the argument, regardless of brackets; `None` if it is not literal.
     numbers: Option<Vec<f64>>,
 }
 
 impl Statements<'_> {
-    /// Returns the error `statement: right`, located at the statement.
+    /// Creates the error `statement: right`, located at the statement.
     fn refused(&self, statement: &Statement, right: &str) -> FileError {
         refused(self.input, statement.piece, right)
     }
 
-    /// Returns the error `field is value: right`, located at the value.
+    /// Creates the error `field is value: right`, located at the value.
     fn fault(&self, field: &str, argument: &Argument, right: &str) -> FileError {
         let value = one_line(argument.piece.text);
         self.input.error_at(argument.piece.at, format!("{field} is {value}: {right}"))
     }
 
-    /// Returns the error of [`Self::fault`] for a statement with a name and one value.
+    /// Creates the error of [`Self::fault`] for a statement that assigns one value to a name.
     fn value_fault(&self, statement: &Statement, right: &str) -> FileError {
         self.fault(statement.target, &statement.arguments[0], right)
     }
@@ -379,7 +381,7 @@ impl Statements<'_> {
         self.value_fault(statement, &right)
     }
 
-    /// Returns the numbers of all arguments in one list.
+    /// Returns the numbers of all arguments as one list.
     fn numbers(&self, statement: &Statement) -> Result<Vec<f64>, FileError> {
         let field = if statement.called.is_empty() { "this" } else { statement.called };
         let mut all = Vec::new();
@@ -390,8 +392,8 @@ impl Statements<'_> {
         Ok(all)
     }
 
-    /// Returns the value assigned to one of the given names, if its count of numbers is one of the
-    /// given counts.
+    /// Returns the statement that assigns to one of `names`, and its numbers; `None` if there is none.
+    /// Returns an error if their number is not one of `counts`.
     fn given(
         &self,
         names: &[&str],
@@ -402,7 +404,7 @@ impl Statements<'_> {
         for statement in self.statements.iter().filter(|s| names.contains(&s.target)) {
             let value = &statement.arguments[0];
             let numbers = value.numbers.as_deref().filter(|numbers| {
-                // C divides whole numbers without a fraction.
+                // In C, the quotient of two integers is rounded towards 0.
                 counts.contains(&numbers.len()) && !value.piece.text.contains('/')
             });
             let numbers = numbers.ok_or_else(|| self.value_fault(statement, right))?;
@@ -415,7 +417,7 @@ impl Statements<'_> {
     }
 }
 
-/// Returns `statement: right`, with the statement in one line and without a colon of its own.
+/// Creates the error `statement: right`, with the statement on one line and without a colon at its end.
 fn refused(input: &Input, piece: Piece, right: &str) -> FileError {
     let statement = one_line(piece.text);
     input.error_at(piece.at, format!("{}: {right}", statement.trim_end_matches(':')))
@@ -429,13 +431,13 @@ struct Piece<'s> {
 }
 
 impl<'s> Piece<'s> {
-    /// Returns the part between these bytes, without surrounding blanks.
+    /// Returns the part from byte `from` to byte `end`, without surrounding blanks.
     fn part(self, from: usize, end: usize) -> Piece<'s> {
         let text = self.text[from..end].trim_start();
         Piece { text: text.trim_end(), at: self.at + end - text.len() }
     }
 
-    /// Splits at the commas outside of brackets; a trailing comma is allowed.
+    /// Splits the text at commas outside of brackets. A trailing comma is allowed.
     fn split(self) -> Vec<Piece<'s>> {
         let (mut depth, mut from, mut parts) = (0_i32, 0, Vec::new());
         for (at, c) in self.text.char_indices().chain([(self.text.len(), ',')]) {
@@ -454,7 +456,7 @@ impl<'s> Piece<'s> {
     }
 }
 
-/// Returns the text in which each byte of a comment is replaced by a blank.
+/// Returns the text with each byte of a comment replaced by a blank.
 fn without_comments(input: &Input) -> Result<String, FileError> {
     let text = input.text;
     let mut plain = String::with_capacity(text.len());
@@ -481,13 +483,13 @@ fn without_comments(input: &Input) -> Result<String, FileError> {
     Ok(plain)
 }
 
-/// Returns the error `rest of the statement: right`, located at a byte of the text.
+/// Creates the error `rest of the statement: right`, located at a byte of the text.
 fn fault_at(input: &Input, text: &str, at: usize, right: &str) -> FileError {
     let rest = text[at..].split([';', '\n']).next().unwrap_or_default();
     refused(input, Piece { text: rest, at }, right)
 }
 
-/// Splits a text without comments into its statements.
+/// Splits a text into its statements. `plain` is the text without comments.
 fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, FileError> {
     let (mut open, mut pieces): (Vec<(usize, char)>, Vec<Piece>) = Default::default();
     let (mut from, mut last, whole) = (0, ' ', Piece { text: plain, at: 0 });
@@ -522,10 +524,10 @@ fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, F
         .collect()
 }
 
-/// Parses `name(...)`, `name = ...`, or numbers; `None` for anything else.
+/// Parses `name(...)`, `name = ...`, or numbers. Returns `None` for anything else.
 fn statement(piece: Piece) -> Option<Statement> {
     let (mut target, mut value) = ("", piece);
-    // Returns the first = or : outside of brackets that is not part of `::`.
+    // Find the first = or : outside of brackets that is not part of `::`.
     let head = piece.text.split(['(', '[', '{']).next()?.replace("::", "..");
     if let Some(at) = head.find(['=', ':']) {
         let mut words: Vec<&str> = piece.text[..at].split_whitespace().collect();
@@ -545,8 +547,8 @@ fn statement(piece: Piece) -> Option<Statement> {
     Some(Statement { piece, target, called, arguments })
 }
 
-/// Returns a name and the contents of the brackets after it, if together they make up the whole
-/// piece; otherwise `None`.
+/// Returns the name of a called function and its arguments, if the whole piece is one call; otherwise
+/// `None`.
 fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
     let open = piece.text.find('(')?;
     let name = piece.text[..open].trim_end();
@@ -562,7 +564,7 @@ fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
 
 fn argument(piece: Piece) -> Argument {
     let mut numbers = literal(piece.text);
-    // GLM fills a vector with one number.
+    // In GLM, a vector that is made from one number has it in all components.
     let maker = call_of(piece).map(|(name, _)| last_segment(name));
     if let (Some([one]), Some("vec3" | "dvec3")) = (numbers.as_deref(), maker) {
         numbers = Some(vec![*one; 3]);
@@ -570,8 +572,8 @@ fn argument(piece: Piece) -> Argument {
     Argument { piece, numbers }
 }
 
-/// Returns the numbers of a text that contains only brackets, [`MAKERS`] before them, quotients of two numbers,
-/// and commas or blanks.
+/// Returns the numbers of a text. Apart from them, it may contain only brackets, [`MAKERS`] before
+/// brackets, slashes in quotients of two numbers, commas and blanks. Returns `None` for any other text.
 fn literal(text: &str) -> Option<Vec<f64>> {
     let mut spaced = String::with_capacity(text.len());
     for c in text.chars() {
@@ -588,7 +590,7 @@ fn literal(text: &str) -> Option<Vec<f64>> {
         match cell {
             "(" => (),
             ")" => is_behind_value = true,
-            // Two commas leave a number out.
+            // Two adjacent commas mean that a number is missing.
             "," if !is_behind_value => return None,
             "," => (commas, is_behind_value) = (commas + 1, false),
             name if cells.peek() == Some(&"(") && MAKERS.contains(&last_segment(name)) => (),
@@ -602,7 +604,7 @@ fn literal(text: &str) -> Option<Vec<f64>> {
             }
         }
     }
-    // All are separated by commas, with a trailing one allowed, or all by blanks.
+    // Either all numbers are separated by commas, with an optional trailing one, or all by blanks.
     let count = numbers.len();
     (count > 0 && (commas == 0 || commas == count || commas + 1 == count)).then_some(numbers)
 }
@@ -623,7 +625,7 @@ fn is_name(name: &str) -> bool {
     name.starts_with(is_of_name) && name.chars().all(is_inside)
 }
 
-/// Returns the last part of a name, such as `vec3` of `glm::vec3`.
+/// Returns the last part of a qualified name, such as `vec3` of `glm::vec3`.
 fn last_segment(name: &str) -> &str {
     name.rsplit(['.', ':']).next().unwrap_or_default()
 }

@@ -1,13 +1,14 @@
-//! Writes the camera and the scene in other programs' formats, and reads a camera from a glTF or from literal
-//! numbers.
+//! Writes the camera and the scene in other programs' formats, and reads a camera from a glTF file or
+//! from literal numbers.
 //!
-//! This module uses neither a window nor the disk. A format is a constant that [`FORMATS`] contains: its
-//! template, and its [`Conventions`](crate::format::Conventions), which describe how its axes, pixels and field
-//! of view differ from Pinhole's.
+//! This module uses neither a window nor the disk. A format is a constant in the list [`FORMATS`]. It
+//! consists of a template and of [`Conventions`](crate::format::Conventions), which describe how the
+//! format's axes, pixels and field of view differ from Pinhole's.
 //!
-//! World coordinates are never rotated: if another program conventionally has z up or a left-handed world, the
-//! camera is written so that the same coordinates give the same picture. If a format cannot express something,
-//! the export fails with a reason, or a note mentions it; nothing is replaced silently.
+//! World coordinates are never rotated: if another program conventionally has z up or a left-handed
+//! world, the camera is written so that the same coordinates give the same picture. If a format cannot
+//! express something, either the export fails with a reason or a note mentions it. Nothing is replaced
+//! silently.
 
 mod derived;
 mod gltf;
@@ -26,7 +27,7 @@ use crate::format::{Format, Imported, Input};
 use crate::{FileError, legible};
 
 impl Format {
-    /// Returns all formats, then all languages.
+    /// Returns all formats of other programs, and then all languages.
     pub fn all() -> impl Iterator<Item = &'static Format> {
         FORMATS.iter().chain(&LANGUAGES)
     }
@@ -37,7 +38,7 @@ impl Format {
     }
 }
 
-/// A form of text from which a camera can be read.
+/// A kind of text from which a camera can be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Importer {
     /// glTF 2.0.
@@ -46,15 +47,14 @@ pub enum Importer {
     Literal,
 }
 
-/// The message for a text without a camera that can be read: the supported forms, and how to get there from
-/// other programs.
+/// The message for a text from which no camera can be read. It lists the supported kinds, and says how
+/// to export from other programs.
 pub const UNKNOWN: &str = "no camera that Pinhole reads: it reads glTF (.gltf, .glb), and numbers: eye, at and up, \
                            gluLookAt or glm::lookAt, a 3 × 4 or 4 × 4 matrix from camera to world, or K, R and t. \
                            Export the scene as glTF, or give its look-at alone";
 
 impl Importer {
-    /// Returns the form of a text, judging by its content; `None` if the text has no supported
-    /// form.
+    /// Returns the kind of a text, judging by its content; `None` if no camera can be read from it.
     pub fn of(text: &str) -> Option<Importer> {
         if gltf_read::detect(text) {
             return Some(Importer::Gltf);
@@ -62,10 +62,10 @@ impl Importer {
         literal::detect(text).then_some(Importer::Literal)
     }
 
-    /// Returns the form of a file, judged by its content, otherwise by its extension.
+    /// Returns the kind of a file, judging by its content or, if that does not decide it, by its
+    /// extension.
     ///
-    /// # Errors
-    /// Returns an error that lists the supported forms if the file has none of them.
+    /// # Errors Returns an error that lists the supported kinds if the file is of none of them.
     pub fn of_file(text: &Input) -> Result<Importer, FileError> {
         let is_gltf =
             text.path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb");
@@ -74,7 +74,7 @@ impl Importer {
         form.ok_or_else(|| FileError::of_file(text.path, UNKNOWN))
     }
 
-    /// Returns the form's name on the screen.
+    /// Returns the label of the kind.
     pub fn label(self) -> &'static str {
         match self {
             Importer::Gltf => "glTF 2.0",
@@ -82,8 +82,8 @@ impl Importer {
         }
     }
 
-    /// Reads the text. Anything that it does not specify, such as the image's size or the
-    /// viewport's distance, is taken from the camera `at_hand`.
+    /// Reads the camera in the text. Values that it does not specify, such as the image's size or the
+    /// viewport's distance, are those of the camera `at_hand`.
     ///
     /// # Errors
     /// Returns the first error in the text, with its line and column.
@@ -93,7 +93,7 @@ impl Importer {
             Importer::Literal => literal::read(text, at_hand)?,
         };
         taken.notes.iter_mut().for_each(|note| *note = legible(note));
-        // No negative zeros.
+        // Adding 0 makes negative zeros positive.
         taken.camera.eye += DVec3::ZERO;
         match taken.camera.resolve() {
             Ok(_) => Ok(taken),
@@ -102,10 +102,10 @@ impl Importer {
     }
 }
 
-/// Returns the text in a file's bytes: the JSON of a binary glTF, otherwise UTF-8.
+/// Returns the text of a file's bytes, which are UTF-8 or a binary glTF, whose JSON is returned.
 ///
 /// # Errors
-/// Returns an error if a binary glTF is damaged, or the bytes are not text.
+/// Returns an error if a binary glTF is damaged, or if the bytes are not text.
 pub fn file_text(path: &Path, bytes: Vec<u8>) -> Result<String, FileError> {
     if bytes.starts_with(gltf_read::MAGIC) {
         let json = gltf_read::json_of(&bytes);

@@ -1,5 +1,5 @@
-//! The formats of other programs: their conventions, and what their templates cannot say alone. The
-//! templates are in the folder `templates`.
+//! The formats of other programs: their conventions, and the values that their templates need in
+//! addition to those of every scene. The templates are in the folder `templates`.
 
 use pinhole_core::{DVec3, Object};
 
@@ -8,17 +8,17 @@ use crate::format::{Axis, Conventions, ExportScene, Format, LeftOut};
 use crate::format::{ExtraValues, PixelConvention};
 use crate::template::{TemplateValue, commas, n, quotable};
 
-/// Every format in which a camera can be written.
+/// All formats in which a camera can be written.
 pub static FORMATS: [Format; 10] =
     [gltf::FORMAT, THREE, MITSUBA, POVRAY, BLENDER, WEEKEND, OPENGL, COURSE, OPENCV, PBRT];
 
 /// POV-Ray 3.7: `camera` with location, right, up and direction, which can express every property
 /// of Pinhole's camera.
 ///
-/// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to
-/// 1/2 (POV-Ray's reference, *Camera*), so right is width U, up is height V and direction -distance
-/// W. POV-Ray's world is left-handed by convention only: right determines in which direction the
-/// picture's columns run.
+/// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to 1/2
+/// (POV-Ray's reference, *Camera*), so right is width U, up is height V and direction is -distance W.
+/// POV-Ray's world is left-handed by convention only: the vector right determines in which direction
+/// the columns of the picture run.
 const POVRAY: Format = Format {
     name: "povray",
     label: "POV-Ray",
@@ -41,9 +41,9 @@ const POVRAY: Format = Format {
 
 /// pbrt-v4: `LookAt` and `Camera "perspective"` in a left-handed camera space.
 ///
-/// pbrt's `LookAt` puts `up x view` to the right, which in a right-handed world is left; `Scale -1
-/// 1 1` before it flips the picture back (Pharr, Jakob, Humphreys, *Physically Based Rendering*,
-/// 4th ed., sections 3.9.5 and 5.1). `fov` is the angle of the image's shorter side;
+/// In pbrt's `LookAt`, `up x view` points to the right; in a right-handed world, it points to the left.
+/// A preceding `Scale -1 1 1` flips the picture back (Pharr, Jakob, Humphreys, *Physically Based
+/// Rendering*, 4th ed., sections 3.9.5 and 5.1). `fov` is the angle of the image's shorter side.
 /// `frameaspectratio` is width / height, even if pixels are not square.
 const PBRT: Format = Format {
     name: "pbrt",
@@ -75,7 +75,7 @@ fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValue
     Ok(vec![("frame_aspect", line.into())])
 }
 
-/// Mitsuba 3's XML: a sensor `perspective`, whose camera has x to the *left*, y up and z forwards.
+/// Mitsuba 3's XML: a `perspective` sensor, whose camera has x to the *left*, y up and z forwards.
 const MITSUBA: Format = Format {
     name: "mitsuba",
     label: "Mitsuba 3",
@@ -96,8 +96,8 @@ const MITSUBA: Format = Format {
     extra: Format::nothing,
 };
 
-/// Blender's Python: a camera object with `matrix_world`, whose camera looks along its own -z with y up. World
-/// coordinates are kept: z up is a convention of Blender's views, not of its camera.
+/// Blender's Python: a camera object with `matrix_world`, whose camera looks along its own -z with y
+/// up. World coordinates are kept: that z is up is a convention of Blender's views, not of its cameras.
 const BLENDER: Format = Format {
     name: "blender",
     label: "Blender Python",
@@ -118,7 +118,7 @@ const BLENDER: Format = Format {
     extra: pixel_aspect,
 };
 
-/// Returns Blender's two numbers for the shape of a pixel, of which it allows neither to be below 1.
+/// Returns Blender's two numbers for the shape of a pixel, each of which must be at least 1.
 fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let shape = subject.pixel_shape();
     let (x, y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
@@ -131,8 +131,8 @@ fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValue
     Ok(vec![("pixel_aspect_x", x.into()), ("pixel_aspect_y", y.into())])
 }
 
-/// *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set up its
-/// `camera`.
+/// *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines of code
+/// that set up its `camera`.
 const WEEKEND: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
@@ -153,20 +153,21 @@ const WEEKEND: Format = Format {
     extra: aspect_ratio,
 };
 
-/// Returns the ratio for which `int(image_width / aspect_ratio)` is the height.
+/// Returns an aspect ratio for which `int(image_width / aspect_ratio)` is exactly the image's height.
 fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let image = subject.resolve().image();
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     let ratio = match (w / (w / h)) as u32 == image.height() {
         true => format!("{w:?} / {h:?}"),
-        // The quotient was rounded up, which would lose a row: the next smaller number keeps it.
+        // The quotient was rounded up, so that a row would be lost. The next smaller number avoids
+        // this.
         false => format!("{:?}", (w / h).next_down()),
     };
     Ok(vec![("aspect_ratio", ratio.into())])
 }
 
-/// The course's own camera, a call in Julia: `PerspectiveCamera(eye, view, up, focal, H, W)`, whose viewport is 1
-/// wide and H / W high.
+/// The course's own camera, a call in Julia: `PerspectiveCamera(eye, view, up, focal, H, W)`. Its
+/// viewport is 1 wide and H / W high.
 const COURSE: Format = Format {
     name: "course",
     label: "PerspectiveCamera of the course",
@@ -196,7 +197,7 @@ const COURSE: Format = Format {
     },
 };
 
-/// `gluLookAt` and `gluPerspective`, and GLM's `lookAt` and `perspective`, which take the same numbers.
+/// `gluLookAt` and `gluPerspective`, or GLM's `lookAt` and `perspective`, which take the same numbers.
 const OPENGL: Format = Format {
     name: "opengl",
     label: "gluLookAt + gluPerspective",
@@ -251,8 +252,8 @@ const OPENCV: Format = Format {
     extra: Format::nothing,
 };
 
-/// three.js's JSON Object/Scene format 4, which `Object3D.toJSON` writes and `ObjectLoader` reads. Cameras look
-/// along their own -z with y up; matrices are column-major.
+/// three.js's JSON Object/Scene format 4, which `Object3D.toJSON` writes and `ObjectLoader` reads.
+/// Cameras look along their own -z with y up. Matrices are column-major.
 const THREE: Format = Format {
     name: "three",
     label: "three.js",
@@ -273,7 +274,7 @@ const THREE: Format = Format {
     extra: stand_ins,
 };
 
-/// Returns the meshes that represent the objects in three.js, with their geometries and materials.
+/// Returns the meshes that stand for the objects in three.js, with their geometries and materials.
 fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let uuid = |k: usize| format!("00000000-0000-4000-8000-{k:012x}");
     let matrix = |[a, b, c, at]: [DVec3; 4]| {

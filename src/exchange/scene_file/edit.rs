@@ -1,4 +1,4 @@
-//! Changes values in a scene file's text, and leaves everything else unchanged.
+//! Changes values in the text of a scene file, and leaves everything else unchanged.
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use super::{note_to_block, read, split_note, write};
 use crate::document::Document;
 
-/// Returns the previous text with the document's values; `None` if the previous text is not a scene
-/// file.
+/// Returns the previous text with its values replaced by those of the document. Returns `None` if the
+/// previous text is not a scene file, or cannot be edited.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
     let old = read::document(previous, Path::new(""), None).ok()?;
@@ -26,8 +26,8 @@ pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     Some(if has_carriage_returns { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text })
 }
 
-/// Applies the change from `old` to `new`, which have this program's layout, to a table that has the values of
-/// `old` in its own layout. Returns `None` if that is impossible.
+/// Applies the changes between `old` and `new`, which have this program's layout, to `table`, which has
+/// the same values as `old` in the layout of the user's file. Returns `None` if that is impossible.
 fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> Option<()> {
     for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
         table.remove(key);
@@ -40,7 +40,8 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
         match new {
             Item::Table(new) => {
                 if !table.contains_key(key) {
-                    // A missing table had the default values. It is inserted after the camera.
+                    // A table that is missing in the text stands for default values. It is inserted
+                    // after the camera.
                     let mut added = Table::new();
                     added.set_position(table.get("camera")?.as_table().and_then(Table::position));
                     table.insert(key, Item::Table(added));
@@ -58,8 +59,8 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
     Some(())
 }
 
-/// Keeps equal tables at both ends of the list. Between them, tables are edited in order, and surplus ones
-/// removed or missing ones inserted.
+/// Keeps the equal tables at both ends of the list. In between, tables are edited in order; then
+/// surplus tables are removed, or missing ones inserted.
 fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTables) -> Option<()> {
     let [old, new] = [old, new].map(|list| list.iter().collect::<Vec<&Table>>());
     let same = |(a, b): &(&&Table, &&Table)| a.to_string() == b.to_string();
@@ -74,7 +75,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
         tables.remove(head + new.len());
     }
     for (k, added) in new.iter().enumerate().skip(old.len()) {
-        // After the previous one, or before the first one.
+        // Insert it after the previous table, or before the first one.
         let neighbour = tables.get((head + k).saturating_sub(1));
         let mut table = (*added).clone();
         table.set_position(neighbour.and_then(Table::position));
@@ -83,7 +84,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
     Some(())
 }
 
-/// Returns a list's tables, regardless of their notation in the file.
+/// Returns the tables of a list, whichever of TOML's notations the file uses.
 fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfTables> {
     if root.get(key).is_none_or(|item| !item.is_array_of_tables()) {
         let tables = match root.remove(key) {
@@ -95,8 +96,8 @@ fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfT
     root.get_mut(key)?.as_array_of_tables_mut()
 }
 
-/// Sets a field's value, keeping the blanks and the comment of the old one; in a vector, only the components
-/// that have changed.
+/// Sets the value of a field, keeping the blanks and the comment of the old value. In a vector, only
+/// the components that differ are replaced.
 fn edit_value(
     table: &mut dyn TableLike,
     key: &str,

@@ -31,16 +31,15 @@
 //! normal = [0.0, 0.0, 1.0]
 //! ```
 //!
-//! Every table except `camera` may be omitted, and so may each field of `viewport` and `image`; they default to
-//! the canonical camera's. A top-level `spheres = "file.csv"`, relative to the scene file, adds [many
-//! spheres](crate::csv::spheres). Unknown fields are errors.
+//! Every table except `camera` may be omitted, and so may each field of `viewport` and `image`; the
+//! defaults are those of the canonical camera. A top-level `spheres = "file.csv"`, with a path relative
+//! to the scene file, adds [many spheres](crate::csv::spheres). Unknown fields are errors.
 //!
-//! The comment lines at the beginning of the file, up to the first other line, are the document's note: what to
-//! look for.
+//! The comment lines at the beginning of the file are the document's note, which says what to look for.
 //!
-//! A camera without a valid basis (eye = at, up parallel to view, vectors by hand that are not orthonormal) is
-//! not an error of the file: it can be loaded, and the reason is given where the basis is needed. Values that
-//! are never valid, such as a radius of 0, are errors here.
+//! A camera without a valid basis (eye = at, up parallel to view, vectors set by hand that are not
+//! orthonormal) is not an error of the file. The file can be loaded, and the reason is given where the
+//! basis is needed. Values that are never valid, such as a radius of 0, are errors here.
 
 use std::path::{Path, PathBuf};
 
@@ -57,7 +56,7 @@ mod edit;
 mod read;
 mod write;
 
-/// The format version that this program reads and writes.
+/// The version of the scene format that this program reads and writes.
 pub const VERSION: i64 = 1;
 
 /// Reads a scene file.
@@ -73,8 +72,8 @@ pub fn load(path: &Path) -> Result<Document, FileError> {
     parse(text, path, path.parent().unwrap_or(Path::new("")))
 }
 
-/// Reads a scene file's text. `path` is used in messages; `base` is the folder to which the path of a CSV file
-/// is relative.
+/// Reads the text of a scene file. `path` is used in messages; the path of a CSV file is relative to
+/// the folder `base`.
 ///
 /// # Errors
 /// Returns the errors of [`load`].
@@ -82,34 +81,33 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
-/// A document as [`save`] writes it.
+/// The result of [`save`] or [`prepare`].
 #[derive(Clone, Debug)]
 pub struct Saved {
-    /// The document that a reader of the file gets. This document shares the CSV file's spheres
-    /// with the saved document, so the CSV file need not be read again.
+    /// The document that will be read from the file. It shares the CSV file's spheres with the original
+    /// document, so that the CSV file need not be read again.
     pub document: Document,
     /// The file's text.
     pub text: String,
 }
 
-/// Writes a scene file, as a whole or not at all.
+/// Writes a scene file, completely or not at all.
 ///
-/// # Errors
-/// Returns the errors of [`prepare`], or an error if the file cannot be written; the old file is then as
-/// it was.
+/// # Errors Returns the errors of [`prepare`], or an error if the file cannot be written. An existing
+/// file is then unchanged.
 pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<Saved, FileError> {
     let saved = prepare(document, path, previous)?;
     atomic::write(path, |file| std::io::Write::write_all(file, saved.text.as_bytes()))?;
     Ok(saved)
 }
 
-/// Returns the text to write for a scene file at this path.
+/// Returns the text to write for a scene file at this path, and the document that it contains.
 ///
-/// The comments and layout of the `previous` text are kept where the values have not changed. The
-/// path of a CSV file is rewritten if necessary, to refer to the same file as before.
+/// Where values have not changed, the comments and layout of the `previous` text are kept. The path of
+/// a CSV file is rewritten if necessary, so that it refers to the same file as before.
 ///
 /// # Errors
-/// Returns an error if a value could not be read back.
+/// Returns an error if a value could not be read back from the text.
 pub fn prepare(
     document: &Document,
     path: &Path,
@@ -129,8 +127,9 @@ pub fn prepare(
     Ok(Saved { document: written, text })
 }
 
-/// Returns the path of `file` for a scene file in `folder`: `written` if this path refers to the
-/// same file, otherwise the relative path, otherwise the absolute path.
+/// Returns the path of `file` as it is written in a scene file in `folder`. This is `written` if it
+/// refers to the same file, otherwise the relative path, otherwise the absolute path. Returns `None` if
+/// the path is not UTF-8.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let file = resolved(file)?;
@@ -141,7 +140,7 @@ fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     relative.unwrap_or(file).to_str().map(str::to_owned)
 }
 
-/// Returns the absolute path without links, also of a deleted file in an existing folder.
+/// Returns the absolute path without links. The file itself need not exist if its folder does.
 fn resolved(path: &Path) -> Option<PathBuf> {
     let in_folder = || path.parent()?.canonicalize().ok().zip(path.file_name());
     path.canonicalize()
@@ -150,8 +149,8 @@ fn resolved(path: &Path) -> Option<PathBuf> {
         .or_else(|| std::path::absolute(path).ok())
 }
 
-/// Returns the relative path from a folder to a file, both absolute; `None` if they share no folder, as on two
-/// drives.
+/// Returns the relative path from a folder to a file, which are both absolute. Returns `None` if they
+/// have no folder in common, for example on two different drives.
 fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     let shared = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
     if shared == 0 {
@@ -161,8 +160,8 @@ fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     Some(up.chain(file.components().skip(shared)).collect())
 }
 
-/// Splits a scene file's text into its note and the rest. The note ends before the first line that is not a
-/// comment.
+/// Splits the text of a scene file into its note and the rest. The note ends before the first line that
+/// is not a comment.
 fn split_note(text: &str) -> (&str, &str) {
     let mut end = 0;
     for line in text.split_inclusive('\n').take_while(|line| line.starts_with('#')) {
@@ -171,7 +170,7 @@ fn split_note(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Returns the note in a comment block: its lines without `# `.
+/// Returns the note in a block of comments: the lines without `# `.
 fn note_of_block(block: &str) -> String {
     let line = |line: &str| -> String {
         let line = line.strip_prefix('#').unwrap_or(line);
@@ -181,9 +180,9 @@ fn note_of_block(block: &str) -> String {
     block.split('\n').map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the comment block of a note, with a final newline; empty for an empty note.
+/// Returns the comment block for a note, with a newline at its end. It is empty for an empty note.
 ///
-/// Control characters, which TOML does not allow in comments, become blanks.
+/// Control characters, which TOML does not allow in comments, are replaced by blanks.
 fn note_to_block(note: &str) -> String {
     if note.is_empty() {
         return String::new();
@@ -200,8 +199,8 @@ fn note_to_block(note: &str) -> String {
 /// Returns the error of a file's camera with the position of the invalid field, such as `room.toml:5:6:
 /// camera.at: eye and at are the same point (1, 2, 3): move one of them`.
 ///
-/// The file is read again, because a document has no positions. Returns `None` if the field is not there,
-/// because the file has changed or the value is the default.
+/// The file is read again, because a document does not store positions. Returns `None` if the file does
+/// not contain the field, because the file has changed or the value is the default.
 pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     let text = limits::read_text(path).ok()?;
     let source = TomlSource { text: &text, path };
@@ -215,7 +214,8 @@ pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     Some(section.get(key)?.fault(error))
 }
 
-/// Returns the field with its tables, in the notation of messages.
+/// Returns the name of the invalid field with its tables, as in messages; `None` if there is no single
+/// one.
 fn field_at_fault(error: &CameraError) -> Option<String> {
     Some(match error {
         CameraError::Basis(error) => match error {

@@ -18,10 +18,10 @@ use crate::{FileError, limits};
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
 pub const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
-/// The fields of [`TOP`] that must precede the first table.
+/// Those of the fields in [`TOP`] that must precede the first table.
 const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
 
-/// Reads a document; without a `base` folder, the CSV file is not read.
+/// Reads a document. If `base` is `None`, the CSV file is not read.
 pub(super) fn document(
     text: &str,
     path: &Path,
@@ -42,7 +42,8 @@ pub(super) fn document(
     Ok(document)
 }
 
-/// Reads the tables of [`TABLES`] that are present. Each table replaces the document's values.
+/// Reads those of the tables in [`TABLES`] that are present. Each one replaces the corresponding values
+/// of the document.
 pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
     let camera = &mut document.camera;
     if let Some(section) = root.get("camera") {
@@ -64,11 +65,11 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
-/// Parses a text whose brackets are nested no deeper than [`limits::NESTING`]. The parser is recursive and
-/// continues after an error, so its own limit is not enough.
+/// Parses a text whose brackets are nested at most [`limits::NESTING`] deep. The parser is recursive
+/// and continues after an error, so its own limit does not protect the stack.
 ///
 /// # Errors
-/// Returns the first bracket that is nested too deep, or the first syntax error.
+/// Returns an error at the first bracket if they are nested too deep, or the first syntax error.
 pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     if let Some(at) = too_deep(source.text) {
         let problem = format!(
@@ -80,7 +81,8 @@ pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     Toml::parse(source.text).map_err(|error| not_toml(source, &error))
 }
 
-/// Returns the first open bracket at the place where the nesting becomes too deep.
+/// Returns the position of the outermost bracket that is open where the nesting becomes too deep;
+/// `None` if it never does.
 fn too_deep(text: &str) -> Option<usize> {
     let mut open = Vec::new();
     for token in toml_parser::Source::new(text).lex() {
@@ -103,7 +105,7 @@ fn too_deep(text: &str) -> Option<usize> {
     None
 }
 
-/// Rephrases common syntax errors for readers who do not know the grammar.
+/// Rephrases common syntax errors for users who do not know TOML's grammar.
 fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
     let found = &*one_line(source.text.get(span.clone()).unwrap_or_default());
@@ -233,7 +235,7 @@ fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> 
         None => Vec::new(),
         Some(_) => load_spheres(&file).map_err(|error| match error.location {
             Some(_) => error,
-            // The path is wrong, and it is in the scene file.
+            // The path is wrong, so the error points to the scene file's field with the path.
             None => field.error(&error.to_string()),
         })?,
     };

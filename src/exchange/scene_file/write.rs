@@ -1,4 +1,4 @@
-//! Writes a document as a scene file's text.
+//! Writes a document as the text of a scene file.
 
 use std::path::Path;
 
@@ -9,14 +9,15 @@ use crate::document::{Document, Item};
 use crate::error::is_hidden;
 use crate::images;
 
-/// Returns the text of a scene file. The comments and layout of a previous text are kept where the
-/// values have not changed.
+/// Returns the text of a scene file. Where values have not changed, the comments and layout of a
+/// previous text are kept.
 ///
-/// Reading the text gives the same document, to the last bit of every number.
+/// The text reads back to the same document, bit for bit in every number.
 pub fn to_text(document: &Document, previous: Option<&str>) -> String {
     let plain = fresh(document);
     let edited = previous.and_then(|previous| edit::edited(document, previous));
-    // TOML allows many layouts. If an edit cannot keep one of them, losing it is the lesser evil.
+    // TOML allows many layouts. If one of them cannot be kept, it is better to lose it than to write a
+    // wrong value.
     let reads_back = |text: &String| {
         read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == plain)
     };
@@ -24,7 +25,7 @@ pub fn to_text(document: &Document, previous: Option<&str>) -> String {
     kept.unwrap_or(plain)
 }
 
-/// Returns the text of a new scene file. Documents that are equal to the last bit have equal texts.
+/// Returns the text of a new scene file. Documents that are equal bit for bit have equal texts.
 pub(super) fn fresh(document: &Document) -> String {
     let mut text = note_to_block(&document.note);
     if !text.is_empty() {
@@ -77,14 +78,15 @@ fn vector(v: DVec3) -> String {
     format!("[{}, {}, {}]", number(v.x), number(v.y), number(v.z))
 }
 
-/// Formats the shortest TOML float that reads back to the same `f64`, including the sign of zero.
+/// Formats a number as the shortest TOML float that reads back to the same `f64`, including the sign of
+/// zero.
 fn number(x: f64) -> String {
     let text = format!("{x:?}");
-    // Rust's word for it is no TOML.
+    // Rust writes NaN in a way that is not TOML.
     if x.is_nan() { "nan".to_owned() } else { text }
 }
 
-/// Formats a basic TOML string on one line, whatever it contains.
+/// Formats a text as a basic TOML string on one line.
 fn string(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
