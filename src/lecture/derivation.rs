@@ -1,6 +1,5 @@
-//! Derives every number on the way from a camera to a hit, step by step: the camera's basis, the
-//! view ray through a pixel or a (u, v), and the intersections of that ray with a sphere or a
-//! plane.
+//! Derives every number on the way from a camera to a hit, step by step: the camera's basis, the view
+//! ray through a pixel or a point (u, v), and the intersection of that ray with a sphere or a plane.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -15,13 +14,13 @@ use pinhole_core::{
     SphereQuadratic,
 };
 
-/// The derivation of a camera's basis, by the way in which the camera is given.
+/// The derivation of a camera's basis. Its form depends on how the camera is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "made once a frame and read in place")]
 pub enum BasisDerivation {
-    /// Derived from a view direction, or a point to look at, and up.
+    /// From a view direction, or a point to look at, and up.
     FromUp(BasisFromUp),
-    /// u, v, w set by hand. They are not derived, only checked.
+    /// u, v, w are set by hand. They are only checked, not derived.
     ByHand(BasisByHand),
 }
 
@@ -31,32 +30,32 @@ pub enum BasisDerivation {
 /// view (or at - eye)   -view   w = -view / |view|   up x w   u = up x w / |up x w|   v = w x u
 /// ```
 ///
-/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) It goes as far
-/// as the numbers allow. Everything after the last step that exists is `None`, and
-/// [`BasisFromUp::basis`] gives the reason.
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) If a step is
+/// impossible, its value and those of all later steps are `None`, and [`BasisFromUp::basis`] contains
+/// the reason.
 ///
-/// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v
-/// and w equal those of [`Camera::basis`]. A value above the largest `f64` is infinite.
+/// Every vector is computed exactly and rounded once; lengths and the area are accurate to within an
+/// ulp. u, v and w equal those of [`Camera::basis`]. A value above the largest `f64` is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisFromUp {
     /// The camera's position.
     pub eye: DVec3,
-    /// The point that the camera looks at, if the camera is given by one.
+    /// The point at which the camera looks; `None` if the camera is given by a direction.
     pub at: Option<DVec3>,
-    /// The view direction: as given, or `at - eye`. `None` if a coordinate is not finite.
+    /// The view direction, which is given or is `at - eye`; `None` if a coordinate is not finite.
     pub view: Option<VectorAndLength>,
-    /// `-view`, from which w is calculated.
+    /// `-view`, which is normalized to w; `None` if there is no view.
     pub backwards: Option<DVec3>,
     /// `-view / |view|`; `None` if view is zero.
     pub w: Option<DVec3>,
-    /// The up vector. `None` if a coordinate is not finite.
+    /// The up vector; `None` if a coordinate is not finite.
     pub up: Option<VectorAndLength>,
-    /// `up x w`, before it is normalized. The zero vector if up is parallel to view.
+    /// `up x w` before it is normalized; the zero vector if up is parallel to view.
     pub up_cross_w: Option<Cross>,
     /// `up x w / |up x w|`; `None` if `up x w` is zero.
     pub u: Option<DVec3>,
-    /// `w x u`, which is v. The factors are unit vectors at a right angle, so its area is 1.
+    /// `w x u`, which is v. Its area is 1, because the factors are perpendicular unit vectors.
     pub w_cross_u: Option<Cross>,
     /// The basis, or the reason why there is none.
     pub basis: Result<Basis, BasisError>,
@@ -71,8 +70,9 @@ pub struct VectorAndLength {
     pub length: f64,
 }
 
-/// A cross product `first x second` with its factors and their angle. It is perpendicular to both
-/// factors, and its length is the area of their parallelogram, `|first| |second| sin(angle)`.
+/// A cross product `first x second`, with its factors and the angle between them. It is perpendicular
+/// to both factors, and its length is the area of the parallelogram that they span,
+/// `|first| |second| sin(angle)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
     /// The factor on the left.
@@ -81,8 +81,7 @@ pub struct Cross {
     pub second: VectorAndLength,
     /// The angle between the factors in radians, 0 to pi; `None` if one factor is zero.
     pub angle: Option<f64>,
-    /// The angle's sine, which is accurate even if the angle is small; `None` if one factor is
-    /// zero.
+    /// The sine of the angle, accurate even for small angles; `None` if one factor is zero.
     pub sine: Option<f64>,
     /// `first x second`
     pub product: DVec3,
@@ -90,7 +89,7 @@ pub struct Cross {
     pub area: f64,
 }
 
-/// The checks that u, v, w set by hand must pass, each with the verdict of [`Basis::by_hand`].
+/// The checks that u, v, w set by hand must pass, with the results that [`Basis::by_hand`] uses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisByHand {
@@ -103,15 +102,15 @@ pub struct BasisByHand {
     /// w, as set.
     pub w: DVec3,
     /// `|u|`, `|v|`, `|w|`: each must be 1 within
-    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). `None` if a coordinate is
-    /// not finite, as in all checks.
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). As in the other checks, `None`
+    /// means that a coordinate is not finite.
     pub lengths: [Option<BasisCheck>; 3],
     /// `u . v`, `v . w`, `w . u`: each must be 0 within the same tolerance.
     pub dots: [Option<BasisCheck>; 3],
-    /// `(u x v) . w`: 1 or -1 for unit vectors at right angles, and positive if they are
-    /// right-handed.
+    /// `(u x v) . w`: 1 or -1 for perpendicular unit vectors. It must be positive, which means that
+    /// they are right-handed.
     pub handedness: Option<BasisCheck>,
-    /// The whole derivation, or the first error.
+    /// The basis, or the first error.
     pub basis: Result<Basis, BasisError>,
 }
 
@@ -120,12 +119,12 @@ pub struct BasisByHand {
 pub struct BasisCheck {
     /// The number that is checked.
     pub value: f64,
-    /// The verdict.
+    /// True if the check passes.
     pub passes: bool,
 }
 
 impl BasisDerivation {
-    /// Derives a camera's basis, by the way in which the camera is given.
+    /// Derives the basis of `camera` from the values by which it is given.
     pub fn new(camera: &Camera) -> BasisDerivation {
         let eye = camera.eye;
         match camera.orientation {
@@ -142,7 +141,7 @@ impl BasisDerivation {
         }
     }
 
-    /// Returns the basis, or the reason why there is none; the same as [`Camera::basis`].
+    /// Returns the basis, or the reason why there is none, as [`Camera::basis`] does.
     pub fn basis(&self) -> Result<Basis, BasisError> {
         match self {
             BasisDerivation::FromUp(from_up) => from_up.basis,
@@ -196,14 +195,15 @@ impl VectorAndLength {
 }
 
 impl Cross {
-    /// Returns `up x w` with `w = -f / |f|`. With `R = f x up` it equals `R / |f|`, and R is exact.
+    /// Returns `up x w` with `w = -f / |f|`, where f is the view. With `R = f x up`, which is exact, it
+    /// equals `R / |f|`.
     fn of_up_and_w(view: &Exact3, up: &Exact3, w: DVec3) -> Cross {
         let right = cross(view, up);
         let (ff, gg, rr) = (dot(view, view), dot(up, up), dot(&right, &right));
         let area = root_of_quotient(&rr, &ff);
         let is_zero = gg.is_zero();
         let sine = || root_of_quotient(&rr, &(&ff * &gg)).min(1.0);
-        // `atan2(|R|, -f . up)`: w points away from the view.
+        // The angle is `atan2(|R|, -f . up)`, because w points opposite to the view.
         let angle = || match dot(view, up) {
             along if along.sign().is_gt() => PI - root_of_quotient(&rr, &along.square()).atan(),
             along => root_of_quotient(&rr, &along.square()).atan(),
@@ -250,7 +250,7 @@ impl BasisByHand {
     }
 }
 
-/// Returns the vector with each coordinate rounded once.
+/// Returns the vector with each exact coordinate rounded once.
 fn rounded(v: &Exact3) -> DVec3 {
     DVec3::from_array(v.each_ref().map(|x| x.rounded_times(0)))
 }
@@ -262,15 +262,15 @@ fn rounded(v: &Exact3) -> DVec3 {
 /// p = eye     d = u U + v V - distance W
 /// ```
 ///
-/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 4.3.1 and 4.3.2.)
-/// The direction and its three components are computed from the basis before rounding and rounded
-/// once, so the sum of the components may differ from the direction in the last bit.
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 4.3.1 and 4.3.2.) The
+/// direction and its three components are computed from the exact basis and rounded once. The sum of
+/// the components may therefore differ from the direction in the last bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RayDerivation {
-    /// The pixel that the ray passes through; `None` for a ray that is given by (u, v).
+    /// The pixel through which the ray passes; `None` for a ray that is given by (u, v).
     pub pixel: Option<Pixel>,
-    /// The position where the ray passes through the viewport, in world units; see
+    /// The point (u, v) where the ray passes through the viewport, in world units; see
     /// [`ResolvedCamera::uv_of_pixel`].
     pub uv: DVec2,
     /// `u U`, in world units.
@@ -279,10 +279,10 @@ pub struct RayDerivation {
     pub along_v: DVec3,
     /// `-distance W`, in world units.
     pub along_w: DVec3,
-    /// The ray p + t d, equal to [`ExactRay::rounded`](pinhole_core::ExactRay::rounded): p is the eye,
-    /// and d the sum of the three components.
+    /// The ray p + t d, which equals [`ExactRay::rounded`](pinhole_core::ExactRay::rounded). p is the
+    /// eye, and d is the sum of the three components.
     pub ray: Ray,
-    /// `|d|`: the distance in the world that corresponds to one unit of t.
+    /// `|d|`, the distance in the world that corresponds to one unit of t.
     pub length: f64,
 }
 
@@ -303,7 +303,7 @@ impl RayDerivation {
     }
 }
 
-/// A ray and an object, with every intermediate value of their intersection.
+/// The intersection of a ray and an object, with every intermediate value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectDerivation {
     /// A sphere.
@@ -312,51 +312,51 @@ pub enum ObjectDerivation {
     Plane(PlaneDerivation),
 }
 
-/// A ray and a sphere: `|p + t d - c|^2 - r^2 = 0` is a quadratic in t,
+/// The intersection of a ray and a sphere: `|p + t d - c|^2 - r^2 = 0` is a quadratic equation in t,
 ///
 /// ```text
 /// a t^2 + 2 b t + c = 0     t = (-b -+ sqrt D) / a     normal = (point - center) / r
 /// ```
 ///
-/// with a, b, c and D as in [`SphereQuadratic`] (b is half the linear coefficient). (Marschner,
+/// with a, b, c and D as in [`SphereQuadratic`], where b is half the linear coefficient. (Marschner,
 /// Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SphereDerivation {
     /// The sphere.
     pub sphere: Sphere,
-    /// `p - center`, each coordinate rounded once.
+    /// `p - center`, with each coordinate rounded once.
     pub from_center: DVec3,
     /// a, b, c and D.
     pub quadratic: SphereQuadratic,
     /// The kind of intersection, decided exactly.
     pub meeting: SphereMeeting,
-    /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
-    /// tangent point is stored once, as the nearer one. Each `t` is the exact value, rounded.
+    /// The points at which the ray's line meets the sphere, the nearer one first. A tangent point is
+    /// stored only once, as the nearer one. Each `t` is the exact value, rounded.
     pub roots: [Option<Root>; 2],
-    /// The hit: the index in `roots` of the smallest `t > 0`.
+    /// Index in `roots` of the hit, which has the smallest `t > 0`; `None` for a miss.
     pub first: Option<usize>,
 }
 
 /// The ways in which a ray and a sphere can intersect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SphereMeeting {
-    /// D < 0: the line passes by.
+    /// D < 0: the ray's line misses the sphere.
     Missed,
-    /// D = 0 and t > 0: the ray touches the sphere in one point, which is a hit.
+    /// D = 0 and t > 0: the ray touches the sphere at one point, which is the hit.
     Tangent,
     /// D > 0 and both t > 0: the ray enters at one point and leaves at the other.
     Through,
-    /// The ray starts inside: one t is negative, and the other one is the hit.
+    /// The ray starts inside the sphere: one t is negative, and the other one is the hit.
     FromInside,
-    /// The ray starts on the sphere and passes through it: one t is 0, and the other one is the
-    /// hit.
+    /// The ray starts on the surface and passes through the sphere: one t is 0, and the other one is
+    /// the hit.
     FromSurface,
-    /// The line meets the sphere but the ray does not: no t is greater than 0.
+    /// The line meets the sphere, but the ray does not: no t is greater than 0.
     Behind,
 }
 
-/// A ray and a plane: `n . (p + t d - point) = 0` gives
+/// The intersection of a ray and a plane: `n . (p + t d - point) = 0` gives
 ///
 /// ```text
 /// t = n . (point - p) / n . d
@@ -372,8 +372,8 @@ pub struct PlaneDerivation {
     pub terms: PlaneTerms,
     /// The kind of intersection, decided exactly.
     pub meeting: PlaneMeeting,
-    /// The point at which the ray's line meets the plane, for any sign of `t`; the normal has
-    /// length 1.
+    /// The point at which the ray's line meets the plane, whatever the sign of `t`; `None` if it does
+    /// not. The normal has length 1.
     pub root: Option<Root>,
 }
 
@@ -382,9 +382,9 @@ pub struct PlaneDerivation {
 pub enum PlaneMeeting {
     /// t > 0: a hit.
     Ahead,
-    /// t < 0: the line meets the plane but the ray does not.
+    /// t < 0: the line meets the plane, but the ray does not.
     Behind,
-    /// t = 0: the ray starts in the plane and leaves it, which does not count as a hit.
+    /// t = 0: the ray starts on the plane and leaves it, which does not count as a hit.
     AtOrigin,
     /// `n . d = 0`: the line never meets the plane.
     Parallel,
@@ -393,8 +393,8 @@ pub enum PlaneMeeting {
 }
 
 impl ObjectDerivation {
-    /// Derives the intersection of one ray and one object. Its roots have `index` as the object's
-    /// index.
+    /// Derives the intersection of a ray and an object. `index` is the object's index, which is stored
+    /// in the roots.
     ///
     /// # Errors
     /// Returns an error if the object is invalid; see [`Object::check`].
@@ -414,7 +414,7 @@ impl ObjectDerivation {
         })
     }
 
-    /// Returns the hit, the smallest `t > 0`, if there is one.
+    /// Returns the hit, which has the smallest `t > 0`; `None` for a miss.
     pub fn hit(&self) -> Option<&Root> {
         match self {
             ObjectDerivation::Sphere(sphere) => sphere.hit(),
@@ -452,7 +452,7 @@ impl SphereDerivation {
         }
     }
 
-    /// Returns the hit, the smallest `t > 0`, if there is one.
+    /// Returns the hit, which has the smallest `t > 0`; `None` for a miss.
     pub fn hit(&self) -> Option<&Root> {
         self.roots[self.first?].as_ref()
     }
@@ -471,17 +471,17 @@ impl PlaneDerivation {
         PlaneDerivation { plane: *plane, terms: plane.terms_of(ray), meeting, root }
     }
 
-    /// Returns the hit, if `t > 0`.
+    /// Returns the hit, which has `t > 0`; `None` for a miss.
     pub fn hit(&self) -> Option<&Root> {
         self.root.as_ref().filter(|_| self.meeting == PlaneMeeting::Ahead)
     }
 }
 
-/// The unit of an object's implicit function along a ray. With it, spheres and planes of all sizes
-/// fit on one scale.
+/// The unit in which an object's implicit function along a ray is plotted. With such units, spheres and
+/// planes of all sizes fit on one scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitUnit {
-    /// A normal number greater than 0.
+    /// The unit, a normal number greater than 0.
     pub value: f64,
     /// The quantity from which it is calculated.
     pub origin: UnitOrigin,
@@ -490,18 +490,18 @@ pub struct ImplicitUnit {
 /// The quantity from which an [`ImplicitUnit`] is calculated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitOrigin {
-    /// A sphere's `r^2`; f at the sphere's centre is `-r^2`.
+    /// A sphere's `r^2`. At its centre, f is `-r^2`.
     SquaredRadius,
-    /// A plane's `|f(0)|`, at the ray's origin.
+    /// A plane's `|f(0)|`: the value at the ray's origin.
     RayOrigin,
-    /// `|f(1)|` of a plane through the ray's origin.
+    /// A plane's `|f(1)|`, if the plane contains the ray's origin.
     OneStep,
-    /// The number 1, if the usual unit would be 0 or out of range.
+    /// The number 1, if the unit would otherwise be 0, subnormal or out of range.
     One,
 }
 
 impl ImplicitUnit {
-    /// Creates the unit for an object and its function along a ray.
+    /// Returns the unit for an object and its implicit function along a ray.
     pub fn new(object: &Object, along: &AlongRay) -> ImplicitUnit {
         let (value, origin) = match object {
             Object::Sphere(sphere) => (sphere.radius * sphere.radius, UnitOrigin::SquaredRadius),

@@ -4,12 +4,11 @@ use std::fmt;
 
 use pinhole_core::DVec3;
 
-/// A number written with whole numbers and at most one root: `n sqrt k / m`, or `n / sqrt k`.
+/// A number in terms of whole numbers and at most one root: `n sqrt k / m`, or `n / sqrt k`.
 ///
-/// Each number has one form. n and m have no common divisor, and k has no square divisor. If the
-/// number times `sqrt k` is whole, the root is in the denominator (`1/sqrt 2`, as the lecture
-/// writes the entries of a basis, `5/sqrt 2`, `2/sqrt 14`), except for whole multiples of a root
-/// (`5 sqrt 2`).
+/// Each number has only one form. n and m have no common divisor, and k has no square divisor. If the
+/// number times `sqrt k` is whole, the root is in the denominator, as in the lecture's bases
+/// (`1/sqrt 2`, `5/sqrt 2`, `2/sqrt 14`). Whole multiples of a root are the exception (`5 sqrt 2`).
 ///
 /// ```
 /// use pinhole_lecture::NumberForm;
@@ -24,7 +23,7 @@ use pinhole_core::DVec3;
 pub struct NumberForm {
     /// n, with the number's sign.
     pub numerator: i64,
-    /// k, the square-free number under the root; 1 if there is no root.
+    /// k, the square-free number under the root; 1 without a root.
     pub root: u64,
     /// m; 1 if the root is in the denominator.
     pub denominator: u64,
@@ -32,20 +31,20 @@ pub struct NumberForm {
     pub is_root_below: bool,
 }
 
-/// Maximum relative distance of a number from its form: 4 ulps of noise, each at most the spacing
-/// of `f64` at 1, and the rounding errors of the comparison.
+/// Maximum relative difference between a number and its form. It allows an error of 4 ulps, each at
+/// most the spacing of `f64` at 1, and the rounding errors of the comparison.
 const NOISE: f64 = 6.0 * f64::EPSILON;
 
-/// The maximum product of numerator and denominator of a recognised number, or of its square: 2^20.
+/// Maximum product of numerator and denominator of a recognised number, or of its square: 2^20.
 ///
-/// Of the fractions N/M, about `0.3 * 2^20` lie between a number and e times it (the pairs with `N
-/// M <= P` number `P / 2` for each factor of e, of which a share of `6 / pi^2` have no common
-/// divisor). Each fraction matches the numbers within a share [`NOISE`] of it, and the numbers
-/// whose square is within twice that. Together, a number with random digits is mistaken for a form
-/// with a probability below 3e-9.
+/// About `0.3 * 2^20` of the fractions N/M lie between a number and e times that number: the pairs with
+/// `N M <= P` number `P / 2` for each factor of e, and a fraction `6 / pi^2` of them have no common
+/// divisor. Each N/M matches the numbers within a relative difference of [`NOISE`], and the numbers
+/// whose square is within twice that. Together, a number with random digits is mistaken for a form with
+/// a probability below 3e-9.
 const LIMIT: u64 = 1 << 20;
 
-/// Maximum whole number, and maximum number under a root, of a form that [is
+/// Maximum whole number, and maximum number under a root, in a form that [is
 /// short](NumberForm::is_short).
 const LARGEST_SHORT: u64 = 99;
 const LARGEST_SHORT_ROOT: u64 = 999;
@@ -55,19 +54,19 @@ impl NumberForm {
     pub const ZERO: NumberForm =
         NumberForm { numerator: 0, root: 1, denominator: 1, is_root_below: false };
 
-    /// Returns the form of a number that is within 4 ulps of a fraction n/m with `n m <= 2^20`, or
-    /// of the root of such a fraction. Returns `None` for any other number; a number with random
-    /// digits has a form by chance once in 3e8.
+    /// Returns the form of a number that is within 4 ulps of a fraction n/m with `n m <= 2^20`, or of
+    /// the root of such a fraction. Returns `None` for any other number. By chance, a number with
+    /// random digits has a form once in 3e8.
     ///
-    /// It uses continued fractions: a fraction so close to a number is one of the number's
-    /// convergents (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th ed.,
-    /// theorem 184).
+    /// The method is that of continued fractions: a fraction so close to a number is one of the
+    /// number's convergents (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th
+    /// ed., theorem 184).
     pub fn recognise(x: f64) -> Option<NumberForm> {
         NumberForm::within(x, NOISE, LIMIT)
     }
 
-    /// Returns the form of a number with a relative error of up to `noise`, from fractions up to a
-    /// limit.
+    /// Returns the form of a number whose relative error is at most `noise`, from fractions n/m with
+    /// `n m <= limit`.
     fn within(x: f64, noise: f64, limit: u64) -> Option<NumberForm> {
         if x == 0.0 {
             return Some(NumberForm::ZERO);
@@ -88,7 +87,7 @@ impl NumberForm {
         Some(if x < 0.0 { form.negated() } else { form })
     }
 
-    /// Creates `n sqrt k / m` in its unique form, for a square-free k.
+    /// Creates the unique form of `n sqrt k / m`. k must be square-free.
     fn new(n: u64, k: u64, m: u64) -> NumberForm {
         let common = gcd(n, m);
         let (n, m) = (n / common, m / common);
@@ -124,14 +123,14 @@ impl NumberForm {
         if n < 0 { form.negated() } else { form }
     }
 
-    /// Returns the number divided by its numerator, which must not be 0.
+    /// Returns the number divided by its numerator. The numerator must not be 0.
     fn over_numerator(self) -> NumberForm {
         NumberForm { numerator: 1, ..self }
     }
 
-    /// Returns true if the form is shorter to read than its decimals: numerator and denominator
-    /// have at most two digits, and the number under the root has at most three, as in the
-    /// lecture's own `w = (21, 4, 15)/sqrt 682`.
+    /// Returns true if the form is easier to read than decimals. Numerator and denominator then have at
+    /// most two digits, and the number under the root has at most three, as in the lecture's own
+    /// `w = (21, 4, 15)/sqrt 682`.
     pub fn is_short(self) -> bool {
         let NumberForm { numerator, root, denominator, .. } = self;
         numerator.unsigned_abs() <= LARGEST_SHORT
@@ -139,15 +138,15 @@ impl NumberForm {
             && root <= LARGEST_SHORT_ROOT
     }
 
-    /// Returns the number of decimals that represent the number exactly: 0 for a whole number, 2
-    /// for 1/4. Returns `None` if there is a root, or if the decimals never end (or are more than
-    /// 9).
+    /// Returns the number of decimals that represent the number exactly: 0 for a whole number, 2 for
+    /// 1/4. Returns `None` if there is a root, or if more than 9 decimals or infinitely many are
+    /// needed.
     pub fn decimals(self) -> Option<u32> {
         let ends = |places: &u32| 10_u64.pow(*places).is_multiple_of(self.denominator);
         if self.root > 1 { None } else { (0..=9).find(ends) }
     }
 
-    /// Returns the number as an `f64`, within an ulp and a half.
+    /// Returns the number as an `f64`, accurate to within one and a half ulps.
     pub fn value(self) -> f64 {
         let (n, root) = (self.numerator as f64, (self.root as f64).sqrt());
         if self.is_root_below { n / root } else { n * root / self.denominator as f64 }
@@ -168,14 +167,14 @@ impl fmt::Display for NumberForm {
     }
 }
 
-/// Returns the first of the continued fraction's convergents `(n, m)` that is within a share
-/// `noise` of a positive number; `None` if no such convergent has `n m <= limit`.
+/// Returns the first convergent `(n, m)` of the continued fraction of `x` with a relative difference of
+/// at most `noise`. `x` must be positive. Returns `None` if no such convergent has `n m <= limit`.
 fn fraction_near(x: f64, noise: f64, limit: u64) -> Option<(u64, u64)> {
     let most = limit as f64;
     if !(0.9 / most..=1.1 * most).contains(&x) {
         return None;
     }
-    // x = numerator / denominator, exactly; x is not subnormal and not above 2^52.
+    // x = numerator / denominator, exactly, because x is not subnormal and not above 2^52.
     let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1075;
     let numerator = u128::from(x.to_bits() & ((1 << 52) - 1) | 1 << 52);
     let (mut above, mut below) = (numerator, 1_u128 << exponent.unsigned_abs());
@@ -196,7 +195,7 @@ fn fraction_near(x: f64, noise: f64, limit: u64) -> Option<(u64, u64)> {
     None
 }
 
-/// Returns `(s, k)` with `x = s^2 k` and a square-free k.
+/// Returns `(s, k)` such that `x = s^2 k` and k is square-free.
 fn square_part(x: u64) -> (u64, u64) {
     let (mut square, mut free, mut rest, mut p) = (1, 1, x, 2);
     while p * p <= rest {
@@ -216,7 +215,7 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// A vector written with whole numbers and roots.
+/// A vector in terms of whole numbers and roots.
 ///
 /// ```
 /// use pinhole_core::DVec3;
@@ -227,8 +226,8 @@ fn gcd(a: u64, b: u64) -> u64 {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorForm {
-    /// A form for each coordinate. This is used if the coordinates are whole, if all nonzero
-    /// coordinates have the same form, and if they have no common factor.
+    /// A form for each coordinate. This is used if the coordinates are whole, if all nonzero ones have
+    /// the same form, or if they have no common factor.
     Entries([NumberForm; 3]),
     /// Whole numbers times one factor.
     Common {
@@ -239,25 +238,25 @@ pub enum VectorForm {
     },
 }
 
-/// Relative error bound of the quotient of two coordinates: 4 ulps of each, and rounding.
+/// Bound on the relative error of the quotient of two coordinates: 4 ulps of each, and rounding.
 const RATIO_NOISE: f64 = 10.0 * f64::EPSILON;
 
-/// Maximum of the whole numbers before they are multiplied by the factor's numerator.
+/// Maximum magnitude of the whole numbers before they are multiplied by the factor's numerator.
 const LARGEST_WHOLE: u64 = 1 << 10;
 
-/// The limit for the factor. It is larger than the limit for single numbers, because the
-/// coordinates' quotients must also be fractions, which is unlikely enough by chance. A unit
-/// vector's factor is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
+/// The limit for the factor. It is larger than the limit for single numbers: the quotients of the
+/// coordinates must be fractions, too, which makes a match by chance unlikely enough. The factor of a
+/// unit vector is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
 const FACTOR_LIMIT: u64 = 1 << 22;
 
 impl VectorForm {
-    /// Returns the form of a vector whose coordinates are within 4 ulps of it: whole numbers up to
-    /// 1024 times a factor that is a small fraction or the root of one; or, without a common
-    /// factor, three [`NumberForm`]s. Returns `None` for any other vector.
+    /// Returns the form of a vector whose coordinates are within 4 ulps of it. The form consists of
+    /// whole numbers up to 1024 times a factor that is a small fraction or the root of one; without a
+    /// common factor, it consists of three [`NumberForm`]s. Returns `None` for any other vector.
     ///
-    /// A vector of random digits has a form by chance less than once in 1e15. If a coordinate is
-    /// exactly 0, fewer digits are random: a unit vector with one zero coordinate has a form by
-    /// chance once in 1e9, and a vector along an axis once in 3e8.
+    /// By chance, a vector of random digits has a form less than once in 1e15. If a coordinate is
+    /// exactly 0, fewer digits are random: a unit vector with one zero coordinate has a form by chance
+    /// once in 1e9, and a vector along an axis once in 3e8.
     pub fn recognise(v: DVec3) -> Option<VectorForm> {
         if !v.is_finite() {
             return None;
@@ -271,7 +270,7 @@ impl VectorForm {
         }
     }
 
-    /// Returns each coordinate's own form.
+    /// Returns the form of each coordinate.
     pub fn entries(self) -> [NumberForm; 3] {
         match self {
             VectorForm::Entries(entries) => entries,
@@ -279,9 +278,9 @@ impl VectorForm {
         }
     }
 
-    /// Returns true if the form is shorter to read than decimals: each coordinate's form [is
-    /// short](NumberForm::is_short), or the whole numbers have at most two digits and their
-    /// factor's form is short.
+    /// Returns true if the form is easier to read than decimals. Then either each coordinate's form [is
+    /// short](NumberForm::is_short), or the whole numbers have at most two digits and the form of their
+    /// factor is short.
     pub fn is_short(self) -> bool {
         match self {
             VectorForm::Entries(entries) => entries.into_iter().all(NumberForm::is_short),
@@ -292,7 +291,8 @@ impl VectorForm {
     }
 }
 
-/// Returns the form with one factor for all coordinates, or `Entries` if that is simpler.
+/// Returns the form with a common factor for all coordinates, or `Entries` if that is simpler. Returns
+/// `None` if there is no common factor.
 fn common(v: DVec3) -> Option<VectorForm> {
     let largest = v.abs().max_element();
     if largest == 0.0 {
@@ -305,7 +305,7 @@ fn common(v: DVec3) -> Option<VectorForm> {
             *ratio = fraction_near((x / largest).abs(), RATIO_NOISE, limit)?;
         }
     }
-    // The largest coordinate's whole number is the others' common denominator.
+    // The whole number of the largest coordinate is the common denominator of the other ratios.
     let denominator = ratios.iter().fold(1, |all, (_, m)| all / gcd(all, *m) * m);
     if denominator > LARGEST_WHOLE {
         return None;

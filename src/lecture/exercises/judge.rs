@@ -1,4 +1,4 @@
-//! Verdicts on answers, and the conditions that an answer must meet.
+//! Judges answers, and defines the conditions that an answer must meet.
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere, shortest};
 
@@ -11,9 +11,9 @@ use crate::numbers::exact_if_short as short;
 pub enum Verdict {
     /// It is right.
     Right,
-    /// It is right: it is a positive multiple of the truth, which is allowed here.
+    /// It is right: a positive multiple of the right answer is allowed here.
     Multiple {
-        /// Above 0.
+        /// The factor, which is greater than 0.
         times: f64,
     },
     /// It is the right answer, rounded.
@@ -21,24 +21,25 @@ pub enum Verdict {
         /// The number of significant digits that are right.
         digits: usize,
     },
-    /// It lies on the right line but points backwards.
+    /// It has the right line but the opposite direction.
     Backwards {
-        /// The negative factor between the answer and the truth.
+        /// The negative factor by which the right answer is multiplied.
         times: f64,
     },
-    /// It has the right direction but another length, which matters here.
+    /// It has the right direction but a different length, which is not allowed here.
     OtherLength {
-        /// The positive factor between the answer and the truth.
+        /// The positive factor by which the right answer is multiplied.
         times: f64,
     },
-    /// Each of these mistakes gives the answer and agrees with the answers to the other parts.
+    /// Each of these mistakes leads to the answer, and is consistent with the answers to the other
+    /// parts.
     Mistakes(Vec<Mistake>),
-    /// No known mistake gives it; these words say what is wrong, each without a full stop.
+    /// No known mistake leads to it. The phrases say what is wrong, without a full stop at the end.
     Wrong(Vec<String>),
 }
 
-/// Minimum number of significant digits of an answer that counts as right. The program shows at
-/// least as many for a number without a short form.
+/// Minimum number of significant digits for an answer to count as right. For a number without a short
+/// exact form, the program displays at least as many.
 pub(super) const ENOUGH_DIGITS: usize = 4;
 
 impl Verdict {
@@ -52,9 +53,9 @@ impl Verdict {
     }
 }
 
-/// Judges the answers together. A mistake that would have spoilt a part that is right was not made.
-/// Of the mistakes that give an answer, the verdict names those that explain most of the wrong
-/// parts. If one of these mistakes includes another, it names only the smaller one.
+/// Judges all answers together. A mistake that would have spoilt a part whose answer is right was not
+/// made. Of the mistakes that lead to an answer, the verdict names those that explain the most wrong
+/// parts. If one of them includes another, only the smaller one is named.
 pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
@@ -94,18 +95,19 @@ pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<O
         .collect()
 }
 
-/// Returns true if the answer shows that the part was understood.
+/// Returns true if the verdict shows that the part was understood: the answer is right or a rounded
+/// right answer.
 fn is_the_truth(verdict: &Verdict) -> bool {
     verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
 }
 
-/// Returns true if there is no need to look for a mistake.
+/// Returns true if there is no need to look for a mistake that leads to the answer.
 fn is_settled(verdict: &Verdict, part: &QuestionPart) -> bool {
-    // If only the line counts, the verdict that it points backwards is complete.
+    // If multiples are allowed, only the sign can be wrong, and the verdict already says so.
     is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
 }
 
-/// Returns the verdict if no known mistake gives the answer.
+/// Returns the verdict if no known mistake leads to the answer.
 fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
         return if part.truth == *answer { Verdict::Right } else { Verdict::Wrong(another(part)) };
@@ -130,8 +132,8 @@ fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     }
 }
 
-/// Returns the mistakes that give the answer and agree with the parts that are right. If there are
-/// none, returns the mistakes that this part itself reveals.
+/// Returns the mistakes that lead to the answer and are consistent with the parts that are right. If
+/// there are none, returns the mistakes that lead to the answer and are about this part itself.
 fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec<Mistake> {
     let all = giving(part, answer);
     let spoils = |mistake: &Mistake, part: &&QuestionPart| {
@@ -145,7 +147,7 @@ fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec
     agreeing
 }
 
-/// Returns the mistakes that give the answer, each by itself.
+/// Returns the mistakes that lead to the answer, each by itself.
 fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
@@ -166,13 +168,13 @@ fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     mistakes
 }
 
-/// Says that every number is wrong.
+/// Returns the finding that every number of the answer is wrong.
 fn another(part: &QuestionPart) -> Vec<String> {
     let what = if part.count() == 1 { "it" } else { "every coordinate" };
     vec![format!("{what} should be another number")]
 }
 
-/// Says what is wrong with an answer that no known mistake gives.
+/// Returns phrases that say what is wrong with an answer that no known mistake explains.
 fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
         return vec!["a direction cannot be (0, 0, 0)".to_owned()];
@@ -190,7 +192,8 @@ fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     if findings.is_empty() { another(part) } else { findings }
 }
 
-/// Says what is wrong with the length and the direction of a vector that should have length 1.
+/// Returns phrases that say what is wrong with the length and the direction of a vector that should
+/// have length 1.
 fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
     let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
@@ -209,8 +212,8 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String
         let dot = short(dot);
         is_off.then(|| format!("it is not perpendicular to {to}: the dot product is {dot}"))
     }));
-    // A failed orthogonality says where to look; without one, at least the size of the error is
-    // given.
+    // If the vector is not perpendicular to another one, the finding says so. Otherwise, give at least
+    // the size of the error.
     if findings.len() == count {
         let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
         let from = match part.asked {
@@ -224,7 +227,7 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String
     findings
 }
 
-/// Returns the factor if a vector is a nonzero multiple of the truth.
+/// Returns the factor by which a vector is a nonzero multiple of the right one; `None` if it is not.
 fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     if given.len() < 2 {
         return None;
@@ -236,9 +239,9 @@ fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     (near && times.is_finite() && times != 0.0).then_some(times)
 }
 
-/// Returns the number of significant digits, at least two, to which these are the true numbers,
-/// rounded or truncated. Accepts any positive multiple of the true numbers if multiples are
-/// allowed.
+/// Returns the number of significant digits, at least two, to which `given` is the right answer,
+/// rounded or truncated. If `may_be_scaled` is true, any positive multiple of the right answer is
+/// accepted. Returns `None` for any other answer.
 fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     let largest = (0..truth.len()).max_by(|a, b| truth[*a].abs().total_cmp(&truth[*b].abs()))?;
     let times = if may_be_scaled { given[largest] / truth[largest] } else { 1.0 };
@@ -252,7 +255,7 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
             continue;
         }
         let (digits, place) = precision(*x);
-        // The factor is no more precise than the number that it comes from.
+        // The factor is only as precise as the number from which it comes.
         let slack = if may_be_scaled {
             0.5 * unit(precision(given[largest]).1) * (y / given[largest]).abs()
         } else {
@@ -268,8 +271,8 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// Returns the number of significant digits that a number is written with, and the power of ten of
-/// its last digit.
+/// Returns the number of significant digits with which a number is written, and the power of ten of its
+/// last digit.
 fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
@@ -283,8 +286,8 @@ fn unit(place: i32) -> f64 {
     10f64.powi(place)
 }
 
-/// Returns |y| truncated at a decimal place. It works on the decimal digits, because binary
-/// rounding makes 4 - 3.99 less than 0.01 although 4 truncated is never 3.99.
+/// Returns |y| truncated at a decimal place. It works on decimal digits: in binary, 4 - 3.99 is less
+/// than 0.01 because of rounding, although 4 truncated is never 3.99.
 fn cut_off(y: f64, place: i32) -> Option<f64> {
     // Round to as many digits as are reliable: a value that should be 6 may be 5.999999999999999.
     let text = format!("{:.11e}", y.abs());
@@ -296,27 +299,27 @@ fn cut_off(y: f64, place: i32) -> Option<f64> {
     format!("{cut}e{exponent}").parse().ok()
 }
 
-/// Maximum relative difference between an answer and the truth that counts as rounding.
+/// Maximum relative difference between an answer and the right one that counts as rounding error.
 const TOLERANCE: f64 = 1e-9;
 
 /// A condition that an answer must meet.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Condition {
-    /// The ray is on the surface at this t.
+    /// At this t, the ray is on the surface.
     Meets(Ray, Surface),
     /// The point is on the surface.
     On(Surface),
     /// The point is on the ray's line.
     OnRay(Ray),
-    /// The ray begins here.
+    /// The ray begins at this point.
     Eye(DVec3),
-    /// The direction leads from the eye through this position in the viewport.
+    /// The direction leads from the eye through this point of the viewport.
     Through {
         /// The camera's basis.
         basis: Basis,
         /// The viewport's distance from the eye.
         distance: f64,
-        /// The position.
+        /// The point (u, v).
         uv: DVec2,
     },
 }
@@ -324,7 +327,7 @@ pub(super) enum Condition {
 /// A surface that a ray meets. In two dimensions, z is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Surface {
-    /// The plane at this z.
+    /// The plane with this z.
     Wall(f64),
     /// A sphere.
     Sphere(Sphere),
@@ -333,8 +336,8 @@ pub(super) enum Surface {
 }
 
 impl Condition {
-    /// Says how an answer of one, two or three numbers fails the condition. Returns `None` if it
-    /// meets the condition.
+    /// Returns a phrase that says how an answer of one, two or three numbers fails the condition;
+    /// `None` if it meets the condition.
     fn missed_by(&self, given: &[f64]) -> Option<String> {
         let point = |given: &[f64]| match *given {
             [x, y] => Some(DVec3::new(x, y, 0.0)),
@@ -375,8 +378,8 @@ impl Condition {
 }
 
 impl Surface {
-    /// Says how far the point is off the surface; `is_of_ray` is true for a ray's point at the given
-    /// t. Returns `None` if it is on the surface.
+    /// Returns a phrase that says how far the point is from the surface; `None` if it is on the
+    /// surface. `is_of_ray` is true if the point is that of a ray at the answered t.
     fn missed_by(self, point: DVec3, is_of_ray: bool) -> Option<String> {
         let it = if is_of_ray { "the point at this 𝑡" } else { "it" };
         let (off, finding) = match self {
@@ -409,18 +412,18 @@ impl Surface {
     }
 }
 
-/// Returns true if a difference is more than rounding error for numbers of this size.
+/// Returns true if a difference between numbers of this size is more than rounding error.
 fn is_off(difference: f64, size: f64) -> bool {
     difference.abs() > TOLERANCE * size.max(1.0)
 }
 
-/// Returns the length of some numbers as a vector; 1 if they are all zero.
+/// Returns the length of the vector of these numbers; 1 if all of them are zero.
 fn size(numbers: &[f64]) -> f64 {
     let size = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
     if size == 0.0 { 1.0 } else { size }
 }
 
-/// Returns true if these are the true numbers up to rounding error.
+/// Returns true if these are the right numbers up to rounding error.
 pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
     let size = size(truth);
     given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)

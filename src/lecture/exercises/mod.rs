@@ -1,5 +1,5 @@
-//! The lecture's exercises, and similar ones: the given numbers, the right answers, the answers
-//! that classic mistakes give, and the verdict on an answer.
+//! The lecture's exercises, and similar ones: the given numbers, the right answers, the answers to
+//! which classic mistakes lead, and the verdict on an answer.
 
 mod judge;
 mod pick;
@@ -14,25 +14,26 @@ pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart};
 pub use texts::{follows, question};
 
 impl Question {
-    /// Creates the lecture's own question or, from a seed, a similar one. The same seed gives the
-    /// same question on every machine.
+    /// Creates the lecture's own question or, if there is a seed, a similar one. The same seed gives
+    /// the same question on every machine.
     pub fn new(exercise: Exercise, seed: Option<u64>) -> Question {
         let given = match seed {
             None => pick::lecture(exercise),
             Some(seed) => pick::seeded(exercise, seed),
         };
-        // The picked numbers always have a solution: every basis exists, and every sphere is met.
+        // The chosen numbers always have a solution: every basis exists, and every sphere is hit.
         Question { exercise, given, parts: solve::parts(&given).unwrap_or_default() }
     }
 
-    /// Judges the answers, one for each part; `None` for a part that was not answered.
+    /// Judges the answers to all parts. The answer to a part, and the verdict on it, is `None` if the
+    /// part was not answered.
     pub fn judge(&self, answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
         judge::judge(&self.parts, answers)
     }
 
-    /// Returns the part whose answer explains the verdict on part k: its verdict names every
-    /// mistake named for part k, and all of these mistakes concern its answer. Returns `None` if
-    /// any of them concerns part k's own answer.
+    /// Returns the part whose answer explains the verdict on part `k`. Its verdict names every mistake
+    /// that is named for part `k`, and all of these mistakes are about its answer. Returns `None` if
+    /// there is no such part, or if any of the mistakes is about part `k` itself.
     pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
         let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
         if mistakes.iter().any(|mistake| self.parts[k].asked.is_about_mistake(*mistake)) {
@@ -48,12 +49,13 @@ impl Question {
         parts.find(|(part, verdict)| explains(part.asked, verdict)).map(|(part, _)| part.asked)
     }
 
-    /// Returns the camera of the question, if there is one.
+    /// Returns the camera of the question; `None` if it has none.
     pub fn camera(&self) -> Option<Camera> {
         solve::camera(&self.given)
     }
 
-    /// Returns the position in the viewport through which the question's ray passes.
+    /// Returns the point of the viewport through which the question's ray passes; `None` if there is
+    /// none.
     pub fn uv(&self) -> Option<DVec2> {
         match self.given {
             Given::Uv(uv)
@@ -65,7 +67,7 @@ impl Question {
         }
     }
 
-    /// Returns the sphere of the question, if there is one.
+    /// Returns the sphere of the question; `None` if it has none.
     pub fn sphere(&self) -> Option<Sphere> {
         match self.given {
             Given::Sphere { sphere, .. } => Some(sphere),
@@ -73,7 +75,7 @@ impl Question {
         }
     }
 
-    /// Returns the wall of the question, if there is one.
+    /// Returns the wall of the question; `None` if it has none.
     pub fn plane(&self) -> Option<Plane> {
         match self.given {
             Given::UvAndWall { z, .. } | Given::Distance { z, .. } | Given::Turned { z, .. } => {

@@ -1,4 +1,4 @@
-//! The numbers of the questions: the lecture's own, and others whose answers are as easy to
+//! Chooses the numbers of the questions: the lecture's own, and others whose answers are as easy to
 //! recognise.
 
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -8,8 +8,8 @@ use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 use super::question::{Exercise, Given};
 use crate::mistakes::SplitMix64;
 
-/// Returns the lecture's numbers. View and up are twice as long here; this changes no answer, but
-/// reveals who forgets to normalize.
+/// Returns the lecture's numbers, except that view and up are twice as long. This changes no answer,
+/// but reveals who forgets to normalize.
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
@@ -38,9 +38,9 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
     }
 }
 
-/// Returns other numbers; the same seed gives the same numbers.
+/// Returns random numbers. The same seed gives the same numbers.
 pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
-    // One seed gives unrelated numbers in different exercises.
+    // In different exercises, the same seed gives unrelated numbers.
     let mut dice = Dice(SplitMix64(seed ^ ((exercise as u64) << 56)));
     match exercise {
         Exercise::WarmUpRay => Given::Uv(dice.uv()),
@@ -60,12 +60,12 @@ pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     }
 }
 
-/// Returns the unit vector midway between the x and z axes with these signs.
+/// Returns the unit vector midway between the x and z axes, whose signs are given.
 fn midway(x: f64, z: f64) -> DVec3 {
     FRAC_1_SQRT_2 * DVec3::new(x, 0.0, z)
 }
 
-/// Draws random numbers of the kinds that the questions need.
+/// Generates random numbers of the kinds that the questions need.
 struct Dice(SplitMix64);
 
 impl Dice {
@@ -77,7 +77,7 @@ impl Dice {
         choices[self.below(choices.len())]
     }
 
-    /// Draws a whole number from `low` to `high`, including both.
+    /// Returns a whole number from `low` to `high`, inclusive.
     fn whole(&mut self, low: i32, high: i32) -> f64 {
         f64::from(low) + self.below((high - low + 1) as usize) as f64
     }
@@ -86,7 +86,8 @@ impl Dice {
         self.one_of(&[-1.0, 1.0])
     }
 
-    /// Returns two different multiples of 0.1 inside the canonical viewport, neither of them 0.
+    /// Returns a point (u, v) inside the canonical viewport. Its coordinates are multiples of 0.1 that
+    /// differ in magnitude, and neither is 0.
     fn uv(&mut self) -> DVec2 {
         const TENTHS: [f64; 4] = [0.1, 0.2, 0.3, 0.4];
         let u = self.below(4);
@@ -94,7 +95,7 @@ impl Dice {
         DVec2::new(self.sign() * TENTHS[u], self.sign() * TENTHS[v])
     }
 
-    /// Returns the axes in random order and with random signs.
+    /// Returns the coordinate axes in random order and with random signs.
     fn axes(&mut self) -> [DVec3; 3] {
         let [a, b, c] = self.one_of(&[
             [DVec3::X, DVec3::Y, DVec3::Z],
@@ -126,8 +127,8 @@ impl Dice {
         Given::EyeAtUp { eye: at + back, at, up: DVec3::Y }
     }
 
-    /// Draws a ray and a sphere. A right triangle with sides of whole numbers gives the distance of
-    /// the line from the centre, half the chord, and the radius.
+    /// Returns a ray and a sphere. The distance of the line from the centre, half the chord, and the
+    /// radius are the sides of a right triangle, which are whole numbers.
     fn sphere(&mut self) -> Given {
         const TRIANGLES: [(f64, f64, f64); 6] = [
             (3.0, 4.0, 5.0),

@@ -1,4 +1,4 @@
-//! Questions: the given numbers, the quantities asked for, and the answers.
+//! The parts of a question: the given numbers, the quantities to find, and the answers.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -8,13 +8,13 @@ use crate::mistakes::Mistake;
 /// A kind of question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Exercise {
-    /// Warm-up 1a: the view ray of a (u, v).
+    /// Warm-up 1a: the view ray through a point (u, v).
     WarmUpRay,
     /// Warm-up 1b: the intersection of that ray with a wall.
     WarmUpPlane,
     /// A ray and a wall, with a viewport whose distance is not 1.
     Distance,
-    /// A basis given by a turn in the xz plane, and one of its rays.
+    /// A basis that is turned in the xz plane, and one of the camera's rays.
     Turned,
     /// A basis from view and up.
     ViewUp,
@@ -29,30 +29,30 @@ pub enum Exercise {
 /// The numbers given in a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
-    /// A canonical camera and a position in its viewport.
+    /// The canonical camera and a point of its viewport.
     Uv(DVec2),
-    /// A canonical camera, a position in its viewport, and the plane at this z.
+    /// The canonical camera, a point of its viewport, and a wall, which is the plane with this z.
     UvAndWall {
-        /// The position.
+        /// The point (u, v).
         uv: DVec2,
         /// The wall's z.
         z: f64,
     },
-    /// The canonical camera with another distance, a position in its viewport, and the plane at a
-    /// z.
+    /// The canonical camera with another distance, a point of its viewport, and a wall.
     Distance {
-        /// The position.
+        /// The point (u, v).
         uv: DVec2,
         /// The viewport's distance from the eye.
         distance: f64,
         /// The wall's z.
         z: f64,
     },
-    /// A camera at the origin, turned about y, whose right vector is midway between two axes.
+    /// A camera at the origin that is turned about y, so that its right vector is midway between two
+    /// axes.
     Turned {
-        /// Right: midway between +x or -x and +z or -z.
+        /// The right vector, midway between +x or -x and +z or -z.
         right: DVec3,
-        /// The position.
+        /// The point (u, v).
         uv: DVec2,
         /// The wall's z.
         z: f64,
@@ -91,7 +91,7 @@ pub enum Given {
     },
 }
 
-/// A quantity that is asked for.
+/// A quantity that the student must find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Asked {
     /// The ray's origin.
@@ -100,17 +100,17 @@ pub enum Asked {
     Direction,
     /// The ray's t.
     T,
-    /// The direction that is right in the image.
+    /// The vector u, which points to the right in the image.
     U,
-    /// The direction that is up in the image.
+    /// The vector v, which points upwards in the image.
     V,
-    /// The direction opposite to the view.
+    /// The vector w, which points opposite to the view direction.
     W,
-    /// The point that is hit.
+    /// The hit point.
     Point,
-    /// The outward unit normal there.
+    /// The outward unit normal at the hit point.
     Normal,
-    /// True if the ray hits, and not only its line.
+    /// Whether the ray itself hits, and not only its line.
     Hits,
 }
 
@@ -123,19 +123,19 @@ pub enum Answer {
     Yes(bool),
 }
 
-/// A quantity that a question asks for.
+/// One of the quantities that a question asks for, with its right answer.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct QuestionPart {
-    /// The quantity.
+    /// The quantity to find.
     pub asked: Asked,
     /// The right answer.
     pub truth: Answer,
-    /// Every positive multiple is right, too.
+    /// True if every positive multiple of the right answer is also right.
     pub may_be_scaled: bool,
-    /// Answers that mistakes give.
+    /// The wrong answers to which known mistakes lead.
     pub mistakes: Vec<(Mistake, Answer)>,
-    /// The vectors to which it must be perpendicular, with their names.
+    /// The vectors to which the answer must be perpendicular, with their names.
     pub(super) orthogonal_to: Vec<(&'static str, DVec3)>,
     /// Further conditions that the answer must meet.
     pub(super) conditions: Vec<Condition>,
@@ -147,9 +147,9 @@ pub struct QuestionPart {
 pub struct Question {
     /// The kind of question.
     pub exercise: Exercise,
-    /// The numbers in it.
+    /// The given numbers.
     pub given: Given,
-    /// The answers that it asks for.
+    /// The quantities to find.
     pub parts: Vec<QuestionPart>,
 }
 
@@ -217,13 +217,13 @@ impl Asked {
         self.names().1
     }
 
-    /// Returns true if the answer has length 1.
+    /// Returns true if the quantity is a vector of length 1.
     pub fn is_unit(self) -> bool {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
     }
 
-    /// Returns true if a mistake concerns this answer itself, rather than an earlier answer from
-    /// which this one follows.
+    /// Returns true if a mistake is about this quantity itself, rather than about one from which this
+    /// one is calculated.
     pub fn is_about_mistake(self, mistake: Mistake) -> bool {
         match mistake {
             Mistake::WAsPrinted
@@ -259,8 +259,8 @@ impl Asked {
         }
     }
 
-    /// Returns true if it is a direction, whose length and sign can be wrong separately. A point is
-    /// not a direction.
+    /// Returns true for a direction, whose length and sign can be wrong separately. A point is not a
+    /// direction.
     pub fn is_vector(self) -> bool {
         self.is_unit() || self == Asked::Direction
     }

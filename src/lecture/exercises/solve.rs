@@ -1,4 +1,4 @@
-//! The right answers to every question, and the answers that classic mistakes give.
+//! Calculates the right answers to every question, and the answers to which classic mistakes lead.
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Roots, Sphere, Viewport};
 
@@ -6,8 +6,8 @@ use crate::exercises::judge::{Condition, Surface, is_near};
 use crate::exercises::question::{Answer, Asked, Given, QuestionPart};
 use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
-/// Returns the parts of a question; `None` if a basis cannot be found or a sphere is not met. A
-/// mistake that does not change the numbers gives no wrong answer.
+/// Returns the parts of a question; `None` if a basis does not exist or a sphere is missed. A mistake
+/// that does not change the numbers adds no wrong answer.
 pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
     let (mut parts, wrongs) = match *given {
         Given::Uv(uv) => ray_through(uv),
@@ -36,13 +36,14 @@ fn is_another(truth: &Answer, answer: &Answer) -> bool {
     }
 }
 
-/// A mistake, with the wrong answer that it gives to a quantity.
+/// A mistake, and the wrong answer to which it leads for a quantity.
 type Wrong = (Mistake, Asked, Answer);
 
-/// The parts of a question, and the wrong answers that mistakes give.
+/// The parts of a question, and the wrong answers to which mistakes lead.
 type Parts = (Vec<QuestionPart>, Vec<Wrong>);
 
-/// Returns the camera of a question. The question's ray is the camera's ray through its (u, v).
+/// Returns the camera of a question, whose ray through the question's (u, v) is the question's ray;
+/// `None` if it has none.
 pub(super) fn camera(given: &Given) -> Option<Camera> {
     let looking = |view| Orientation::View { view, up: DVec3::Y };
     Some(match *given {
@@ -62,7 +63,7 @@ pub(super) fn camera(given: &Given) -> Option<Camera> {
     })
 }
 
-/// Returns the plane at this z that faces the origin.
+/// Returns the plane with this z, with its normal towards the origin.
 pub(super) fn wall(z: f64) -> Plane {
     Plane { point: DVec3::new(0.0, 0.0, z), normal: DVec3::new(0.0, 0.0, -z.signum()) }
 }
@@ -95,35 +96,36 @@ fn pair(v: DVec2) -> Answer {
     Answer::Numbers(v.to_array().to_vec())
 }
 
-/// Returns the ray from the origin through a position in the viewport: `u U + v V - distance W`.
+/// Returns the ray from the origin through a point of the viewport, with the direction
+/// `u U + v V - distance W`.
 fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
     let Basis { u, v, w } = basis;
     Ray { origin: DVec3::ZERO, direction: uv.x * u + uv.y * v - distance * w }
 }
 
-/// Returns the t at which a ray from the origin meets the plane at this z. No question's ray is
-/// parallel to the plane: u is below 1, so `-distance w` outweighs `u U` in z.
+/// Returns the t at which a ray from the origin meets the plane with this z. No question has a ray that
+/// is parallel to the plane: u is below 1, so `-distance w` outweighs `u U` in z.
 fn t_of_wall(ray: &Ray, z: f64) -> f64 {
     z / ray.direction.z
 }
 
-/// Returns a wrong t and the point that follows from it.
+/// Returns a wrong t, and the wrong point that is calculated from it.
 fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> [Wrong; 2] {
     [(mistake, Asked::T, number(t)), (mistake, Asked::Point, point)]
 }
 
-/// Returns a wrong direction and the t at which the ray meets the wall at this z.
+/// Returns a wrong direction, and the t at which its ray meets the wall with this z.
 fn wrong_direction(mistake: Mistake, d: DVec3, z: f64) -> [Wrong; 2] {
     [(mistake, Asked::Direction, vector(d)), (mistake, Asked::T, number(z / d.z))]
 }
 
-/// Returns the canonical camera with another orientation, eye and distance.
+/// Returns the canonical camera with a different eye, orientation and distance.
 fn camera_at(eye: DVec3, orientation: Orientation, distance: f64) -> Camera {
     let viewport = Viewport { distance, ..Viewport::CANONICAL };
     Camera { eye, orientation, viewport, ..Camera::CANONICAL }
 }
 
-/// Returns a basis turned about y: v is y, and w follows from right.
+/// Returns a basis that is turned about y: v is the y axis, and w is calculated from `right`.
 fn turned(right: DVec3) -> Basis {
     Basis { u: right, v: DVec3::Y, w: right.cross(DVec3::Y) }
 }
@@ -151,7 +153,7 @@ fn through(distance: f64, uv: DVec2) -> Condition {
     Condition::Through { basis: Basis::CANONICAL, distance, uv }
 }
 
-/// Returns directions that are common wrong answers for a canonical camera's ray.
+/// Returns common wrong answers for the direction of a canonical camera's ray.
 fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, DVec3)> {
     let DVec2 { x: u, y: v } = uv;
     let flat = Mistake::FlatDirection;
@@ -166,8 +168,7 @@ fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, 
     .into_iter()
 }
 
-/// Returns numbers that are common wrong answers for the t of a wall, each with the point at that
-/// t.
+/// Returns common wrong answers for the t at which a ray meets a wall, each with the point at that t.
 fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     [
         (Mistake::SignOfT, -t),
@@ -195,12 +196,12 @@ fn ray_and_wall(uv: DVec2, z: f64) -> Parts {
         ),
     ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
-    // The wrong ray's t and point.
+    // The t and the point of each wrong ray.
     wrongs.extend(wrong_directions(uv, 1.0).flat_map(|(mistake, d)| {
         let t = z / d.z;
         wrong_t(mistake, t, vector(t * d))
     }));
-    // d's z calculated from a right t, and t calculated from a right z.
+    // In the one, the z of t d has the wrong sign; in the other, only z is multiplied by t.
     let mirrored = DVec3::new(point.x, point.y, -z);
     wrongs.push((Mistake::SignOfZ, Asked::Point, vector(mirrored)));
     wrongs.push((Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
@@ -248,7 +249,7 @@ fn basis_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         wrongs.extend(wrong_basis(mistake, u, v, w));
         wrongs
     };
-    // The vectors of length √2 and √½: the sum of the two axes, and their mean.
+    // Right without normalization, with length √2 or √½: the sum of the two axes, or their mean.
     let sum = |v: DVec3| v.signum() * v.abs().ceil();
     let other_way = turned(DVec3::new(right.x, right.y, -right.z));
     let mut wrongs = [
@@ -280,12 +281,12 @@ fn wrong_basis(mistake: Mistake, u: DVec3, v: DVec3, w: DVec3) -> [Wrong; 3] {
     [(Asked::U, u), (Asked::V, v), (Asked::W, w)].map(|(asked, v)| (mistake, asked, vector(v)))
 }
 
-/// Returns the parts of a question about a basis found from view or at, and up; `None` if up does
-/// not determine a basis.
+/// Returns the parts of a question about a basis that is found from view or at, and up; `None` if up
+/// does not determine a basis.
 fn basis_from_up(given: &Given) -> Option<Parts> {
     let camera = camera(given)?;
     let Basis { u, v, w } = camera.basis().ok()?;
-    // The parts are in the order in which a student finds them.
+    // The parts are in the order in which a student calculates them.
     let parts = vec![
         part(Asked::W, vector(w)),
         QuestionPart {
@@ -294,7 +295,7 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
         },
         QuestionPart { orthogonal_to: vec![("𝐰", w), ("𝐮", u)], ..part(Asked::V, vector(v)) },
     ];
-    // Effects that are visible in the answer come before their possible causes.
+    // Mistakes that can be seen in the answer come before those that may have caused them.
     let mut wrongs = wrong_basis(Mistake::ULeftwards, -u, v, w).to_vec();
     for (mistake, made) in wrong_cameras(&camera) {
         wrongs.extend(wrong_basis(mistake, made.u, made.v, made.w));
@@ -308,11 +309,11 @@ fn basis_from_up(given: &Given) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-/// Returns the cameras that a wrong answer can come from, each with the mistake that produces it.
+/// Returns the wrong cameras that are common in answers, each with the mistake that leads to it.
 fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCamera)> {
     const USUAL: usize = 1;
     let is_at = camera.orientation.has_at();
-    // If the camera is given by points, the usual wrong w is at - eye.
+    // If the camera is given by points, the common wrong w is made from at - eye.
     let w_forwards = if is_at { Mistake::WIsAtMinusEye } else { Mistake::WAsPrinted };
     let mistakes = [
         (w_forwards, USUAL),
@@ -334,7 +335,7 @@ fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCame
     })
 }
 
-/// Returns vectors that are common wrong answers for eye - at.
+/// Returns common wrong answers for eye - at, each with the mistake that leads to it.
 fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     let eye = camera.eye;
     let wrong = move |at: DVec3| {
@@ -385,7 +386,8 @@ fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-/// Returns wrong solutions of `a t^2 + 2 b t + c = 0`; NaN if D is below 0.
+/// Returns wrong solutions of `a t^2 + 2 b t + c = 0`, each with the mistake that leads to it. A
+/// solution is NaN if D is below 0.
 fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
     let oc = ray.origin - sphere.center;
     let (a, b) = (ray.direction.length_squared(), ray.direction.dot(oc));

@@ -1,5 +1,5 @@
-//! Questions and verdicts in words. `**p**` marks a vector, `*t*` a scalar. Numbers are written in
-//! exact form if the form is recognised.
+//! Writes questions and verdicts in words. `**p**` denotes a vector, and `*t*` a scalar. A number is
+//! written in exact form if the form is recognised.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -7,7 +7,7 @@ use super::judge::{ENOUGH_DIGITS, Verdict};
 use super::question::{Asked, Given, QuestionPart};
 use crate::numbers::{exact_if_short as short, written_whole as number};
 
-/// Returns the question, with one string for each paragraph.
+/// Returns the text of a question, one string for each paragraph.
 pub fn question(given: &Given) -> Vec<String> {
     const CANONICAL: &str =
         "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
@@ -105,7 +105,7 @@ fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
     vec![given, asked.to_owned()]
 }
 
-/// Returns, for example, `2*x* − *y* + 1`.
+/// Formats the left side of a line's equation, for example `2*x* − *y* + 1`.
 fn implicit(line: DVec3) -> String {
     let mut text = String::new();
     for (factor, name) in [(line.x, "*x*"), (line.y, "*y*"), (line.z, "")] {
@@ -127,7 +127,7 @@ fn implicit(line: DVec3) -> String {
     text
 }
 
-/// Returns, for example, `(u, v) = (0.2, −0.1)`.
+/// Formats a point of the viewport, for example `(u, v) = (0.2, −0.1)`.
 fn uv_text(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))
 }
@@ -144,7 +144,7 @@ fn triple(v: DVec3) -> String {
 }
 
 impl Verdict {
-    /// Returns the verdict on an answer to this part, in words.
+    /// Returns the verdict on an answer to `part`, in words.
     pub fn sentence(&self, part: &QuestionPart) -> String {
         match self {
             Verdict::Right => "Right.".to_owned(),
@@ -156,7 +156,7 @@ impl Verdict {
                 "Right to {digits} digits: type at least {ENOUGH_DIGITS}, or give it exactly, as in \
                  1/sqrt(2)."
             ),
-            // A number that differs from −1 only in its last digits is written as −1.
+            // A number that differs from −1 only in its last digits is displayed as −1.
             Verdict::Backwards { times } if short(*times) == "−1" => {
                 "Wrong: it points the opposite way: it is minus ours.".to_owned()
             }
@@ -184,7 +184,7 @@ impl Verdict {
     }
 }
 
-/// Returns the verdict on a part whose mistake follows from the answer to another part.
+/// Returns the verdict on a part whose mistake results from the answer to another part, `source`.
 pub fn follows(source: Asked) -> String {
     format!("Wrong: it follows from {}.", source.symbol())
 }
