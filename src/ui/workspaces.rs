@@ -52,7 +52,8 @@ pub(crate) struct Page {
     pub(crate) second: Option<SecondPicture>,
     /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Shown instead of `rest` while the question of a lesson's step waits for its answer.
+    /// Shows the content that replaces `rest` while the question of a lesson's step waits for its
+    /// answer.
     pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
     /// Returns the concept under the pointer or under the focus in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,

@@ -43,7 +43,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     settings.unfolded.viewport = unfolded;
 }
 
-/// Shows the choice of how the camera is given, and converts the camera to the chosen form.
+/// Shows the choice of how the camera is given. Converts the camera to the chosen form.
 fn given_by(ui: &mut Ui, camera: &mut Camera) {
     ui.horizontal(|ui| {
         ui.label("Given by");
@@ -135,12 +135,13 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
     ui.end_row();
     keep(ui.ctx(), &before, camera, settings);
-    // A change of the field of view would change the picture.
+    // While the picture is locked, the field of view cannot be edited, because that would change the
+    // picture.
     field_of_view(ui, camera, !settings.keep_picture);
 }
 
-/// Restores the picture or the pixels' shape after an edit of the viewport or the image, if the settings lock
-/// it.
+/// After an edit of the viewport or the image, restores the picture or the pixels' shape if the settings
+/// lock it.
 pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
     if settings.keep_picture && camera.viewport != before.viewport {
         teaching::keep_picture(ctx, before, camera);
@@ -197,9 +198,10 @@ fn shape_of(camera: &Camera) -> f64 {
     camera.viewport.width / camera.viewport.height / camera.image.aspect()
 }
 
-/// Adapts the height of the viewport after an edit of its width, and the width after an edit of its height.
-/// After an edit of the image, the larger extent stays as large as before, so that no field of view grows.
-/// Nothing is adapted if the other extent would exceed the range of numbers.
+/// Restores the pixels' shape: adapts the height of the viewport after an edit of its width, and the
+/// width after an edit of its height. After an edit of the image, the larger extent stays as it was, so
+/// that no field of view grows. Nothing is adapted if the other extent would exceed the range of
+/// numbers.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     let ratio = shape_of(before) * camera.image.aspect();
     let Viewport { width, height, .. } = camera.viewport;
@@ -263,7 +265,7 @@ pub(crate) fn selected_ray(
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
         let height = ui.spacing().interact_size.y;
-        // The field has a dash if the ray passes outside the image or between pixels.
+        // The field shows a dash if the ray passes outside the image or between pixels.
         let written = |index: f64| if known { index.to_string() } else { "–".to_owned() };
         let field = |ui: &mut Ui, name: &str, index: &mut u32, count: u32| {
             ui.label(name);

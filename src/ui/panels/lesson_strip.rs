@@ -16,17 +16,17 @@ const TEXT: f32 = 18.0;
 const BUTTON: f32 = 15.0;
 const NEXT: &str = "Next →";
 const SHOW_ANSWER: &str = "Show the answer";
-/// Number of lines that are always reserved, so that the views stay in place from step to step.
+/// Number of lines of text that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
-/// Shows the strip. `file` is the lesson that was opened from a file. `changed` is true if anything differs
-/// from the step.
+/// Shows the strip. `file` is the lesson that was opened from a file. `asks` is true while the step's
+/// question is open. `changed` is true if anything differs from the step.
 pub(crate) fn ui(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, asks: bool, changed: bool) {
     ui.add_space(2.0);
     ui.horizontal(|ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             buttons(ui, open, file, asks, changed);
-            // The titles are the same before and after the answer.
+            // The reserved width keeps the titles the same before and after the answer.
             let [next, answer] = [NEXT, SHOW_ANSWER].map(|text| width(ui, text, BUTTON));
             let reserved = if asks { 0.0 } else { answer - next };
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open, reserved));
@@ -111,7 +111,8 @@ fn buttons(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, is_asking: boo
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));
 }
 
-/// Number of columns of the table of contents; with it, all lessons fit into a window of 720 points.
+/// Number of columns of the table of contents. With this number, all lessons fit into a window that is
+/// 720 points high.
 const COLUMNS: usize = 3;
 /// Width of a column, in points.
 const COLUMN: f32 = 330.0;
@@ -133,7 +134,7 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
         let all = builtin::all();
         ui.columns(COLUMNS, |columns| {
             for (index, lesson) in all.iter().enumerate() {
-                // All columns form one long column that is cut into equal parts; the lesson belongs to the
+                // All columns form one long column that is cut into equal parts. A lesson belongs to the
                 // part that contains its middle.
                 let middle = rows(&all[..index]) + lesson.steps.len() / 2;
                 let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);

@@ -10,7 +10,7 @@ pub(crate) mod top_bar;
 
 use egui::{CollapsingHeader, RichText, Ui};
 
-/// Shows a section under a heading that folds it.
+/// Shows a section below a heading. A click on the heading folds or unfolds the section.
 pub(crate) fn section(ui: &mut Ui, title: &str, is_open: &mut bool, content: impl FnOnce(&mut Ui)) {
     let size = egui::TextStyle::Heading.resolve(ui.style()).size;
     let title = RichText::new(title).size(size);

@@ -65,20 +65,20 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Returns the message that a sphere from a CSV file must be edited in that file.
+/// Returns a message that a sphere from a CSV file must be edited in that file.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
     let row = index - document.spheres.len() + 1;
     format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
-/// The centres of the picture's quarters, as shares of the viewport; and the distance between spheres behind
-/// each other, in viewport distances.
+/// The centres of the picture's quarters, as fractions of the viewport.
 const QUARTERS: [[f64; 2]; 4] = [[0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25], [0.25, -0.25]];
+/// The distance between spheres behind each other, in viewport distances.
 const BEHIND: f64 = 1.5;
 
-/// Returns a sphere that the camera sees. It is in the upper right quarter of the picture, or at the next
-/// position where it touches no other sphere.
+/// Returns a new sphere that the camera sees. It is in the upper right quarter of the picture, or at the
+/// next position where it touches no other sphere.
 fn new_sphere(document: &Document) -> Sphere {
     let camera = document.camera.resolve().ok();
     let at = |k: usize| {
@@ -87,7 +87,7 @@ fn new_sphere(document: &Document) -> Sphere {
         let placed = camera.as_ref().and_then(|camera| {
             let viewport = camera.viewport();
             let ray = camera.ray(DVec2::new(x * viewport.width, y * viewport.height));
-            // A diameter of a fifth of the picture's height.
+            // The diameter is a fifth of the picture's height.
             Sphere::new(ray.at(far), far * 0.1 * viewport.height).ok()
         });
         // With a viewport of 1e308, the sphere exceeds the range of numbers.
@@ -155,8 +155,8 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     }
 }
 
-/// Edits an object. Writes the object only if it has changed, because the list is shared with the history and
-/// is copied when it is written. Returns true if the object was removed.
+/// Edits an object. Writes the object only if it has changed, because writing copies the list, which is
+/// shared with the history. Returns true if the object was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,
@@ -199,7 +199,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     .inner
 }
 
-/// Shows a sphere's fields. Returns its error from before the edit.
+/// Shows a sphere's fields. Returns the error that the sphere had before the edit, if any.
 fn sphere(ui: &mut Ui, sphere: &mut Sphere) -> Result<(), ObjectError> {
     let valid = sphere.check();
     vector(ui, "centre", &mut sphere.center);
@@ -210,7 +210,7 @@ fn sphere(ui: &mut Ui, sphere: &mut Sphere) -> Result<(), ObjectError> {
     valid
 }
 
-/// Shows a plane's fields. Returns its error from before the edit.
+/// Shows a plane's fields. Returns the error that the plane had before the edit, if any.
 fn plane(ui: &mut Ui, plane: &mut Plane) -> Result<(), ObjectError> {
     let valid = plane.check();
     vector(ui, "point", &mut plane.point);

@@ -13,8 +13,9 @@ const TEXT: f32 = 15.5;
 /// Width of the strip, in points, below which its right part moves to a second row.
 const NARROW: f32 = 1180.0;
 
-/// Width reserved for the animation's present position, in points.
+/// Width reserved for the animation's current position, in points.
 const PLACE: f32 = 64.0;
+/// Width reserved for the position of the animation that scans the pixels, in points.
 const SCAN_PLACE: f32 = 196.0;
 
 /// Shows the menu of animations.
@@ -24,7 +25,7 @@ pub(crate) fn menu(ui: &mut Ui) {
     }
 }
 
-/// Shows the strip. Changes that cannot be made in place are requested.
+/// Shows the strip. Changes that cannot be made in place are requested as actions.
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);

@@ -1,5 +1,6 @@
-//! The camera panel's experiments: edits that change a single property of the camera, and a dial that shows
-//! the camera's conditioning, in degrees of roll per degree that up is tipped sideways.
+//! The camera panel's experiments: edits that change a single property of the camera, and a dial that
+//! shows the camera's conditioning. The conditioning is in degrees of roll per degree that up is tipped
+//! sideways.
 
 use std::f32::consts::PI;
 
@@ -39,7 +40,8 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     }
 }
 
-/// Scales the other two extents of the viewport after the user edits one of them.
+/// After the user edits one of the three extents of the viewport, scales the other two, so that the
+/// picture stays the same.
 pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) {
     let kept = Kept::resume(ctx, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
@@ -58,18 +60,20 @@ pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) 
     Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
 }
 
-/// The camera from which a control starts to turn or scale. Every move of the control starts from this camera
-/// again, so that rounding errors do not accumulate.
+/// The camera from which a control starts to turn or scale, and what the control has made of it. Every
+/// move of the control starts from the same camera again, so that rounding errors do not accumulate.
 #[derive(Clone, Copy)]
 struct Kept {
+    /// The camera before the control was used.
     from: Camera,
+    /// The camera that the control made last.
     made: Camera,
     degrees: f64,
 }
 
 impl Kept {
-    /// Returns the stored state, from which `now` was made. If `is_now` is false for the last camera that the
-    /// control made, returns a new state that starts at `now`.
+    /// Returns the stored state if `is_now` returns true for the last camera that the control made.
+    /// Otherwise, the user has changed the camera elsewhere, and the returned state starts at `now`.
     fn resume(
         ctx: &Context,
         name: &'static str,
@@ -86,8 +90,8 @@ impl Kept {
     }
 }
 
-/// Turns up about the view direction. The angle is in degrees from the direction of up before the user
-/// touched the control.
+/// Turns up about the view direction. The angle is in degrees, counted from the direction that up had
+/// before the user touched the control.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
@@ -116,7 +120,7 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let hint =
         "The angle between up and view: u, v and w stay, but get very sensitive near 0° and 180°";
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
-        // Logarithmic scale: fine near both ends, where it matters.
+        // The scale is logarithmic, and so fine near both ends, where it matters.
         let mut exponent = (0.5 * degrees.to_radians()).tan().log10();
         let slider = ui
             .add(Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false))
@@ -161,13 +165,16 @@ fn reason(ui: &mut Ui, text: String) {
 /// Number of decades of the scale, which ends at 10^6.
 const DECADES: f32 = 6.0;
 const RADIUS: f32 = 64.0;
-/// Text sizes that are legible from the back row.
+/// Size of the number, in points; it is legible from the back row.
 const NUMBER: f32 = 20.0;
+/// Size of the words, in points; they are legible from the back row.
 const WORDS: f32 = 15.0;
+/// Size of the scale's numbers, in points.
 const TICK: f32 = 12.0;
 
-/// Conditioning above which the camera is called sensitive or very sensitive.
+/// Conditioning above which the camera is called sensitive.
 const SENSITIVE: f64 = 2.0;
+/// Conditioning above which the camera is called very sensitive.
 const VERY_SENSITIVE: f64 = 20.0;
 
 /// Shows the dial of this camera.
@@ -175,7 +182,7 @@ fn dial(ui: &mut Ui, camera: &Camera) {
     let angle = camera.up_angle();
     let shown = match &angle {
         Ok(UpAngle { conditioning, .. }) => Some(*conditioning),
-        // This is the end of the scale, where no camera exists.
+        // This is the end of the scale, where there is no valid camera.
         Err(BasisError::UpParallelToView { .. }) => Some(f64::INFINITY),
         Err(_) => None,
     };
@@ -245,7 +252,8 @@ fn arcs(ui: &Ui, hub: Pos2) {
     }
 }
 
-/// Returns the angle of a number with this logarithm. The angles run from the left over the top to the right.
+/// Returns the angle, in radians, at which the scale has the number with this decimal logarithm. The
+/// scale runs from the left over the top to the right.
 fn angle_of(decades: f32) -> f32 {
     PI * (1.0 - decades / DECADES)
 }

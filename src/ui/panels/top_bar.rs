@@ -22,8 +22,8 @@ use crate::ui::panels::play;
 use crate::ui::widgets::{ResponseExt as _, text_width};
 use crate::view::derivation::Markup;
 
-/// Shows the bar, and applies or requests what the user chooses. `steps` are the names of the
-/// steps that the user can undo and redo.
+/// Shows the bar, and applies or requests what the user chooses. `steps` are the names of the steps that
+/// the user can undo and redo.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
@@ -68,8 +68,8 @@ fn workspaces(ui: &mut Ui, settings: &mut Settings) {
     }
 }
 
-/// Shows the pages of the open workspace, or the tools while one of them is open. They are in a menu if they
-/// do not fit side by side.
+/// Shows the pages of the open workspace or, while a tool is open, the tools. If they do not fit side by
+/// side, they are in a menu.
 fn pages(ui: &mut Ui, there: Available, settings: &mut Settings) {
     let pages: Vec<ViewLayout> = match settings.layout.workspace() {
         Some(Workspace::Scene) => return ghost(ui, there, settings),

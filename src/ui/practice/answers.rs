@@ -19,17 +19,17 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// Widths of the map, in points: below the first, the title is only the file's name; below the second, the
-/// legend omits missing answers.
+/// Width of the map, in points, below which its title is only the file's name.
 const NARROW: f32 = 440.0;
+/// Width of the map, in points, below which the legend omits missing answers.
 const NARROWEST: f32 = 330.0;
 
-/// The text if there are no answers.
+/// Text that is shown if there are no answers.
 const NONE: &str = "Drop a student's answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
-/// Returns the reason why the answers are not graded: the scene is invalid, or the user drags and grading
-/// takes long.
+/// Returns the reason why the answers are not graded: either the scene is invalid, or grading takes long
+/// and the user is dragging.
 fn not_graded(derived: &Derived) -> &'static str {
     match derived.fault {
         Some(_) => "The scene is invalid, so the answers cannot be checked.",
@@ -37,7 +37,7 @@ fn not_graded(derived: &Derived) -> &'static str {
     }
 }
 
-/// Shows the title above the map, which is the name of the answers.
+/// Shows the name of the answers as the title above the map.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, has_map: bool) {
     strip_above(ui, area, |ui| {
         let title = match answers {

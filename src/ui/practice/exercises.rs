@@ -26,8 +26,8 @@ use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Sizes of the text, in points. While presenting, when everything is enlarged, the text has the largest of
-/// these sizes at which all answer fields are visible at once.
+/// Sizes of the text, in points. While presenting, everything is enlarged, and the text has the largest
+/// of these sizes at which all answer fields are visible at once.
 const SIZES: [f32; 3] = [17.0, 15.0, 13.0];
 
 /// Height of a row of fields, including the space below it, in points.
@@ -253,7 +253,8 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
             left |= response.lost_focus();
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         }
-        // This happens only when the field loses focus, because a vector may also be typed with its brackets.
+        // A vector may be typed into one field, with its brackets, so its coordinates are distributed
+        // only when the field loses focus.
         if left {
             typed.spread();
         }
@@ -280,7 +281,7 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
 /// Height of the title above the scene, in points.
 const TITLE: f32 = 26.0;
 
-/// Share of the height that the scene takes while the solution is below it.
+/// Fraction of the height for the scene while the solution is below it.
 const SHARE: f32 = 0.52;
 
 /// Name of the picture of a question in two dimensions.
@@ -367,8 +368,8 @@ impl QuestionScene {
     }
 }
 
-/// Shows the title above the world view, the key to the typed answers if there are any, and the button that
-/// opens the question's scene.
+/// Shows the title above the world view, the legend for the typed answers if there are any, and the
+/// button that opens the question's scene.
 fn world_title(ui: &mut Ui, rect: Rect, has_yours: bool, open: &Exercises, document: Document) {
     strip_above(ui, rect, |ui| {
         ui.strong(views::WORLD);
@@ -388,7 +389,7 @@ fn world_title(ui: &mut Ui, rect: Rect, has_yours: bool, open: &Exercises, docum
     });
 }
 
-/// Shows the solution, if it is asked for.
+/// Shows the solution, if the user has asked for it.
 fn solution(ui: &mut Ui, open: &Exercises, area: Rect, content: impl FnOnce(&mut Ui)) {
     if open.is_solved {
         clipped(ui, area, |ui| {
@@ -399,7 +400,7 @@ fn solution(ui: &mut Ui, open: &Exercises, area: Rect, content: impl FnOnce(&mut
     }
 }
 
-/// The session in which the question's scene is derived.
+/// Returns the session with which the question's scene is derived.
 fn own_session(session: &Session, observer: Observer, hovered: Option<Hovered>) -> Session {
     let exercises = session.exercises.clone();
     let question = exercises.question();
@@ -419,7 +420,7 @@ fn own_session(session: &Session, observer: Observer, hovered: Option<Hovered>) 
     }
 }
 
-/// The sections of the derivation that answer the question.
+/// Returns the sections of the derivation that answer the question.
 fn sections(exercises: &Exercises) -> DerivationSections {
     let question = exercises.question();
     let asks = |asked: Asked| question.parts.iter().any(|part| part.asked == asked);
@@ -428,7 +429,8 @@ fn sections(exercises: &Exercises) -> DerivationSections {
     DerivationSections([asks(Asked::W), has_pixel, asks(Asked::T)])
 }
 
-/// Returns the lines of a question in two dimensions, with t where they meet.
+/// Returns the lab of lines for a question in two dimensions, with t at the intersection of its lines.
+/// Returns `None` for other questions.
 fn lab(exercises: &Exercises) -> Option<LinesLab> {
     let Given::Lines { line, origin, direction } = exercises.question().given else { return None };
     let line = ImplicitLine { a: line.x, b: line.y, c: line.z };

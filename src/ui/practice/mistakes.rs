@@ -1,5 +1,5 @@
 //! The mistakes view: a wrong camera's picture next to the right one. Below them are the gallery, the
-//! explanation of the mistake, and the checks, which catch the mistake or miss it.
+//! explanation of the mistake, and the checks, each of which catches or misses the mistake.
 
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
@@ -46,7 +46,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let full = title(mistakes_view);
-                // The gallery shows the mistake's name, too.
+                // If the full title does not fit, a short one is enough: the gallery shows the mistake's
+                // name, too.
                 let fits = text_width(ui, &full) <= ui.available_width();
                 let short = full.split(':').next().unwrap_or_default();
                 let title = RichText::new(if fits { &full } else { short }).strong();
@@ -215,8 +216,9 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     }
 }
 
-/// Widths of the verdict and of the formula, in points.
+/// Width of the verdict, in points.
 const VERDICT: f32 = 76.0;
+/// Width of the formula, in points.
 const FORMULA: f32 = 192.0;
 
 /// Shows the checks as a table, in which the checks that catch the mistake come first.

@@ -1,5 +1,5 @@
-//! A vote on which mistake made the wrong picture. It has four large options; the right option and its
-//! explanation are shown once the answer is revealed.
+//! A vote on which mistake made the wrong picture. It has four large options. Once the answer is
+//! revealed, it shows the right option and its explanation.
 
 use egui::{
     Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
@@ -18,31 +18,40 @@ use crate::view::typesetting::theme::error_color;
 /// The letters of the options.
 const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
 
-/// Sizes of the text, in points: the question, a letter, a name, a formula, the reason.
+/// Size of the question's text, in points.
 const QUESTION: f32 = 20.0;
+/// Size of an option's letter, in points.
 const LETTER: f32 = 30.0;
+/// Size of a mistake's name, in points.
 const NAME: f32 = 20.0;
+/// Size of a formula, in points.
 const FORMULA: f32 = 15.0;
+/// Size of the reason's text, in points.
 const REASON: f32 = 16.0;
 
-/// Heights of the question, of the reason, and of the buttons, in points.
+/// Height of the question, in points.
 const HEAD: f32 = 30.0;
+/// Height of the reason, in points.
 const WHY: f32 = 78.0;
+/// Height of the reason if the page is wide, in points.
 const WHY_IF_WIDE: f32 = 70.0;
+/// Height of the buttons, in points.
 const BAR: f32 = 32.0;
 
-/// Minimum heights, in points, of an option and of the reason in a low window.
+/// Minimum height of an option in a low window, in points.
 const LEAST_OPTION: f32 = 36.0;
+/// Minimum height of the reason in a low window, in points.
 const LEAST_REASON: f32 = 24.0;
 
-/// Width, in points, from which the reason needs fewer lines.
+/// Width of the page, in points, from which the reason needs fewer lines.
 const WIDE: f32 = 820.0;
 
 /// Space between the options, in points.
 const GAP: f32 = 8.0;
 
-/// Widths of a letter's column, and of the sign's, in points.
+/// Width of a letter's column, in points.
 const LETTER_WIDTH: f32 = 46.0;
+/// Width of the column for the sign that marks right and wrong, in points.
 const SIGN_WIDTH: f32 = 44.0;
 
 /// Height of an option, in points, above which it also shows its formula.
@@ -187,7 +196,8 @@ fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     }
 }
 
-/// Shows the instructions, or why the option is right.
+/// Shows the voting instructions or, once the answer is revealed, the reason why the right option is
+/// right.
 fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     let text = |text: String| RichText::new(text).size(REASON);
     if !open.is_revealed {

@@ -1,5 +1,5 @@
-//! The lab of lines: the drawing, in which everything can be dragged, and to the right of it the numbers and
-//! the substitution.
+//! The lab of lines: a drawing in which everything can be dragged, with the numbers and the substitution
+//! on its right.
 
 use egui::accesskit::Role;
 use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Slider, Ui, Vec2};
@@ -174,7 +174,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> 
     let response = ui.interact(around, id, Sense::click_and_drag());
     let response = response.on_hover_cursor(CursorIcon::Grab);
     keep_arrows(&response, true, true);
-    // Round to hundredths, or finer if a pixel is finer.
+    // Rounds to hundredths, or more finely if a pixel is smaller than that.
     let dots = plane.unit() * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {
@@ -200,7 +200,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> 
     Some(response.with_role(Role::Slider).named(handle.name()).described(value))
 }
 
-/// Returns true if the pointer or the keyboard focus is on a handle.
+/// Returns true if the user drags a handle, or if the pointer or the keyboard focus is on it.
 fn is_held(response: &Response) -> bool {
     response.hovered() || response.dragged() || response.has_focus()
 }

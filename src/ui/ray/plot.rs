@@ -1,5 +1,5 @@
-//! The plot of f(p + t d) against t, with the point that walks along the ray. It lies below both views, shows
-//! all objects on a common t axis, and has a text for each curve to the right.
+//! The plot of f(p + t d) against t, with the point that walks along the ray. It is below both views and
+//! shows all objects on a common t axis. On its right there is a text for each curve.
 
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ use crate::view::typesetting::theme;
 
 /// Size of the text, in points; it is legible from the back row.
 const TEXT: f32 = 15.5;
-/// Maximum width of the text to the right of the plot, in points and as a share of the total width.
+/// Maximum width of the text to the right of the plot, in points and as a fraction of the total width.
 const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
@@ -102,8 +102,8 @@ fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
     format!("p + t d = ({x}, {y}, {z})")
 }
 
-/// Returns text that says which objects contain the point, and which have it on their surface, judging by the
-/// values of f there.
+/// Returns a text that names the objects that contain the point, and those that have it on their
+/// surface, judging by the values of f there.
 fn objects_at(plot: &Plot, values: &[f64]) -> String {
     let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
         let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
@@ -162,7 +162,7 @@ const TOP: (f64, f64) = (4.4, 45.0);
 /// Value of f, in units, at the lower edge: with planes and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
-/// Dash and gap in points, by a curve's place.
+/// Dash and gap of a curve's line, in points, by the curve's index.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 
 /// Vertical distance between two positions of a caption, in points.
@@ -183,8 +183,7 @@ struct PlotDrawing<'a> {
 struct DrawnCurve {
     /// The parts inside the plot.
     parts: Vec<Vec<Pos2>>,
-    /// The points where the curve leaves the plot, each with the direction (down or up) in which the curve
-    /// does so.
+    /// The points where the curve leaves the plot, each with the curve's direction there, down or up.
     exits: Vec<(Pos2, Vec2)>,
 }
 
@@ -296,7 +295,7 @@ impl PlotDrawing<'_> {
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);
-        // The name of the axis is there.
+        // The last ticks get no numbers, because the name of the axis is there.
         let last = ticks.iter_mut().filter(|tick| tick.at > rect.right() - 30.0);
         last.for_each(|tick| tick.text.clear());
         chart::columns(around, rect, &ticks, grid);
@@ -448,7 +447,7 @@ impl PlotDrawing<'_> {
             let font = Font { size: DRAWN_TEXT + 2.0, color: self.colors.ray, bold: false };
             words.write(&format!("t = {}", number(*t, 5)), font, rows);
         }
-        // Objects that are met at one t share its number.
+        // Objects that are hit at the same t share its number.
         let mut written: Vec<String> = Vec::new();
         for (_, t) in self.zeros() {
             let (at, text) = (self.at(t, 0.0), number(t, 4));

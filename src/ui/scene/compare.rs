@@ -20,7 +20,7 @@ const TEXT: f32 = 15.5;
 /// Maximum number of significant digits.
 const DIGITS: usize = 4;
 
-/// The text if there is no ghost.
+/// Text that is shown if there is no ghost.
 const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
 
 /// Shows, above the picture, the choice between the ghost's picture and the differences.
@@ -117,7 +117,7 @@ fn heads<const N: usize>(ui: &mut Ui, heads: [&str; N]) {
     ui.end_row();
 }
 
-/// Shows text in a field that is this number of characters wide, so that nothing moves sideways while the
+/// Shows text in a field with a fixed width in characters, so that nothing moves sideways while the
 /// numbers change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     ui.horizontal(|ui| {
@@ -161,7 +161,7 @@ fn scalars(ui: &mut Ui, lines: &[ComparedLine], style: NumberStyle) {
 }
 
 fn degrees(x: f64, style: NumberStyle) -> String {
-    // A rounding error is not a turn.
+    // An angle that is only a rounding error is shown as 0.
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     format!("{}°", style.number(x))
 }
@@ -171,7 +171,7 @@ fn signed(x: f64, style: NumberStyle) -> String {
     format!("{sign}{}", style.number(x))
 }
 
-/// Returns the lines of u, v, w.
+/// Returns the lines that compare u, v, w.
 fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> [ComparedLine; 3] {
     let (here, there, by) = (now.basis(), against.ghost.basis(), against.difference.basis);
     let line = |name, there, here, angle| {
@@ -184,7 +184,7 @@ fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> [
     ]
 }
 
-/// Returns the lines of eye, at, up.
+/// Returns the lines that compare eye, at, up.
 fn moved(
     now: &Camera,
     ghost: &Ghost,
@@ -237,7 +237,8 @@ fn hits(
     style: NumberStyle,
 ) -> [ComparedLine; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
-    // The names of objects do not fit; the list of objects shows their numbers as well.
+    // Objects are shown by number, because their names do not fit. The list of objects shows the numbers
+    // as well.
     let kind = |hit: &Root| {
         let object = hit.object as usize;
         let kind = if object < document.sphere_count() { "sphere" } else { "plane" };

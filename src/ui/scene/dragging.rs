@@ -25,15 +25,15 @@ pub(crate) struct Dragging {
     pub(super) camera: Option<(Rect, Id)>,
     /// The position where a handle was pressed; `None` once the pointer has moved from there.
     pressed_at: Option<Pos2>,
-    /// The handle that was clicked last; the next click then reaches the handle below it.
+    /// The handle that was clicked last. A second click there reaches the handle below it.
     clicked: Option<Handle>,
-    /// True if the button is still down after its drag was cancelled.
+    /// True while the mouse button stays pressed after Escape has cancelled its drag.
     given_back: bool,
     /// True if a handle is under the pointer.
     pub(super) by_pointer: bool,
     /// The reason why the last drag or step had no effect.
     pub(super) refused: Option<SteerError>,
-    /// True if the drag has also turned the up vector.
+    /// True if the current drag has also turned the up vector.
     pub(super) up_went_along: bool,
     /// The recent steps by keys or by the wheel.
     pub(super) recent: Option<RecentSteps>,
@@ -44,7 +44,7 @@ pub(crate) struct Dragging {
 /// The input in the views, and the data that it edits.
 pub(crate) struct ViewInput<'a> {
     pub(crate) ctx: &'a Context,
-    /// The last frame, which is the one that the user saw.
+    /// The values shown in the last frame, to which the user's input refers.
     pub(crate) shown: &'a Derived,
     pub(crate) document: &'a mut Document,
     pub(crate) session: &'a mut Session,
@@ -64,7 +64,7 @@ impl WorldArea<'_> {
         (at - self.rect.min) * self.scale
     }
 
-    /// Returns where a point of the screen lies in the observer's viewport.
+    /// Converts a point of the screen to (u, v) in the observer's viewport.
     fn uv(&self, at: Pos2) -> DVec2 {
         let image = self.observer.image();
         let size = [image.width() as usize, image.height() as usize];
@@ -85,8 +85,8 @@ impl WorldArea<'_> {
         placed(&stage, &session.handles)
     }
 
-    /// Returns the inputs of a drag. Ctrl snaps. Alt switches between the two choices of what the eye keeps
-    /// when it moves.
+    /// Returns the inputs of a drag. Ctrl makes the drag snap. Alt switches to the other choice of what
+    /// the eye keeps when it moves.
     pub(super) fn handle_drag<'a>(
         &'a self,
         ctx: &Context,
@@ -107,7 +107,7 @@ impl WorldArea<'_> {
         }
     }
 
-    /// Returns the id that stands for a handle in egui, for the focus and for screen readers.
+    /// Returns a handle's id in egui, for the focus and for screen readers.
     pub(super) fn id_of(&self, handle: Handle) -> Id {
         self.id.with(("handle", handle))
     }
@@ -118,7 +118,8 @@ impl WorldArea<'_> {
 }
 
 impl Dragging {
-    /// Applies mouse, wheel and key input in the views, unless something covers the window.
+    /// Applies mouse, wheel and key input in the views, unless a dialog or another overlay covers the
+    /// window.
     pub(crate) fn take(&mut self, input: &mut ViewInput, is_covered: bool) {
         let ctx = input.ctx;
         let handles = &mut input.session.handles;
@@ -205,7 +206,7 @@ impl Dragging {
         let pressed_at = ctx
             .input(|i| i.pointer.press_origin())
             .filter(|_| is_pressed && response.is_pointer_button_down_on());
-        // The press and the release of a short click arrive in the same pass.
+        // The press and the release of a short click may arrive in the same pass.
         let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
         let Some(at) = pressed_at.or(clicked_at) else { return };
         let Some(found) = self.hit(&all, view, at, session.ray_point_t, shown) else { return };
@@ -220,8 +221,8 @@ impl Dragging {
         session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
     }
 
-    /// Returns the handle at a position of the screen, unless the point on the selected ray, which can be
-    /// dragged too, is nearer.
+    /// Returns the handle at a position of the screen, unless the point that can be dragged along the
+    /// selected ray is nearer.
     fn hit(
         &mut self,
         all: &[PlacedHandle],
@@ -269,7 +270,7 @@ impl Dragging {
         (self.recent, self.refused) = (None, None);
     }
 
-    /// Returns where a point of the screen lies in the camera's viewport.
+    /// Converts a point of the screen to (u, v) in the camera's viewport.
     fn camera_uv(&self, camera: &Camera, at: Pos2) -> DVec2 {
         let rect = self.camera.map_or(Rect::ZERO, |(rect, _)| rect);
         let size = rect.size().round().max(Vec2::splat(1.0));
@@ -335,7 +336,8 @@ fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     }
 }
 
-/// Consumes all keys, so that they have no other effect during a drag. Returns true if one of them is Escape.
+/// Consumes all keys, so that they have no other effect during a drag. Returns true if one of them is
+/// Escape.
 fn is_escape_pressed(ctx: &Context) -> bool {
     ctx.input_mut(|i| {
         let is_pressed = i.events.iter().any(|event| {
@@ -381,6 +383,6 @@ pub(crate) fn dragged_ray_point(
         return None;
     }
     let dots = (response.interact_pointer_pos()? - response.rect.min) * per_point;
-    // The point stays if the ray runs towards the observer.
+    // If the ray runs towards the observer, the point stays in place.
     Some(overlay::t_towards(frame, &ray, dots.into()).unwrap_or(t))
 }

@@ -58,7 +58,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     });
 }
 
-/// Shows, in the row above the blocks, how often the renderer decided between hit and miss for the picture,
+/// Shows, in the row above the blocks, how the renderer decided between hit and miss for the picture,
 /// and what it left out.
 pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     if derived.fault.is_some() {
@@ -71,7 +71,7 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     left_out(ui, derived);
 }
 
-/// Shows what the renderer left out of the camera's picture; nothing if the camera has no basis.
+/// Shows what the renderer left out of the camera's picture. Shows nothing if the camera has no basis.
 pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
     let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
@@ -130,7 +130,8 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
     job
 }
 
-/// Sets a reading's text for screen readers and its meaning, and makes its label react to the pointer.
+/// Gives a label the reading's text for screen readers, and its meaning as a tooltip. Hovering the label
+/// highlights the reading's concept.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
     point(&label, reading);
     let label = label.spoken(written(reading, style));
@@ -277,7 +278,7 @@ pub(crate) const PRESENTED: f32 = 48.0;
 /// Maximum number of significant digits in the strip; a row has no space for more.
 const DIGITS: usize = 4;
 
-/// Distance between two numbers of the strip, as a share of the text's size.
+/// Distance between two numbers of the strip, as a multiple of the text's size.
 const GAP: f32 = 1.2;
 
 /// Returns true if the strip needs two rows.
@@ -285,9 +286,9 @@ fn is_narrow(width: f32) -> bool {
     width < 780.0
 }
 
-/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as fit.
-/// While presenting, the basis and the ray each have their own row, and if there are no numbers, the picture
-/// shows the reason.
+/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as
+/// fit. If there are no numbers, shows the reason. While presenting, the basis and the ray have a row
+/// each, and the reason is shown over the picture instead.
 pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let presented = theme::installed(ui.ctx()).presenting;
     if let Some(fault) = derived.fault {

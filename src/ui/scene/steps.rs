@@ -1,6 +1,6 @@
-//! Steps with keys and the wheel, which move the focused handle, the camera in its view, and the loupe; and
-//! the text next to the pointer during a drag or after a step. [`pinhole_core::steering`] calculates the
-//! cameras.
+//! Steps with keys and the wheel, which move the focused handle, the camera in its view, and the loupe.
+//! Also shows the text next to the pointer during a drag or after a step. [`pinhole_core::steering`]
+//! calculates the cameras.
 
 use std::time::Duration;
 
@@ -26,7 +26,7 @@ use crate::view::derive::Derived;
 use crate::view::handle_drag::step_of;
 use crate::view::handles::{PlacedHandle, label, value};
 
-/// The effect of a drag, the keys or the wheel in the camera view.
+/// The effect of a drag, a key or the wheel in the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CameraMove {
     Look,
@@ -42,9 +42,11 @@ pub(super) struct RecentSteps {
     before: Camera,
     /// The resulting camera.
     made: Camera,
-    /// Sum of the steps, to the right and up. If the movement has only one direction, x is forwards.
+    /// Sum of the steps, x to the right and y up. If the movement has only one direction, x is forwards.
     total: DVec2,
+    /// Time of the last step, in egui's seconds.
     pub(super) time: f64,
+    /// True if the steps were made by keys, not by the wheel.
     pub(super) by_keys: bool,
 }
 
@@ -190,7 +192,7 @@ impl Dragging {
 }
 
 impl RecentSteps {
-    /// Returns true while the steps' text is shown, and Escape undoes them.
+    /// Returns true while the text about the steps is shown. During this time, Escape undoes the steps.
     pub(super) fn is_shown(&self, now: f64) -> bool {
         now - self.time < PAUSE
     }
@@ -221,8 +223,9 @@ fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     camera.zoomed(readable)
 }
 
-/// Sizes of the text's first line and of the other lines, in points.
+/// Size of the text's first line, in points.
 const FIRST: f32 = 19.0;
+/// Size of the other lines, in points.
 const REST: f32 = 15.0;
 
 /// Distance from the pointer to the text, in points, across and down.

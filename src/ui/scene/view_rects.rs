@@ -28,16 +28,17 @@ pub(crate) struct ViewRects {
     pub camera_area: Option<Rect>,
     /// The rectangle of the camera view's picture, with the image's aspect ratio.
     pub camera: Option<Rect>,
-    /// The area for the picture next to the camera view: the error map, the picture of a wrong camera or of
-    /// the ghost, or the map of wrong answers.
+    /// The area for the second picture, next to the camera view: the error map, the picture of a wrong
+    /// camera or of the ghost, or the map of wrong answers.
     pub second_area: Option<Rect>,
-    /// The rectangle of that picture. It is as large as the camera view's.
+    /// The rectangle of the second picture. It is as large as the camera view's picture.
     pub second: Option<Rect>,
-    /// The area below or next to the pictures, or instead of them, for the readouts or the page's content.
+    /// The area for the readouts or the page's content. It is below the pictures, next to them, or in
+    /// their place.
     pub rest: Rect,
 }
 
-/// The parts of the middle of the window, strips included.
+/// The areas into which the middle of the window is divided. They include the strips above the pictures.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Areas {
     pub(crate) world: Option<Rect>,
@@ -47,7 +48,7 @@ pub(crate) struct Areas {
     pub(crate) rest: Rect,
 }
 
-/// Divides the middle of the window. Dragging the handles between its parts changes `splits`.
+/// Divides the middle of the window into areas. Dragging the handles between them changes `splits`.
 pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
@@ -125,8 +126,8 @@ impl Divider<'_> {
         self.above_with(split, self.splits.get(split))
     }
 
-    /// Returns the height below three views at which the pictures get only the space that a square image
-    /// needs. The result is at least the height that is stored for the boundary.
+    /// Returns the height of the area below three views if the pictures get only as much space as a
+    /// square image needs. It is at least the height that is stored for the boundary.
     fn rest_below_pictures(&self, split: Split) -> f32 {
         let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
         let picture = 0.5 * (1.0 - share) * self.whole.width();
@@ -196,7 +197,8 @@ pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)
     inside(ui, above, |ui| ui.horizontal_centered(content));
 }
 
-/// Clamps a share so that both sides are large enough. If the area is too small, both get half of it.
+/// Clamps a fraction of a length so that both parts are large enough. If the length is too small for
+/// that, both get half of it.
 fn within(share: f32, length: f32) -> f32 {
     let least = SMALLEST / length.max(2.0 * SMALLEST);
     share.clamp(least, 1.0 - least)
@@ -234,8 +236,9 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     Rect::from_min_max(snap(rect.min), snap(rect.max))
 }
 
-/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly below
-/// its title. If pixels are large, each covers a whole number of physical pixels, so that all look alike.
+/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly
+/// below its title. If pixels are large, each covers the same whole number of physical pixels, so that
+/// all look alike.
 fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);

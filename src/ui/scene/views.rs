@@ -1,5 +1,5 @@
-//! The two views: mouse and keyboard input, the display of the finished pictures, and presenter mode's pen,
-//! which draws over them.
+//! The two views: mouse and keyboard input, the display of the finished pictures, and presenter mode's
+//! pen, which draws over the pictures.
 
 use std::sync::Arc;
 
@@ -70,8 +70,8 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// Applies mouse and key input in the views. `second` is the name of the second picture. `shown` is the last
-/// frame, which is the one that the user saw.
+/// Applies mouse and key input in the views. `second` is the name of the second picture. `shown` holds
+/// the values of the last frame, to which the input refers.
 pub(crate) fn inputs(
     ui: &mut Ui,
     rects: &ViewRects,
@@ -152,7 +152,8 @@ fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
     (at + ROUNDING).floor() + Vec2::splat(0.5)
 }
 
-/// Returns where a position of the camera's picture in `rect`, in physical pixels, lies in the viewport.
+/// Converts a position in the camera's picture, in physical pixels, to (u, v) in the viewport. The
+/// picture is in `rect`.
 fn uv_at(ui: &Ui, rect: Rect, resolved: &ResolvedCamera, at: Vec2) -> DVec2 {
     let size = (rect.size() * ui.ctx().pixels_per_point()).round();
     overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], at.into())
@@ -306,8 +307,8 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
         });
 }
 
-/// Width of a view, in points, below which its strip omits the image's size and the button that switches what
-/// the eye keeps when it moves.
+/// Width of a view, in points, below which its strip omits the image's size, and the button that
+/// switches what the eye keeps when it moves.
 const NARROW: f32 = 310.0;
 
 /// Shows the titles above the views, each with a button that maximises the view.
@@ -348,8 +349,8 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
     }
 }
 
-/// Shows what the eye keeps when it is moved in the world view, as a button that switches to the other
-/// choice.
+/// Shows a button that says what a moved eye keeps in the world view. A click on it switches to the
+/// other choice.
 fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
     let text = if *keeps == Keep::At { "Eye orbits at" } else { "Eye travels" };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
@@ -415,11 +416,13 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
 
 /// Name of the area that the pen draws on, for screen readers.
 const PEN: &str = "Pen";
-/// Width of a pen's line and of its casing, and radius of the pen's pointer, in points.
+/// Width of the pen's line, in points.
 const PEN_LINE: f32 = 3.0;
+/// Width of the casing around the line, in points.
 const PEN_CASING: f32 = 5.0;
+/// Radius of the pen's pointer, in points.
 const PEN_POINTER: f32 = 5.0;
-/// Colour of the pen, which nothing in the views has.
+/// Colour of the pen, which occurs nowhere else in the views.
 const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
 
 /// Draws with presenter mode's pen on `area`, above everything below the lesson's text. The pen has a pointer

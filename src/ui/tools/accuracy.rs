@@ -85,7 +85,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     });
 }
 
-/// Shows the map's colours, from 1 ulp to the most.
+/// Shows the map's colours, from an error of 1 ulp to the largest error.
 fn color_bar(ui: &mut Ui) {
     let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
     let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
@@ -111,7 +111,8 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns the label of a picture that the ladder did not draw, or that it drew instead of the chosen method.
+/// Returns a label for a picture that the ladder did not draw, or that the ladder drew in place of the
+/// chosen method. Returns `None` for other pictures.
 pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
@@ -160,7 +161,8 @@ pub(crate) fn ui(
     });
 }
 
-/// Shows the progress of measuring or, when it is finished, the processor and the reference of the numbers.
+/// Shows the progress of measuring. Once measuring is finished, shows on which processor and against
+/// which reference it was done.
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if !cfg!(feature = "report") {
         ui.label("Nothing is measured: this build has no feature `report`");
@@ -359,12 +361,13 @@ const REST: f64 = 0.5;
 #[cfg(feature = "report")]
 const BETWEEN: f64 = 0.3;
 
-/// The present measurement and the last report.
+/// The current measurement and the last report.
 #[derive(Default)]
 #[cfg_attr(not(feature = "report"), expect(dead_code, reason = "nothing is measured"))]
 pub(crate) struct Measuring {
-    /// The scene is identified by its address, without a reference that keeps it: with a second owner, its
-    /// next change would make a copy.
+    /// The camera and the scene that are measured. The scene is identified by its address, without a
+    /// reference that keeps it alive: a second owner would force the next change of the scene to copy
+    /// it.
     subject: Option<(Camera, Weak<Scene>)>,
     /// Time at which the subject was first seen, in the context's seconds.
     since: f64,
@@ -388,7 +391,8 @@ impl Measuring {
     /// Measures the next part, if any is left, and requests the next frame.
     #[cfg(feature = "report")]
     pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
-        // The report's methods too test every object at every pixel.
+        // Like the error map, the report tests every object at every pixel, so neither is made if there
+        // are too many.
         let why_not = (derived.fault, derived.too_many);
         let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
         let now = ctx.input(|input| input.time);
@@ -408,7 +412,7 @@ impl Measuring {
             return;
         }
         if self.run.is_none() {
-            // An invalid camera is a fault, for which this function returned above.
+            // An invalid camera is a fault, and this function has already returned above.
             self.run = Measurement::of_scene(name, scene, camera).ok();
         }
         let Some(run) = &mut self.run else { return };

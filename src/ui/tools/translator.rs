@@ -44,7 +44,7 @@ pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
     let pixel = resolved.and_then(|resolved| session.selection.pixel(&resolved));
     let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
     targets(ui, choice);
-    // Objects that are not written may be invalid.
+    // If the objects are not written, it does not matter whether they are valid.
     let subject = match choice.objects {
         true => document.clone(),
         false => Document { camera: document.camera, ..Document::default() },
@@ -92,7 +92,8 @@ fn targets(ui: &mut Ui, translator: &mut Translator) {
     row(ui, "code", &LANGUAGES);
 }
 
-/// Shows the translated text with changed signs marked, and the notes on what the format cannot express.
+/// Shows the translated text with the changed signs marked, and the notes about what the format cannot
+/// express.
 fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     let written = match &translation.written {
         Ok(written) => written,

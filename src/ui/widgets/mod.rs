@@ -31,13 +31,13 @@ pub(crate) trait ResponseExt: Sized {
         self.node(|node| node.set_label(name.into()))
     }
 
-    /// Sets the accessible value, which is read instead of a text.
+    /// Sets the accessible value, which screen readers read instead of the widget's text.
     fn spoken(self, value: impl Into<String>) -> Self {
         self.node(|node| node.set_value(value.into()))
     }
 
-    /// Sets the accessible description, such as what a picture shows or where a handle is. For such widgets,
-    /// AT-SPI passes on only numeric values.
+    /// Sets the accessible description, such as what a picture shows or where a handle is. A value would
+    /// not do, because AT-SPI passes on only numeric values for such widgets.
     fn described(self, text: impl Into<String>) -> Self {
         self.node(|node| node.set_description(text.into()))
     }

@@ -34,7 +34,8 @@ pub(crate) struct NumberField<'a> {
     pub(crate) range: RangeInclusive<f64>,
     /// True if only whole numbers are valid.
     pub(crate) is_whole: bool,
-    /// True if the number is painted elsewhere while the user is not typing.
+    /// True if the field is invisible until the user types into it, because it lies over a number that
+    /// the caller paints.
     pub(crate) is_over: bool,
 }
 
@@ -54,9 +55,9 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// Shows the field in `rect`, over a number that is painted elsewhere. Until the user types into the
-    /// field, it is invisible except for a tint under the pointer. `id` must be unique and the same in every
-    /// pass.
+    /// Shows the field in `rect`, over a number that the caller paints. Until the user types into the
+    /// field, it is invisible except for a tint under the pointer. `id` must be unique and the same in
+    /// every pass.
     pub(crate) fn show_over(self, ui: &mut Ui, id: Id, rect: Rect, size: f32) -> Response {
         let known = ui.data(|data| data.get_temp::<Id>(id));
         let is_typed = known.is_some_and(|id| ui.memory(|memory| memory.has_focus(id)));
@@ -91,7 +92,7 @@ impl<'a> NumberField<'a> {
         response
     }
 
-    /// Shows the field. The response says whether the number changed.
+    /// Shows the field. The response is marked as changed if the number changed.
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
@@ -162,11 +163,11 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| written(value, LEAST_DIGITS))
 }
 
-/// Returns true if Escape ended the typing into a field; the typed text must then be discarded. Otherwise
-/// egui would accept it in the next pass, in which Escape is no longer pressed.
+/// Returns true if Escape ended the typing into a field. The typed text must then be discarded;
+/// otherwise egui would accept it in the next pass, in which Escape is no longer pressed.
 fn is_given_up(ui: &Ui, id: Id) -> bool {
     let key = id.with("typing");
-    // True if Escape ended the typing in the last pass, false if the typing went on.
+    // True if Escape ended the typing in the last pass; false if the user was still typing.
     let before = ui.data_mut(|data| data.remove_temp::<bool>(key));
     let goes_on = ui.memory(|memory| memory.has_focus(id));
     let ends_now =
