@@ -214,14 +214,9 @@ impl Order {
 
     /// Creates a figure of shapes and text over the background.
     fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
-        Figure {
-            title: self.subject.title().to_owned(),
-            size,
-            ground: (!self.transparent).then_some(background),
-            picture: None,
-            paths: Vec::new(),
-            drawn,
-        }
+        let title = self.subject.title().to_owned();
+        let ground = (!self.transparent).then_some(background);
+        Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
     }
 }
 

@@ -117,14 +117,11 @@ impl App {
             if saves { "Saves your version over theirs" } else { "Continues with your version" };
         let keep = FileAction::KeepMine { saves, then: then.clone() };
         let take = FileAction::TakeTheirs { then: then.clone() };
+        let save_as = FileAction::AskSaveAs { then };
         let answers = vec![
             ("Keep mine", mine, Some(keep.into())),
             ("Take theirs", "Reads the file again. Undo restores your version", Some(take.into())),
-            (
-                "Save as…",
-                "Saves your version to another file",
-                Some(FileAction::AskSaveAs { then }.into()),
-            ),
+            ("Save as…", "Saves your version to another file", Some(save_as.into())),
             ("Cancel", "", None),
         ];
         let title = format!("Another program has changed {title}");

@@ -331,11 +331,8 @@ struct PassStart {
 impl OpenScene {
     /// Returns the state that the panels are about to draw.
     fn pass_start(&self) -> PassStart {
-        PassStart {
-            document: self.open.document.clone(),
-            session: self.session.clone(),
-            marks: self.marks(),
-        }
+        let (document, session) = (self.open.document.clone(), self.session.clone());
+        PassStart { document, session, marks: self.marks() }
     }
 
     /// Returns true if anything that panels show has changed since the start of the pass, in which case the

@@ -45,6 +45,7 @@ impl OnScreen {
 }
 
 /// The fields of the dialog.
+#[derive(Default)]
 pub(crate) struct ExportForm {
     pub(crate) field: PathField,
     subjects: Vec<OnScreen>,
@@ -80,13 +81,10 @@ impl ExportForm {
         let field = PathField::new(FIGURE, scene, &format!("{name}.svg"));
         ExportForm {
             field,
-            chosen: 0,
             size: subjects.first().map_or([1, 1], |first| first.dots()),
             subjects,
             style,
-            transparent: false,
-            animation: None,
-            problem: None,
+            ..ExportForm::default()
         }
     }
 

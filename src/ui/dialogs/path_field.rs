@@ -8,7 +8,7 @@ use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
 
 /// A question that asks for a file to read or to write.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FileQuestion {
     /// The heading of the dialog.
     pub title: &'static str,
@@ -47,6 +47,7 @@ pub enum FileAnswer {
 }
 
 /// A field for a path, which the user types, chooses from a list, or chooses in the desktop's dialog.
+#[derive(Default)]
 pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
@@ -85,16 +86,7 @@ impl PathField {
             "" => String::new(),
             name => folder.join(name).display().to_string(),
         };
-        let mut field = PathField {
-            text,
-            question,
-            is_desktops: false,
-            request: None,
-            chosen: None,
-            folder: PathBuf::new(),
-            entries: Vec::new(),
-            overwrite: None,
-        };
+        let mut field = PathField { text, question, ..PathField::default() };
         field.list(folder);
         field
     }

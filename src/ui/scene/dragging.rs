@@ -74,14 +74,10 @@ impl WorldArea<'_> {
     /// Returns all handles with their positions.
     pub(super) fn placed(&self, document: &Document, session: &Session) -> Vec<PlacedHandle> {
         let resolved = document.camera.resolve().ok();
-        let stage = Stage {
-            document,
-            resolved: resolved.as_ref(),
-            selection: session.selection,
-            items: session.settings.items,
-            observer: self.observer,
-            scale: self.scale,
-        };
+        let (selection, items) = (session.selection, session.settings.items);
+        let WorldArea { observer, scale, .. } = *self;
+        let resolved = resolved.as_ref();
+        let stage = Stage { document, resolved, selection, items, observer, scale };
         placed(&stage, &session.handles)
     }
 
@@ -96,15 +92,9 @@ impl WorldArea<'_> {
     ) -> HandleDrag<'a> {
         let modifiers = ctx.input(|i| i.modifiers);
         let keeps = settings.eye_keeps;
-        HandleDrag {
-            handle,
-            drag,
-            observer: self.observer,
-            scale: self.scale,
-            settings,
-            eye_keeps: if modifiers.alt { keeps.other() } else { keeps },
-            snaps: modifiers.command,
-        }
+        let eye_keeps = if modifiers.alt { keeps.other() } else { keeps };
+        let (observer, scale, snaps) = (self.observer, self.scale, modifiers.command);
+        HandleDrag { handle, drag, observer, scale, settings, eye_keeps, snaps }
     }
 
     /// Returns a handle's id in egui, for the focus and for screen readers.

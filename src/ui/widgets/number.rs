@@ -42,17 +42,9 @@ pub(crate) struct NumberField<'a> {
 impl<'a> NumberField<'a> {
     /// Creates a field with the accessible name `name`.
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
-        let range = f64::MIN..=f64::MAX;
-        NumberField {
-            name,
-            hint: name,
-            value,
-            suffix: "",
-            width: 78.0,
-            range,
-            is_whole: false,
-            is_over: false,
-        }
+        let (suffix, width, range) = ("", 78.0, f64::MIN..=f64::MAX);
+        let (is_whole, is_over) = (false, false);
+        NumberField { name, hint: name, value, suffix, width, range, is_whole, is_over }
     }
 
     /// Shows the field in `rect`, over a number that the caller paints. Until the user types into the

@@ -76,21 +76,14 @@ impl CameraSketch<'_> {
         self.add(pen, Shape::Disc { center: dot(at), radius: 6.0 * self.view.scale });
     }
 
-    fn point(&mut self, at: DVec2, pen: LineStyle, text: impl Into<String>, toward: DVec2) {
+    fn point(&mut self, at: DVec2, pen: LineStyle, text: &str, toward: DVec2) {
         self.disc(at, pen);
         self.label(pen, text, at, toward, POINT);
     }
 
     /// Draws the symbol of a vector along the line of sight, in the middle of the picture: a dot in a
     /// ring if the vector points towards the observer, or a cross in a ring if it points away.
-    fn along_view(
-        &mut self,
-        away: bool,
-        pen: LineStyle,
-        text: impl Into<String>,
-        toward: DVec2,
-        font: LabelFont,
-    ) {
+    fn end_on(&mut self, away: bool, pen: LineStyle, text: &str, toward: DVec2, font: LabelFont) {
         let (at, scale) = (0.5 * self.view.extent(), f64::from(self.view.scale));
         let ring = LineStyle { width: 2.4, ..pen };
         let radius = 9.0 * scale;
@@ -116,11 +109,11 @@ impl CameraSketch<'_> {
             (Concept::Eye, _) => {
                 // All rays begin at the eye, which is straight behind the middle of the picture.
                 let text = "eye: straight behind this point";
-                self.along_view(false, pen(ink), text, below, POINT);
+                self.end_on(false, pen(ink), text, below, POINT);
             }
             (Concept::At, Orientation::At { .. }) => self.point(middle, pen(given), "at", below),
-            (Concept::View, _) => self.along_view(true, pen(given), "view", below, POINT),
-            (Concept::Backwards, _) => self.along_view(false, pen(given), "−view", below, POINT),
+            (Concept::View, _) => self.end_on(true, pen(given), "view", below, POINT),
+            (Concept::Backwards, _) => self.end_on(false, pen(given), "−view", below, POINT),
             (Concept::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
                 let along = self.arrow_of(unit(up).unwrap_or_default());
                 self.arrow(middle, along, pen(given), "up", POINT);
@@ -133,7 +126,7 @@ impl CameraSketch<'_> {
                 let pen = pen(v).patterned(patterns[1]);
                 self.arrow(middle, self.arrow_of(basis.v), pen, "v", VECTOR);
             }
-            (Concept::W, _) => self.along_view(false, pen(w), "w", below, VECTOR),
+            (Concept::W, _) => self.end_on(false, pen(w), "w", below, VECTOR),
             (Concept::UpCrossW | Concept::WCrossU, _) => {
                 if let Some((cross, names, colors)) = cross_of(highlighted, self.colors) {
                     self.highlight_cross(&cross, names, colors.map(pen));
@@ -145,7 +138,7 @@ impl CameraSketch<'_> {
             }
             (Concept::Distance, _) => {
                 let text = highlighted.distance(&resolved);
-                self.along_view(true, pen(ink), text, below, POINT);
+                self.end_on(true, pen(ink), &text, below, POINT);
             }
             _ => {}
         }
@@ -164,7 +157,7 @@ impl CameraSketch<'_> {
         self.arrow(middle, along(self, vector), thin, names[other], POINT);
         let product = cross.sine.unwrap_or_default() * along(self, cross.product);
         self.arrow(middle, product, pens[2], names[2], VECTOR);
-        self.along_view(false, pens[w], "w", DVec2::new(-1.0, 1.0), VECTOR);
+        self.end_on(false, pens[w], "w", DVec2::new(-1.0, 1.0), VECTOR);
     }
 
     /// Highlights a concept of the selected ray.
@@ -184,7 +177,7 @@ impl CameraSketch<'_> {
             Concept::Root { object, number } => {
                 let root = inspection.root_of(object, number).filter(|root| root.t > 0.0);
                 if let Some(root) = root {
-                    self.point(at, pen, format!("𝑡 = {}", highlighted.number(root.t)), toward);
+                    self.point(at, pen, &format!("𝑡 = {}", highlighted.number(root.t)), toward);
                 }
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
@@ -217,7 +210,7 @@ impl CameraSketch<'_> {
         }
         if concept == Concept::AlongW {
             let pen = LineStyle { color: color_w, ..pen };
-            self.along_view(true, pen, w.1, DVec2::new(-0.6, -1.0), POINT);
+            self.end_on(true, pen, w.1, DVec2::new(-0.6, -1.0), POINT);
         }
     }
 

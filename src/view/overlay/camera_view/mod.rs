@@ -159,17 +159,10 @@ impl CameraSketch<'_> {
         self.add(pen, Shape::Line { points, width: pen.width * self.view.scale });
     }
 
-    fn label(
-        &mut self,
-        pen: LineStyle,
-        text: impl Into<String>,
-        anchor: DVec2,
-        toward: DVec2,
-        font: LabelFont,
-    ) {
+    fn label(&mut self, pen: LineStyle, text: &str, anchor: DVec2, toward: DVec2, font: LabelFont) {
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
             let (anchors, halo) = ((anchor, toward), self.colors.halo);
-            self.requests.push(Request::new(pen, text.into(), anchors, font, halo));
+            self.requests.push(Request::new(pen, text.to_owned(), anchors, font, halo));
         }
     }
 

@@ -171,7 +171,7 @@ impl Sketch<'_> {
                 && points > 90.0
                 && self.view.names_all
             {
-                self.label(pen, text, spot, spot - center, MARK);
+                self.label(pen, text, [spot, spot - center], MARK);
             }
         }
     }
@@ -226,7 +226,7 @@ impl Sketch<'_> {
         self.point(at, 7.5, edge);
         if let Some(spot) = self.point(at, 4.5, pen) {
             let text = format!("t = {}", written(t, T_DIGITS));
-            self.label(edge, text, spot.at, DVec2::new(-0.3, -1.0), BOLD_POINT);
+            self.label(edge, &text, [spot.at, DVec2::new(-0.3, -1.0)], BOLD_POINT);
         }
     }
 

@@ -77,7 +77,7 @@ impl Sketch<'_> {
             let Some(vector) = vector else { continue };
             let pen = LineStyle::new(Item::Basis, color, 2.6).dashed();
             let tip = eye + length * vector.clamp_length_max(LONGEST);
-            self.named_arrow([eye, tip], head, pen, format!("{name}′"), VECTOR);
+            self.named_arrow([eye, tip], head, pen, &format!("{name}′"), VECTOR);
         }
         let pen = LineStyle::new(Item::Eye, ink, 2.0);
         if ghost.is_frozen {
@@ -87,7 +87,7 @@ impl Sketch<'_> {
         if ghost.is_turned
             && let Some(spot) = self.point(eye + corners[0], 3.6, pen)
         {
-            self.label(pen, "(0, 0)′", spot.at, DVec2::new(-0.6, -1.0), MARK);
+            self.label(pen, "(0, 0)′", [spot.at, DVec2::new(-0.6, -1.0)], MARK);
         }
     }
 }
@@ -125,7 +125,7 @@ impl Sketch<'_> {
             }
             MarkShape::Direction(ray) => {
                 let ends = [ray.origin, ray.at(1.0)];
-                self.named_arrow(ends, Head::Filled, ray_pen, mark.label.as_str(), BOLD_POINT);
+                self.named_arrow(ends, Head::Filled, ray_pen, &mark.label, BOLD_POINT);
             }
             MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen),
             MarkShape::OnRay(ray, t) => {
@@ -154,7 +154,7 @@ impl Sketch<'_> {
         let Some(direction) = unit(vector) else { return };
         let reach = vector.length().clamp(LENGTHS.0, LENGTHS.1);
         let tip = from + unit_length * reach * direction;
-        self.named_arrow([from, tip], head, pen, mark.label.as_str(), font);
+        self.named_arrow([from, tip], head, pen, &mark.label, font);
     }
 
     /// Draws a ray up to its t or its first hit, with a label at the viewport.
@@ -170,14 +170,14 @@ impl Sketch<'_> {
             self.ring_or_disc(mark, end, 5.0, pen);
         }
         if let Some(spot) = self.screen.spot(ray.at(1.0)) {
-            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.3, -1.0), BOLD_POINT);
+            self.label(pen, &mark.label, [spot.at, DVec2::new(0.3, -1.0)], BOLD_POINT);
         }
     }
 
     fn mark_point(&mut self, mark: &AnswerMark, at: DVec3, pen: LineStyle) {
         self.ring_or_disc(mark, at, 5.5, pen);
         if let Some(spot) = self.screen.spot(at) {
-            self.label(pen, mark.label.as_str(), spot.at, DVec2::new(0.5, 1.0), BOLD_POINT);
+            self.label(pen, &mark.label, [spot.at, DVec2::new(0.5, 1.0)], BOLD_POINT);
         }
     }
 

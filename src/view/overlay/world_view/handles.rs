@@ -146,7 +146,7 @@ impl Sketch<'_> {
                 if let Some(spot) = self.screen.spot(to) {
                     let toward = self.screen.spot(from).map_or(DVec2::X, |f| spot.at - f.at);
                     let name = ["u", "v", "w"][axis];
-                    self.label(pen, name, spot.at, toward, VECTOR);
+                    self.label(pen, name, [spot.at, toward], VECTOR);
                 }
             }
             Guide::Ring { center, a, b } => {

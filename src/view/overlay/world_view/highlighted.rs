@@ -145,13 +145,13 @@ impl Sketch<'_> {
         self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
-    fn highlight_point(&mut self, at: DVec3, pen: LineStyle, text: impl Into<String>) {
+    fn highlight_point(&mut self, at: DVec3, pen: LineStyle, text: &str) {
         self.named_point(at, 8.0, pen, text, [0.4, 1.0]);
     }
 
-    fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: impl Into<String>) {
+    fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str) {
         if let Some(spot) = self.screen.spot(ends[0].midpoint(ends[1])) {
-            self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), POINT);
+            self.label(pen, text, [spot.at, DVec2::new(0.0, 1.0)], POINT);
         }
     }
 
@@ -234,7 +234,7 @@ impl Sketch<'_> {
             } else {
                 format!("{} · {sine_of} {is} {}", number(length), number(area))
             };
-            self.label(pen, text, spot.at, DVec2::ZERO, POINT);
+            self.label(pen, &text, [spot.at, DVec2::ZERO], POINT);
         }
     }
 
@@ -259,7 +259,7 @@ impl Sketch<'_> {
             Concept::Distance => {
                 let ends = [eye, resolved.viewport_point(DVec2::ZERO)];
                 self.line(ends[0], ends[1], pen);
-                self.label_middle(ends, pen, shown.distance(resolved));
+                self.label_middle(ends, pen, &shown.distance(resolved));
             }
             _ => {}
         }
@@ -301,7 +301,7 @@ impl Sketch<'_> {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, LineStyle { width: ACCOMPANYING, ..pen });
                 let text = format!("𝑡 = {}", highlighted.number(root.t));
-                self.highlight_point(root.point, pen, text);
+                self.highlight_point(root.point, pen, &text);
             }
             Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
@@ -324,7 +324,7 @@ impl Sketch<'_> {
             let pen = LineStyle { color, width, ..pen }.about(concept);
             self.arrow([from, from + vector], Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
-                self.label(pen, text, spot.at, DVec2::new(0.0, 1.0), POINT);
+                self.label(pen, text, [spot.at, DVec2::new(0.0, 1.0)], POINT);
             }
             from += vector;
         }

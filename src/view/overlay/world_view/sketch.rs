@@ -108,15 +108,9 @@ impl LineStyle {
 
     /// Returns the mark of a visible shape, with a casing of the colour `halo` if the style has a casing.
     pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
-        Mark {
-            item: self.item,
-            concept: self.concept,
-            shape,
-            color: self.color,
-            halo: self.halo.then_some(halo),
-            hidden: false,
-            pattern: None,
-        }
+        let LineStyle { item, concept, color, .. } = self;
+        let halo = self.halo.then_some(halo);
+        Mark { item, concept, shape, color, halo, hidden: false, pattern: None }
     }
 }
 
@@ -206,11 +200,11 @@ impl Sketch<'_> {
         ends: [DVec3; 2],
         head: Head,
         pen: LineStyle,
-        text: impl Into<String>,
+        text: &str,
         font: LabelFont,
     ) {
         if let Some([tip, direction]) = self.arrow(ends, head, pen) {
-            self.label(pen, text, tip, direction, font);
+            self.label(pen, text, [tip, direction], font);
         }
     }
 
@@ -220,11 +214,11 @@ impl Sketch<'_> {
         at: DVec3,
         radius: f32,
         pen: LineStyle,
-        text: impl Into<String>,
+        text: &str,
         toward: [f64; 2],
     ) {
         if let Some(spot) = self.point(at, radius, pen) {
-            self.label(pen, text, spot.at, toward.into(), POINT);
+            self.label(pen, text, [spot.at, toward.into()], POINT);
         }
     }
 
@@ -276,15 +270,14 @@ impl Sketch<'_> {
     pub(crate) fn label(
         &mut self,
         pen: LineStyle,
-        text: impl Into<String>,
-        anchor: DVec2,
-        toward: DVec2,
+        text: &str,
+        [anchor, toward]: [DVec2; 2],
         font: LabelFont,
     ) {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
             let anchors = (anchor, toward);
-            self.requests.push(Request::new(pen, text.into(), anchors, font, self.colors.halo));
+            self.requests.push(Request::new(pen, text.to_owned(), anchors, font, self.colors.halo));
         }
     }
 
