@@ -13,8 +13,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session};
 use crate::ui::action::{Action, request};
-use crate::ui::widgets::ResponseExt as _;
-use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::{NumberField, ResponseExt as _};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, Markup, left_out};
 use crate::view::formula::GivenBox;
 use crate::view::typesetting::derivation::{

@@ -18,8 +18,7 @@ use crate::ui::action::{
 };
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
-use crate::ui::dialogs::path_field::{FileQuestion, PathField};
-use crate::ui::dialogs::{Dialog, Question};
+use crate::ui::dialogs::{Dialog, FileQuestion, PathField, Question};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
 

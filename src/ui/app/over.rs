@@ -11,8 +11,7 @@ use crate::model::lessons::Which;
 use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
-use crate::ui::dialogs::path_field::FileAnswer;
-use crate::ui::dialogs::{self, Dialog, help};
+use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
 use crate::view::typesetting::theme;
 
 /// Maximum number of objects that the palette lists.

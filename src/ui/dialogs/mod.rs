@@ -6,13 +6,15 @@ use std::path::PathBuf;
 use egui::{Context, Id, Modal, ProgressBar, Ui};
 
 use crate::ui::action::{Action, request};
-use crate::ui::dialogs::export::ExportForm;
-use crate::ui::dialogs::path_field::{FileAnswer, PathField};
 
 pub mod export;
 pub mod help;
 pub mod palette;
 pub mod path_field;
+
+pub(crate) use export::{ExportForm, OnScreen};
+pub(crate) use path_field::PathField;
+pub use path_field::{FileAnswer, FileQuestion, FileRequest};
 
 /// The open dialog.
 pub(crate) enum Dialog {

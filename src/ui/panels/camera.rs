@@ -10,8 +10,7 @@ use pinhole_lecture::numbers::written;
 use super::{section, teaching};
 use crate::model::session::Settings;
 use crate::model::symbols::{SymbolKind, meaning, typeset_message};
-use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
-use crate::ui::widgets::{ResponseExt as _, fault_text};
+use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, vector_color, vector_row};
 
 /// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, which is the ratio of width :
 /// height to W : H. The setting `keep_picture` locks distance : width : height.

@@ -4,8 +4,7 @@ use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, SharedList};
 
-use crate::ui::widgets::number::{NumberField, vector_row};
-use crate::ui::widgets::{ResponseExt as _, fault_text};
+use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, vector_row};
 use crate::view::typesetting::theme;
 
 /// Number of rows of the list that are visible at once.

@@ -14,8 +14,7 @@ use pinhole_lecture::numbers::written;
 
 use crate::model::session::Settings;
 use crate::model::symbols::typeset_message;
-use crate::ui::widgets::ResponseExt as _;
-use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::{NumberField, ResponseExt as _};
 use crate::view::typesetting::theme::error_color;
 
 /// Shows the experiments, folded unless the settings say otherwise.

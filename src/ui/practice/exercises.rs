@@ -18,9 +18,8 @@ use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::{
-    ResponseExt as _, ViewTexture, clipped, combo, inside, marked_text, sign,
+    ResponseExt as _, ViewTexture, clipped, combo, inside, marked_text, sign, vector_color,
 };
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};

@@ -12,8 +12,7 @@ use crate::model::{MistakesView, NumberStyle, Session};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::number::vector_color;
-use crate::ui::widgets::{self, ResponseExt as _, cell, sign};
+use crate::ui::widgets::{self, ResponseExt as _, cell, sign, vector_color};
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 

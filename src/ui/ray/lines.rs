@@ -8,8 +8,7 @@ use pinhole_lecture::numbers::written as number;
 
 use crate::model::lines::{LARGEST, LineHandle, LinesLab};
 use crate::ui::scene::views;
-use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
+use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::lines::{GRASP, PlaneView, TEXT, draw_question, parts, substitution, text};
 
 /// Range of the slider of t.

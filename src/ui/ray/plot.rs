@@ -13,8 +13,7 @@ use pinhole_lecture::numbers::written as number;
 
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
-use crate::ui::widgets::number::NumberField;
-use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, inside, keep_arrows};
+use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, fault_text, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;

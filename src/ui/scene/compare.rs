@@ -10,8 +10,7 @@ use super::view_rects::strip_above;
 use super::views;
 use crate::model::{Ghost, Inspection, NumberStyle, Session};
 use crate::ui::action::GhostAction;
-use crate::ui::widgets::ResponseExt as _;
-use crate::ui::widgets::number::vector_color;
+use crate::ui::widgets::{ResponseExt as _, vector_color};
 use crate::view::derive::{AgainstGhost, Derived};
 
 /// Size of the text, in points.

@@ -6,3 +6,7 @@ pub mod readouts;
 pub mod steps;
 pub mod view_rects;
 pub mod views;
+
+use dragging::WorldArea;
+pub(crate) use dragging::{Dragging, ViewInput};
+pub(crate) use view_rects::{Divider, Numbers, ViewRects};

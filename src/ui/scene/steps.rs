@@ -18,9 +18,8 @@ use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::model::{HoverSource, Hovered, Item};
 use crate::ui::action::Steer;
-use crate::ui::scene::dragging::{Dragging, ViewInput, WorldArea};
-use crate::ui::scene::view_rects::ViewRects;
 use crate::ui::scene::views::{CAMERA, WORLD};
+use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};
 use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
 use crate::view::derive::Derived;
 use crate::view::handle_drag::step_of;

@@ -18,6 +18,8 @@ use crate::view::typesetting::theme::error_color;
 pub mod marked_text;
 pub mod number;
 
+pub(crate) use number::{NumberField, vector_color, vector_row};
+
 /// The accessible properties of a widget, and the action that a click on it requests.
 pub(crate) trait ResponseExt: Sized {
     /// Changes the widget's node in the accessibility tree.

@@ -300,12 +300,8 @@ fn of_pixel(
 }
 
 /// Describes where a given (u, v) lies in the image.
-fn position_note(
-    resolved: &ResolvedCamera,
-    inspection: &Inspection,
-    numbers: NumberFormat,
-) -> String {
-    match inspection.image_position {
+fn position_note(resolved: &ResolvedCamera, found: &Inspection, numbers: NumberFormat) -> String {
+    match found.image_position {
         None => "outside the image".to_owned(),
         Some(position) if position.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()

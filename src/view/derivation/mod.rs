@@ -226,13 +226,10 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
 }
 
 /// Returns the selected ray and its derivation, or `None` if there is no valid ray.
-fn exact_ray(
-    resolved: &ResolvedCamera,
-    selection: Selection,
-) -> Option<(ExactRay<'_>, RayDerivation)> {
-    let selection = selection.inside(resolved.image());
-    let derived = RayDerivation::new(resolved, selection).ok()?;
-    Some((selection.exact_ray(resolved).ok()?, derived))
+fn exact_ray(resolved: &ResolvedCamera, at: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
+    let at = at.inside(resolved.image());
+    let derived = RayDerivation::new(resolved, at).ok()?;
+    Some((at.exact_ray(resolved).ok()?, derived))
 }
 
 fn fault_line(fault: &impl fmt::Display) -> DerivedLine {

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::Shown;
-use crate::view::derive::picture::{OnWork, WorkKind, watched};
+use crate::view::derive::{OnWork, Shown, WorkKind, watched};
 use crate::view::overlay::{Drawing, Style};
 
 /// The last value that was computed, with the key from which it was computed.

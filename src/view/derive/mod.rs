@@ -12,10 +12,6 @@ use pinhole_lecture::mistakes::ComparedCamera;
 use crate::model::{AnswerMark, Fault, Inspection, Session, ViewLayout};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
-use crate::view::derive::objects::Objects;
-use crate::view::derive::picture::{GoodPicture, Pictures};
-use crate::view::derive::second_picture::SecondPictures;
-use crate::view::derive::views::{CameraViews, Derivations, Plots, WorldViews};
 use crate::view::overlay::{Highlighted, Label, Mark, Style};
 use crate::view::plot::Plot;
 
@@ -27,6 +23,12 @@ mod objects;
 mod picture;
 mod second_picture;
 mod views;
+
+use memo::{Memo, SpareImages};
+use objects::{Enclosing, GoodWorld, Objects};
+use picture::{GoodPicture, Pictures, repainted, trace_picture, watched};
+use second_picture::{SecondPictures, ghost_camera};
+use views::{CameraViews, Derivations, Plots, WorldViews, camera_view};
 
 /// Computes [`Derived`] values. The result depends only on the arguments; the caches only save time.
 #[derive(Debug, Default)]

@@ -15,10 +15,7 @@ use pinhole_core::{
 use crate::model::{Inspection, Item};
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::memo::Memo;
-use crate::view::derive::objects::GoodWorld;
-use crate::view::derive::second_picture::SecondPicture;
-use crate::view::derive::{Derived, Inputs, opaque};
+use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, opaque};
 use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
 /// Maximum number of intersection tests that a method may do for one picture. They take about a second,

@@ -18,13 +18,10 @@ use pinhole_lecture::mistakes::{
 use crate::model::session::{ViewLayout, resolve};
 use crate::model::{AnswerMark, Inspection, Item, MarkShape, StudentAnswers};
 use crate::view::accuracy;
-use crate::view::derive::memo::{Memo, SpareImages};
-use crate::view::derive::objects::GoodWorld;
-use crate::view::derive::picture::{
-    Compared, GoodPicture, OnWork, WorkKind, trace_picture, watched,
+use crate::view::derive::{
+    Compared, Derived, GoodPicture, GoodWorld, Inputs, Memo, OnWork, Shown, SpareImages, WorkKind,
+    camera_view, highlighted, opaque, trace_picture, watched,
 };
-use crate::view::derive::views::camera_view;
-use crate::view::derive::{Derived, Inputs, Shown, highlighted, opaque};
 use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
 /// The kind of a second picture.

@@ -21,13 +21,10 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
-use crate::view::derive::memo::{Memo, SpareImages};
-use crate::view::derive::objects::{Enclosing, Objects};
-use crate::view::derive::picture::{
-    GoodPicture, OnWork, WorkKind, repainted, trace_picture, watched,
+use crate::view::derive::{
+    Derived, Enclosing, GoodPicture, Inputs, Memo, Objects, OnWork, Purpose, Shown, SpareImages,
+    WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture, watched,
 };
-use crate::view::derive::second_picture::ghost_camera;
-use crate::view::derive::{Derived, Inputs, Purpose, Shown, highlighted, opaque};
 use crate::view::handles::{self, Stage};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};

@@ -31,6 +31,9 @@ pub trait TextMeasure {
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
+/// A [`TextMeasure`] that is borrowed while a formula is laid out.
+pub type Measure<'a> = &'a mut dyn TextMeasure;
+
 /// A piece of text. Positions are relative to the start of the first baseline, with x to the right and
 /// y down.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +110,7 @@ const FRACTION: f32 = 0.88;
 const TALL: f32 = 1.3;
 
 /// Lays out a formula in one line, with an em of `size`.
-pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> Layout {
+pub fn layout(formula: &Formula, size: f32, measure: Measure<'_>) -> Layout {
     match formula {
         Formula::Scalar(name) => {
             // In mathematical italics, a name with several letters would look like a product.
@@ -157,13 +160,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> La
     }
 }
 
-fn text_box(
-    text: String,
-    face: Face,
-    ink: SymbolInk,
-    size: f32,
-    measure: &mut dyn TextMeasure,
-) -> Layout {
+fn text_box(text: String, face: Face, ink: SymbolInk, size: f32, measure: Measure<'_>) -> Layout {
     let width = measure.width(&text, face, size);
     Layout {
         width,
@@ -210,7 +207,7 @@ pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
     }
 }
 
-pub(super) fn row(parts: &[Formula], size: f32, measure: &mut dyn TextMeasure) -> Layout {
+pub(super) fn row(parts: &[Formula], size: f32, measure: Measure<'_>) -> Layout {
     let mut whole = Layout::default();
     for (k, part) in parts.iter().enumerate() {
         let before = if k == 0 { 0.0 } else { room(&parts[k - 1], part, size) };
@@ -258,13 +255,7 @@ fn root(inner: Layout, size: f32) -> Layout {
 }
 
 /// Adds a superscript or subscript to a base, with its baseline `shift` ems lower.
-fn script(
-    base: &Formula,
-    small: &Formula,
-    shift: f32,
-    size: f32,
-    measure: &mut dyn TextMeasure,
-) -> Layout {
+fn script(base: &Formula, small: &Formula, shift: f32, size: f32, measure: Measure<'_>) -> Layout {
     let mut whole = layout(base, size, measure);
     let small = layout(small, SMALL * size, measure);
     let raised = if shift < 0.0 { (ASCENT * size - whole.ascent).min(0.0) } else { 0.0 };
@@ -296,7 +287,7 @@ enum Fence {
     Parenthesis,
 }
 
-fn in_parentheses(inner: Layout, size: f32, measure: &mut dyn TextMeasure) -> Layout {
+fn in_parentheses(inner: Layout, size: f32, measure: Measure<'_>) -> Layout {
     if inner.height() > TALL * size {
         return fenced(inner, Fence::Parenthesis, size);
     }
@@ -358,7 +349,7 @@ const LEADING: f32 = 0.42;
 
 /// Returns the width of the part before a formula's first relation, including the gap after it; 0 if
 /// there is no relation or nothing before it.
-pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -> f32 {
+pub fn left_width(formula: &Formula, size: f32, measure: Measure<'_>) -> f32 {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
         Some(at) if at > 0 => {
@@ -369,7 +360,7 @@ pub fn left_width(formula: &Formula, size: f32, measure: &mut dyn TextMeasure) -
 }
 
 /// Lays out a formula in as many lines as it needs.
-pub fn lines(formula: &Formula, column: Column, measure: &mut dyn TextMeasure) -> Layout {
+pub fn lines(formula: &Formula, column: Column, measure: Measure<'_>) -> Layout {
     let Column { size, width, indent } = column;
     let left = left_width(formula, size, measure);
     let start = if left > 0.0 { (indent - left).max(0.0) } else { 0.0 };
@@ -420,7 +411,7 @@ const TIGHT: f32 = 0.88;
 
 /// Lays out a piece that is too wide for a line: slightly smaller if that is enough; otherwise with its
 /// vectors as columns, and with smaller text if necessary.
-fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn TextMeasure) -> Layout {
+fn narrowed(parts: &[Formula], size: f32, width: f32, measure: Measure<'_>) -> Layout {
     let tight = row(parts, TIGHT * size, measure);
     if tight.width <= width {
         return tight;
@@ -475,7 +466,7 @@ impl<'a> LineBuilder<'a> {
     }
 
     /// Adds a piece that is too wide for a line, term by term.
-    fn add_in_terms(&mut self, piece: &'a [Formula], measure: &mut dyn TextMeasure) {
+    fn add_in_terms(&mut self, piece: &'a [Formula], measure: Measure<'_>) {
         let Column { size, width, indent } = self.column;
         let is_binary =
             |part: &Formula| matches!(part, Formula::Operator(operator) if operator.is_binary());

@@ -14,7 +14,7 @@ use std::fmt::{self, Write as _};
 use crate::model::{Given, symbols};
 
 pub use layout::{
-    Column, Face, GivenBox, Layout, Rule, TextMeasure, TextRun, layout, left_width, lines,
+    Column, Face, GivenBox, Layout, Measure, Rule, TextMeasure, TextRun, layout, left_width, lines,
 };
 
 pub(crate) mod latex;

@@ -258,19 +258,16 @@ impl Drawing {
 /// Returns the path of a mark's casing, or `None` if it has no casing, and the path of the mark itself.
 fn paths_of(mark: &Mark, scale: f32) -> (Option<Path>, Path) {
     let full = HALO_WIDTH * scale;
-    let (width, casing) = match mark.shape {
-        Shape::Line { width, .. } => (width, full.min(HALO_SHARE * width)),
-        Shape::Polygon { .. } | Shape::Disc { .. } => (0.0, full),
-    };
-    let around = Ink::Stroke { width: width + 2.0 * casing, round: true, dash: None };
-    let ink = match mark.shape {
-        Shape::Line { .. } => {
+    let (width, ink) = match mark.shape {
+        Shape::Line { width, .. } => {
             let dash = if mark.hidden { Some(DASH) } else { mark.pattern };
             let dash = dash.map(|dash| dash.map(|length| length * scale));
-            Ink::Stroke { width, round: dash.is_none(), dash }
+            let ink = Ink::Stroke { width, round: dash.is_none(), dash };
+            (width + 2.0 * full.min(HALO_SHARE * width), ink)
         }
-        Shape::Polygon { .. } | Shape::Disc { .. } => Ink::Fill,
+        Shape::Polygon { .. } | Shape::Disc { .. } => (2.0 * full, Ink::Fill),
     };
+    let around = Ink::Stroke { width, round: true, dash: None };
     let path = |color, ink| Path { outline: outline_of(&mark.shape), color, ink };
     (mark.halo.map(|halo| path(halo, around)), path(mark.color, ink))
 }

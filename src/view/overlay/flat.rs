@@ -50,16 +50,11 @@ impl Linear {
 }
 
 impl Flat {
-    /// Creates the plane through `origin` in which a increases by 1 along `axis_a` and b by 1 along
-    /// `axis_b`. The axes must be orthogonal. Returns `None` if the numbers leave the range of `f64`,
+    /// Creates the plane through `origin` in which a increases by 1 along `a` and b by 1 along
+    /// `b`. The axes must be orthogonal. Returns `None` if the numbers leave the range of `f64`,
     /// or if the observer lies in the plane.
-    pub(crate) fn new(
-        rays: &PixelRays,
-        origin: DVec3,
-        axis_a: DVec3,
-        axis_b: DVec3,
-    ) -> Option<Flat> {
-        let (unit_a, unit_b) = (unit(axis_a)?, unit(axis_b)?);
+    pub(crate) fn new(rays: &PixelRays, origin: DVec3, a: DVec3, b: DVec3) -> Option<Flat> {
+        let (unit_a, unit_b) = (unit(a)?, unit(b)?);
         let normal = unit_a.cross(unit_b);
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
@@ -75,8 +70,8 @@ impl Flat {
         let flat = Flat {
             offset: offset * scale,
             rate: Linear(rate.0 * scale),
-            a: numerator(unit_a, axis_a.length()),
-            b: numerator(unit_b, axis_b.length()),
+            a: numerator(unit_a, a.length()),
+            b: numerator(unit_b, b.length()),
         };
         let finite = flat.offset.is_finite()
             && [flat.rate, flat.a, flat.b].iter().all(|linear| linear.0.is_finite());

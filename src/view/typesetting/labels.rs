@@ -80,19 +80,15 @@ impl LabelLayout {
     }
 }
 
-/// Returns positions for a label around a point: first in the direction `toward` and at `distance`,
+/// Returns positions for a label around a point: first in the direction `toward` and at `reach`,
 /// then in other directions, then farther away.
-pub(crate) fn around(
-    at: Pos2,
-    toward: Vec2,
-    distance: f32,
-) -> impl Iterator<Item = (Pos2, Align2)> {
+pub(crate) fn around(at: Pos2, toward: Vec2, reach: f32) -> impl Iterator<Item = (Pos2, Align2)> {
     let first = if toward == Vec2::ZERO { 0.0 } else { toward.angle() };
     let turns = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
     [1.0, 2.2].into_iter().flat_map(move |ring| {
         turns.into_iter().map(move |turn: f32| {
             let away = Vec2::angled(first + turn * std::f32::consts::FRAC_PI_4);
-            (at + ring * distance * away, Align2([side(away.x), side(away.y)]))
+            (at + ring * reach * away, Align2([side(away.x), side(away.y)]))
         })
     })
 }
