@@ -1,4 +1,4 @@
-//! Animations as GIF, with a figure for each phase.
+//! Animations as GIF files, with one figure per frame.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -21,12 +21,12 @@ pub struct Frames {
 }
 
 impl Frames {
-    /// The usual number of frames per second.
+    /// The default number of frames per second.
     pub const PER_SECOND: u16 = 20;
     /// Maximum number of frames per second.
     pub const MOST_PER_SECOND: u16 = gif::MOST_PER_SECOND;
 
-    /// Returns the frames for a whole animation of the given kind.
+    /// Returns the frames of a complete animation of the given kind.
     pub fn new(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second }
@@ -53,15 +53,15 @@ pub struct Animation {
     pub start: Start,
     /// True if the animation repeats.
     pub loops: bool,
-    /// The document, and the session whose view is drawn.
+    /// The document, and the session from which the figures are drawn.
     pub scene: (Document, Session),
-    /// The request for the figure of each phase.
+    /// The request from which the figure of each frame is made.
     pub order: Order,
     /// The number of frames and the frame rate.
     pub frames: Frames,
 }
 
-/// Draws an animation, frame by frame, and writes its file at the end.
+/// Draws an animation frame by frame, and writes the file when it is complete.
 pub struct Recorder {
     animation: Animation,
     done: u32,
@@ -70,7 +70,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Starts an animation. Nothing is written before [`Recorder::finish`].
+    /// Starts an animation. No file is written before [`Recorder::finish`].
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written.
@@ -87,11 +87,10 @@ impl Recorder {
         (self.done, self.animation.frames.count)
     }
 
-    /// Draws the next frame. The frame depends only on the animation's start and on the frame's
-    /// number.
+    /// Draws the next frame. The result depends only on the animation and on the frame's number.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if the frame cannot be drawn.
+    /// Returns an error, as a sentence, if the frame cannot be drawn.
     pub fn figure(&self) -> Result<Figure, String> {
         let Animation { kind, start, scene, order, frames, .. } = &self.animation;
         let phase = kind.phase_of_frame(self.done, frames.count);
@@ -101,10 +100,10 @@ impl Recorder {
         order.figure(&document, &session, |_| false)
     }
 
-    /// Writes the next frame.
+    /// Adds a drawn frame to the animation.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if the frame cannot be written.
+    /// Returns an error, as a sentence, if the frame cannot be encoded.
     pub fn push(&mut self, figure: &Figure) -> Result<(), String> {
         self.done += 1;
         self.gif
@@ -112,10 +111,10 @@ impl Recorder {
             .map_err(|error| FileError::unwritable(&self.path, &error).to_string())
     }
 
-    /// Finishes the file after the last frame.
+    /// Writes the file after the last frame.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if the file cannot be written; then no file is left.
+    /// Returns an error, as a sentence, if the file cannot be written; no incomplete file is left.
     pub fn finish(self) -> Result<(), String> {
         let bytes = self.gif.finish();
         let bytes = bytes.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;

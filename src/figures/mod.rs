@@ -1,15 +1,14 @@
-//! Figures for slides: what the window shows, as SVG, PDF and PNG.
+//! Figures for slides: the content of the window as SVG, PDF or PNG.
 //!
-//! The window's own code draws every figure. The overlay's marks come from its
-//! [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the lab of lines are
-//! drawn into an egui pass without a window. A PNG is painted from the drawing and the pass exactly
-//! as the window is. For SVG and PDF, the drawing and the pass become primitives: paths and texts.
-//! So a file shows what the screen shows.
+//! Every figure is drawn by the window's own code, so a file shows what the screen shows. The marks
+//! come from the overlay's [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the
+//! lines lab are drawn in an egui pass without a window. A PNG is painted from the drawing and the
+//! pass, exactly like the window. For SVG and PDF, both are converted to paths and texts.
 //!
 //! - this file: a figure and its formats;
-//! - `order`: the request for a figure, and the figure made from it;
-//! - `animation`: a GIF with a figure for each phase of an animation;
-//! - `vector`: SVG and PDF, behind the feature `figures`.
+//! - `order`: the request for a figure, and how the figure is made from it;
+//! - `animation`: a GIF with one figure per frame;
+//! - `vector`: SVG and PDF, only with the feature `figures`.
 
 use egui::{Color32, ColorImage, Context, Painter, Vec2};
 use pinhole_exchange::images::png;
@@ -29,28 +28,28 @@ mod vector;
 /// The file format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureFormat {
-    /// SVG: strokes stay strokes, text stays text.
+    /// SVG. Strokes and text are kept as strokes and text.
     Svg,
-    /// PDF: strokes stay strokes, text stays text; lengths are in points.
+    /// PDF. Strokes and text are kept as strokes and text; lengths are in points.
     Pdf,
-    /// PNG: pixels.
+    /// PNG.
     Png,
 }
 
 /// A figure to export.
 #[derive(Debug)]
 pub struct Figure {
-    /// The title, which describes the figure.
+    /// The title, which is also the figure's description.
     pub title: String,
     /// Width and height in dots.
     pub size: [usize; 2],
-    /// The background colour; `None` if the background is transparent.
+    /// The background colour; `None` if the figure is transparent.
     ground: Option<Color32>,
-    /// The picture behind everything else, as large as the figure.
+    /// The picture below everything else, which has the size of the figure.
     picture: Option<ColorImage>,
-    /// Paths over the picture, in dots.
+    /// Paths drawn over the picture, in dots.
     paths: Vec<Path>,
-    /// Shapes and text over the paths.
+    /// Shapes and text drawn over the paths.
     drawn: UiPass,
 }
 
@@ -65,8 +64,8 @@ impl Figure {
         Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
     }
 
-    /// Paints the figure exactly as the window would, and returns the premultiplied pixels, row by
-    /// row from the top.
+    /// Paints the figure exactly as the window would. Returns the premultiplied pixels, row by row from
+    /// the top.
     pub fn to_pixels(&self) -> Vec<Color32> {
         let [width, height] = self.size;
         let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
@@ -78,10 +77,10 @@ impl Figure {
         pixels
     }
 
-    /// Writes the figure in a format, and returns the bytes of the file.
+    /// Writes the figure in a file format. Returns the contents of the file.
     ///
     /// # Errors
-    /// Returns an error, as a sentence, if the format cannot hold the figure.
+    /// Returns an error, as a sentence, if the figure cannot be written in this format.
     pub fn to_file(&self, format: FigureFormat) -> Result<Vec<u8>, String> {
         match format {
             #[cfg(feature = "figures")]
@@ -98,7 +97,7 @@ impl Figure {
     }
 }
 
-/// Encodes premultiplied pixels as PNG, with an alpha channel if `transparent`.
+/// Encodes premultiplied pixels as PNG, with an alpha channel if `transparent` is true.
 fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let size = size.map(|n| n as u32);

@@ -1,5 +1,5 @@
-//! The request for a figure, by a command or in the window's dialog: its subject, its size, and the
-//! content of the file.
+//! A request for a figure, made by a command or in the window's dialog: the subject, the size, and the
+//! kind of file.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use crate::view::typesetting::{derivation, labels, theme};
 /// Margin on each side of the derivation, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Page height that is large enough for every derivation, in points.
+/// Page height in points that is sufficient for every derivation.
 const UNLIMITED: f32 = 1e6;
 
 /// The subject of a figure.
@@ -31,7 +31,7 @@ pub enum FigureSubject {
     Camera,
     /// The derivation of every number.
     Derivation,
-    /// The lab of lines: the plane, and the substitution of one line into the other.
+    /// The lines lab: the plane, and the substitution of one line into the other.
     Lines,
 }
 
@@ -44,7 +44,7 @@ impl FigureSubject {
         FigureSubject::Lines,
     ];
 
-    /// Returns the title of the view.
+    /// Returns the title of the subject's view.
     pub fn title(self) -> &'static str {
         ["World view", "Camera view", "Derivation", "Lines"][self as usize]
     }
@@ -55,7 +55,7 @@ impl FigureSubject {
     }
 }
 
-/// The content of a file.
+/// The kind of content in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A figure.
@@ -64,8 +64,8 @@ pub enum Content {
     Text(Markup),
 }
 
-/// The file extensions and their contents: first figures, then the formats that only a derivation
-/// can have.
+/// The file extensions and their contents: first figures, then the formats that are only available for
+/// a derivation.
 const CONTENTS: [(&str, Content); 5] = [
     ("svg", Content::Figure(FigureFormat::Svg)),
     ("pdf", Content::Figure(FigureFormat::Pdf)),
@@ -75,10 +75,10 @@ const CONTENTS: [(&str, Content); 5] = [
 ];
 
 impl Content {
-    /// Chooses the content of a file by its extension.
+    /// Chooses the content of a file from its extension.
     ///
     /// # Errors
-    /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
+    /// Returns an error if the extension is unknown. It is a sentence that lists the known extensions.
     pub fn for_path(subject: FigureSubject, path: &Path) -> Result<Content, String> {
         let (contents, formats) = match subject {
             FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
@@ -102,22 +102,22 @@ impl Content {
 pub struct Order {
     /// The subject.
     pub subject: FigureSubject,
-    /// Width and height in dots; the lines of a derivation determine its height instead.
+    /// Width and height in dots. The height of a derivation is determined by its lines instead.
     pub size: [u32; 2],
-    /// Dots per point, which scales strokes and letters.
+    /// Dots per point, by which strokes and letters are scaled.
     pub scale: f32,
     /// The colours.
     pub style: Style,
-    /// True if the figure has no background.
+    /// True if the background is transparent.
     pub transparent: bool,
 }
 
 impl Order {
-    /// Draws the document with the ray, items and observer of the session. A folded section of the
-    /// derivation shows only its title.
+    /// Draws the document with the ray, the overlay items and the observer of the session. If
+    /// `is_folded` returns true for a section of the derivation, only its title is drawn.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if there is nothing to draw.
+    /// Returns an error, as a sentence, if there is nothing to draw.
     pub fn figure(
         &self,
         document: &Document,
@@ -154,7 +154,7 @@ impl Order {
             ..ViewSizes::default()
         };
         let derived = Deriver::default().derive(document, session, &sizes);
-        // The world view shows even a camera that has no basis.
+        // The world view can be drawn even if the camera has no basis.
         if let Some(fault) = derived.fault.filter(|f| !is_world || matches!(f, Fault::Scene(_))) {
             return Err(fault);
         }
@@ -191,7 +191,7 @@ impl Order {
             });
             (drawn, height + 2.0 * MARGIN)
         };
-        // The first pass measures the height.
+        // The first pass only measures the height.
         let (_, height) = draw(&self.context(), [1, 1]);
         let size = [self.dots()[0], (height * self.scale).round().max(1.0) as usize];
         let ctx = self.context();
@@ -203,7 +203,7 @@ impl Order {
         self.size.map(|n| n as usize)
     }
 
-    /// Creates an egui context in which text looks as in the window.
+    /// Creates an egui context in which text looks the same as in the window.
     fn context(&self) -> Context {
         let ctx = Context::default();
         theme::install_fonts(&ctx);
@@ -212,7 +212,7 @@ impl Order {
         ctx
     }
 
-    /// Creates a figure of shapes and text over the background.
+    /// Creates a figure with shapes and text over a background.
     fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
         let title = self.subject.title().to_owned();
         let ground = (!self.transparent).then_some(background);
@@ -220,13 +220,13 @@ impl Order {
     }
 }
 
-/// Returns the dots per point for a figure made without a window. The shorter side is 720 points
-/// long, unless a point would then have less than one dot.
+/// Returns the number of dots per point for a figure made without a window. The shorter side is 720
+/// points long, unless there would be less than one dot per point.
 pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }
 
-/// Returns the derivation of the document, regardless of what the layout shows.
+/// Returns the derivation of a document, whether the session's layout shows it or not.
 pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
     session.settings.layout = ViewLayout::Derivation;

@@ -1,9 +1,9 @@
-//! Measures error against run time, a slice at a time: [`Measurement`].
+//! Measures error against run time, in short slices: [`Measurement`].
 //!
-//! A measurement is a list of cases (a scene, or a stress family at one setting of its knob). For
-//! each case, the reference and every [`Method`] trace some rays. Whole frames or lists of rays are
-//! timed in rounds. Each round times all methods in turn, so a slow moment of the machine affects
-//! every method.
+//! A measurement is a list of cases: a scene, or a stress family at each setting of its knob (the
+//! parameter that makes it easier or harder). In each case, the reference and every [`Method`] trace
+//! some rays. Whole frames or lists of rays are timed in rounds. Each round times all methods in turn,
+//! so a temporary slowdown of the machine affects all of them.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -21,13 +21,13 @@ mod families;
 mod scenes;
 mod subject;
 
-/// Time after which a slice starts no further piece of work.
+/// Duration after which a slice starts no further piece of work.
 const SLICE: Duration = Duration::from_millis(8);
 
-/// The method that times are compared with.
+/// The method with whose times the others are compared.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
-/// A measurement in progress. Work is only done in [`Measurement::step`].
+/// A measurement in progress. Work is done only by [`Measurement::step`].
 ///
 /// ```
 /// use pinhole::report::measure::Measurement;
@@ -44,17 +44,18 @@ pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::
 /// ```
 pub struct Measurement {
     cases: Vec<CaseRun>,
-    /// Index of the current case; all earlier cases are done.
+    /// Index of the current case; all cases before it are done.
     current: usize,
     /// The report without its cases.
     head: Report,
-    /// Restricts the ladder's parallel tracer to one thread while it is timed; `None` if the pool cannot be
-    /// created, in which case the ladder is timed on all threads of the default pool.
+    /// A pool that restricts the ladder's parallel tracer to one thread while it is timed. If the pool
+    /// cannot be created, this is `None`, and the ladder is timed on all threads of the default pool.
     one_thread: Option<ThreadPool>,
 }
 
 impl Measurement {
-    /// Creates the measurement of a scene as seen by a camera. The same pixels are compared on every machine.
+    /// Creates the measurement of a scene seen by a camera. The same pixels are compared on every
+    /// machine.
     ///
     /// # Errors
     /// Returns an error if the camera is invalid.
@@ -67,8 +68,8 @@ impl Measurement {
         Ok(Measurement::new(cases, "a frame of the scene", scenes::NOTE, None))
     }
 
-    /// Creates the measurement of all stress families, which takes about two minutes on two cores. The same
-    /// seed gives the same cases on every machine, and all of them are compared with the truth.
+    /// Creates the measurement of all stress families, which takes about two minutes on two cores. A
+    /// seed gives the same cases on every machine, and every ray is compared with the reference.
     pub fn of_families(seed: u64) -> Measurement {
         let timed = "the family's rays one by one, or its frames at some 8000 pixels";
         Measurement::new(families::cases(seed), timed, families::NOTE, Some(seed))
@@ -102,7 +103,7 @@ impl Measurement {
         self.cases.iter().map(|case| case.limits.pieces).sum()
     }
 
-    /// Returns the number of pieces of work that are done.
+    /// Returns the number of pieces of work that have been done.
     pub fn done(&self) -> usize {
         self.cases.iter().map(CaseRun::done).sum()
     }
@@ -127,7 +128,7 @@ impl Measurement {
         }
     }
 
-    /// Returns a report of the cases begun so far, each with the decisions made so far.
+    /// Returns a report of all cases begun so far, with the results so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
         let mut report = self.head.clone();
@@ -137,15 +138,15 @@ impl Measurement {
     }
 }
 
-/// Describes the processor: its name if known, and the vector instructions that every method was
-/// compiled for.
+/// Describes the processor: its name, if known, and the vector instructions for which every method was
+/// compiled.
 fn describe_cpu() -> String {
     let arch = std::env::consts::ARCH;
     let name = cpu_name().unwrap_or_else(|| arch.to_owned());
     format!("{name} ({arch}; every method compiled for {})", level())
 }
 
-/// Returns the name of the vector instructions that `pinhole_core` chose.
+/// Returns the name of the vector instructions that `pinhole_core` uses.
 fn level() -> &'static str {
     match Level::new() {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

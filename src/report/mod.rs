@@ -1,6 +1,6 @@
-//! Measures error against run time and shows the results, for `pinhole report`.
+//! Measures error against run time and presents the results, for `pinhole report`.
 //!
-//! [`model`] contains the results; the other modules measure them, or turn them into text and pictures.
+//! [`model`] contains the results. The other modules measure them or present them as text and pictures.
 
 #[cfg(feature = "report")]
 pub mod measure;

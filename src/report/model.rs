@@ -1,126 +1,131 @@
-//! A report as plain data, in the form that `report --json` writes.
+//! A report as plain data, which `report --json` writes.
 //!
-//! Missing numbers, such as the error in t if method and truth have no hit in common, are `None`,
-//! or `null` in JSON. No number is NaN or infinite: if a method returns such a number for a ray
-//! that hits, this counts as a wrong decision.
+//! A missing number is `None`, or `null` in JSON. For example, the error in t is missing if the method
+//! and the reference have no hit in common. No number is NaN or infinite: if a method returns such a
+//! number for a ray that hits, this counts as a wrong decision.
 
 use pinhole_core::Steps;
 use serde::Serialize;
 
-/// Error against run time, of every method in every case.
+/// The errors and run times of every method in every case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Report {
     /// Description of the reference arithmetic, which computes the true results.
     pub reference: String,
-    /// Description of the processor and of the features used.
+    /// Description of the processor and of the vector instructions used.
     pub cpu: String,
-    /// The cases measured, in order; the cases of a family are consecutive.
+    /// The measured cases, in order. The cases of a family are consecutive.
     pub cases: Vec<Case>,
-    /// Sentences about measurements that were omitted because the cases do not need them.
+    /// Sentences about measurements that were omitted, with the reason.
     pub left_out: Vec<String>,
-    /// The method and the loop with which times are compared.
+    /// Description of the method and the loop with which times are compared.
     pub baseline: String,
-    /// Sentences that a reader of the numbers needs.
+    /// Sentences needed to interpret the numbers.
     pub notes: Vec<String>,
-    /// The seed of the families' random numbers.
+    /// The seed of the families' random numbers; `None` for a scene.
     pub seed: Option<u64>,
 }
 
-/// One scene, or a stress family at one setting of its knob.
+/// A scene, or a stress family at one setting of its knob.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Case {
     /// The name of the scene or of the family. All cases of a family have the same name.
     pub name: String,
-    /// The setting that makes the family easier or harder; `None` for a scene.
+    /// The setting of the knob, the parameter that makes the family easier or harder; `None` for a
+    /// scene.
     pub knob: Option<f64>,
-    /// The share of rays that hit, 0 to 1.
+    /// The fraction of rays that hit, 0 to 1.
     pub coverage: f64,
     /// The results of each method.
     pub methods: Vec<MethodRow>,
     /// The name of the knob; empty for a scene.
     pub knob_name: String,
-    /// The sensitivity of t to the input, over the rays that hit.
+    /// The sensitivity of t to the input, over all rays that hit.
     pub condition: Option<ConditionSpread>,
-    /// The sensitivity of t to the input in the cases of the `f32` methods, if these cases differ.
+    /// The sensitivity of t to the input for the `f32` methods, if they are measured with different
+    /// cases.
     pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
-    /// The scene of which this case is a separately measured part. The whole scene includes the
-    /// part's pixels.
+    /// The name of the scene of which this case is a part that is measured separately. The whole scene
+    /// includes the part's pixels. `None` for a whole scene or a family.
     pub part_of: Option<String>,
 }
 
-/// Spread of the condition number of t: if centre, radius, origin and direction each change by a
-/// small fraction of their sizes, t changes by at most the condition number times this fraction.
+/// Spread of the condition number of t. If centre, radius, origin and direction each change by a small
+/// fraction of their sizes, then t changes by at most this fraction times the condition number.
 /// Tangents, whose condition number is infinite, are excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ConditionSpread {
-    /// The median: half of the condition numbers are at most this.
+    /// The median: half of the condition numbers are less than or equal to it.
     pub median: f64,
     /// The largest condition number.
     pub max: f64,
 }
 
-/// Results of one method in one case.
+/// The results of one method in one case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
-    /// Decisions that differ from exact arithmetic: hit or miss, which object is first, and which
-    /// of a sphere's two roots t is. A root is wrong if t is less than half as far from it as from
-    /// the true root; roots that the method's precision can hardly distinguish count as one.
+    /// Number of decisions that differ from exact arithmetic. The decisions are: hit or miss, which
+    /// object is first, and which of a sphere's two roots t is. A root is wrong if t is less than half
+    /// as far from it as from the true root. Two roots that the method's precision can hardly
+    /// distinguish count as one.
     pub wrong: u64,
     /// Number of all decisions.
     pub decisions: u64,
-    /// The error in t, in ulps of the method's own precision, over the rays whose decisions are right.
-    /// [`MethodRow::ulp_f64`] contains the same errors on one scale.
+    /// The error in t, in ulps of the method's own precision, over the rays that are decided right.
+    /// [`MethodRow::ulp_f64`] contains the same errors in a common unit.
     pub ulp: Ulps,
     /// The largest angle between the method's normal and the true one, in radians.
     pub normal_error_max: Option<f64>,
-    /// Run times, in nanoseconds per pixel.
+    /// Run times in nanoseconds per pixel.
     pub ns_per_pixel: Times,
-    /// Number of decisions by each step of the ladder; only the ladder has steps.
+    /// Number of decisions made by each step of the ladder; `None` for other methods.
     pub steps: Option<Steps>,
-    /// The error in t, in ulps of `f64` regardless of the method's precision, for comparing
-    /// methods. An ulp of `f32` is 2^29 ulps of `f64`.
+    /// The error in t, in ulps of `f64` whatever the method's precision, for comparing methods. An ulp
+    /// of `f32` is 2^29 ulps of `f64`.
     pub ulp_f64: Ulps,
-    /// Number of `t`s found by each step of the ladder, if `t` has steps of its own. A `t` that is
-    /// rounded only once from more digits than `f64` has is found in double-double or exactly.
+    /// Number of values of `t` found by each step of the ladder, if finding `t` has separate steps. A
+    /// `t` that is rounded only once from more digits than `f64` has is found in double-double or
+    /// exactly.
     pub steps_of_t: Option<Steps>,
-    /// The share of the decisions that are wrong, 0 to 1.
+    /// The fraction of decisions that are wrong, 0 to 1.
     pub wrong_share: Option<f64>,
-    /// The largest backward error, in units of 2^-53: if centre, radius, origin and direction each
-    /// change by this fraction of their sizes, the method's t is exact. The backward error times
-    /// the condition number is at least the error in ulps of `f64`, to first order.
+    /// The largest backward error, in units of 2^-53. The method's t is exact for an input whose
+    /// centre, radius, origin and direction are each changed by this fraction of their sizes. To first
+    /// order, the backward error times the condition number is at least the error in ulps of `f64`.
     pub backward_error_max: Option<f64>,
-    /// Number of rays that are decided right, but whose true t is outside the range of the method's
-    /// precision. Such rays are excluded from the errors.
+    /// Number of rays that are decided right but whose true t is outside the range of the method's
+    /// precision. They are excluded from the errors.
     pub t_out_of_range: u64,
-    /// Number of pixels (or rays) that each round traced, whose decisions [`MethodRow::steps`] counts.
+    /// Number of pixels (or rays) traced in each round; [`MethodRow::steps`] counts the decisions for
+    /// them.
     pub pixels_timed: u64,
 }
 
-/// The smallest error, in ulps of `f64`, at which no digit of t is right in `f32` or `f64`: the
-/// error is as large as t.
+/// The smallest error, in ulps of `f64`, that leaves no correct digit of t, whether in `f32` or in
+/// `f64`: the error is as large as t.
 pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 
-/// An ulp of `f32` in ulps of `f64`: 2^(52 - 23), if both are normal numbers.
+/// An ulp of `f32` in ulps of `f64`, 2^(52 - 23), if both are normal numbers.
 pub const SINGLE: f64 = (1u64 << 29) as f64;
 
 /// Spread of the errors in t, in ulps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Ulps {
-    /// Half of the errors are at most this.
+    /// The median: half of the errors are less than or equal to it.
     pub median: Option<f64>,
-    /// The 99th percentile: 99 of 100 errors are at most this.
+    /// The 99th percentile: 99 % of the errors are less than or equal to it.
     pub p99: Option<f64>,
     /// The largest error.
     pub max: Option<f64>,
 }
 
 impl Ulps {
-    /// Returns the same errors in ulps of another precision: each error is multiplied by `count`,
-    /// and is at most [`f64::MAX`].
+    /// Converts the errors to ulps of another precision: multiplies each error by `count`. The results
+    /// are limited to [`f64::MAX`].
     pub fn times(self, count: f64) -> Ulps {
         let times = |error: Option<f64>| error.map(|error| (error * count).min(f64::MAX));
         Ulps { median: times(self.median), p99: times(self.p99), max: times(self.max) }
@@ -132,30 +137,30 @@ impl Ulps {
 pub struct Times {
     /// The median of the rounds.
     pub median: Option<f64>,
-    /// The shortest round, with which methods are compared, because every disturbance makes a round longer.
+    /// The shortest round. It is used to compare methods, since every disturbance makes a round longer.
     pub min: Option<f64>,
-    /// The lower quartile: a quarter of the rounds take at most this time.
+    /// The lower quartile: a quarter of the rounds take at most this long.
     pub lower_quartile: Option<f64>,
-    /// The upper quartile: three quarters of the rounds take at most this time.
+    /// The upper quartile: three quarters of the rounds take at most this long.
     pub upper_quartile: Option<f64>,
 }
 
-/// A precision; the variants are in ascending order of their number of digits.
+/// A precision. The variants are in ascending order of precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Digits {
     /// `f32`
     Single,
     /// `f64`
     Double,
-    /// Double-double: the sum of two `f64`.
+    /// Double-double: the sum of two `f64` numbers.
     DoubleDouble,
 }
 
-/// The half-b formula in double-double.
+/// The name of the method that computes the half-b formula in double-double.
 const DOUBLE_DOUBLE: &str = "double-double";
 
 impl Report {
-    /// Adds the results of another measurement on the same machine.
+    /// Appends the results of another measurement made on the same machine.
     pub fn append(&mut self, other: Report) {
         let Report { reference, cpu, cases, left_out, baseline, notes, seed } = other;
         (self.reference, self.cpu, self.baseline, self.seed) = (reference, cpu, baseline, seed);
@@ -169,8 +174,8 @@ impl Report {
         }
     }
 
-    /// Returns the cases grouped by name, in order: each group is a single scene, or a family with
-    /// all its settings.
+    /// Returns the cases grouped by name, in order. A group is a single scene, or a family at all its
+    /// settings.
     pub fn families(&self) -> Vec<Vec<&Case>> {
         let mut families: Vec<Vec<&Case>> = Vec::new();
         for case in &self.cases {
@@ -184,8 +189,8 @@ impl Report {
 }
 
 impl Case {
-    /// Returns the case's name, followed by the knob's setting if there is one: `tiny far sphere,
-    /// radius / distance = 1e-6`.
+    /// Returns the case's name, followed by the setting of its knob, if any: `tiny far sphere, radius /
+    /// distance = 1e-6`.
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };
@@ -194,8 +199,8 @@ impl Case {
 }
 
 impl MethodRow {
-    /// Returns a sentence about the steps with which the ladder decided; `None` for methods without
-    /// steps.
+    /// Returns a sentence that says how many decisions each step of the ladder made; `None` for methods
+    /// without steps.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {
@@ -208,8 +213,8 @@ impl MethodRow {
         ))
     }
 
-    /// Returns the method's name without the precision, such as `half-b`. The method
-    /// `double-double` counts as another precision of `half-b`.
+    /// Returns the method's name without its precision, such as `half-b`. The method `double-double`
+    /// counts as `half-b` in another precision.
     pub fn formula(&self) -> &str {
         match self.name.as_str() {
             DOUBLE_DOUBLE => "half-b",

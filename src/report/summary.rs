@@ -3,44 +3,43 @@
 
 use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
 
-/// A scene or a family.
+/// The summary of a scene or a family.
 pub(crate) struct Summary<'a> {
     pub(crate) cases: Vec<&'a Case>,
-    /// The methods, in their order.
+    /// The methods, in the order in which they first occur.
     pub(crate) methods: Vec<MethodSummary<'a>>,
 }
 
-/// A method over all cases of a family: its worst error, the sum of its wrong decisions, its middle time. A
-/// scene has a single case.
+/// A method over all cases of a family: its worst error, the sum of its wrong decisions, and its median
+/// time. A scene has a single case.
 pub(crate) struct MethodSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
     pub(crate) digits: Digits,
     pub(crate) outcome: Option<Outcome>,
-    /// Nanoseconds per pixel: the middle one of the shortest rounds of all cases.
+    /// Nanoseconds per pixel: the median over the cases, of which each counts with its shortest round.
     pub(crate) time: Option<f64>,
-    /// The least and the greatest time: for a family, of the shortest rounds of all cases; for a
-    /// scene, the shortest round and the upper quartile.
+    /// The shortest and the longest time. For a family, these are taken from the shortest rounds of all
+    /// cases; for a scene, they are the shortest round and the upper quartile.
     pub(crate) times: Option<[f64; 2]>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
 }
 
-/// The error in t of a method, or the reason why it has none, in ascending order of severity.
+/// The error in t of a method, or the reason why there is none, in ascending order of severity.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(crate) enum Outcome {
     /// Every true t is outside the range of the method's precision.
     OutOfRange,
     /// An error, in ulps of `f64`.
     Error(f64),
-    /// An error as large as t.
+    /// An error at least as large as t.
     NoDigit,
     /// No hit in common with the truth.
     NoHit,
 }
 
-/// Returns the outcome of a method in a case; `None` if there is nothing to hit and the method hits
-/// nothing.
+/// Returns the outcome of a method in a case; `None` if no ray hits and the method finds no hit either.
 pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     match row.ulp_f64.max {
         Some(error) if error >= NO_DIGIT => Some(Outcome::NoDigit),
@@ -50,8 +49,8 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
-/// Returns the summaries of a report, in order. Parts of a scene are excluded, because their rays
-/// would count twice.
+/// Returns the summaries of a report, in order. Parts of a scene are excluded, since otherwise their
+/// rays would be counted twice.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     let families = report.families().into_iter();
     families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
@@ -68,7 +67,7 @@ impl<'a> Summary<'a> {
         }
         let mut methods: Vec<MethodSummary> =
             names.into_iter().map(|name| MethodSummary::new(name, &cases)).collect();
-        // With planes alone, double-double is a precision of the textbook's.
+        // In a scene with planes only, double-double is a precision of the textbook formula.
         let is_double_double = |worst: &MethodSummary| worst.digits == Digits::DoubleDouble;
         if methods.iter().all(|worst| worst.formula != "half-b" || is_double_double(worst)) {
             let alone = methods.iter_mut().filter(|worst| is_double_double(worst));
@@ -77,12 +76,12 @@ impl<'a> Summary<'a> {
         Summary { cases, methods }
     }
 
-    /// Returns true if there is a curve to show over the knob.
+    /// Returns true if there are several settings of a knob, over which a curve can be drawn.
     pub(crate) fn has_knob(&self) -> bool {
         self.cases.len() > 1
     }
 
-    /// Returns every outcome that some panel shows.
+    /// Returns all outcomes that occur in the panels.
     pub(crate) fn outcomes(&self) -> impl Iterator<Item = Outcome> {
         self.cases.iter().flat_map(|case| &case.methods).filter_map(outcome)
     }
@@ -91,7 +90,7 @@ impl<'a> Summary<'a> {
         self.methods.iter().find(|worst| worst.name == name)
     }
 
-    /// Returns the coverage as text: the least and the greatest value.
+    /// Returns the coverage as text: the lowest and the highest value, or one value if they are equal.
     pub(crate) fn coverage(&self) -> String {
         let percent =
             |share: f64| pinhole_lecture::numbers::short_plain((100.0 * share * 1e3).round() / 1e3);
@@ -116,7 +115,7 @@ impl<'a> MethodSummary<'a> {
             [one] => one.ns_per_pixel.upper_quartile,
             _ => times.last().copied(),
         };
-        // If there is nothing to hit, a hit says nothing about t.
+        // In a case without hits, a false hit says nothing about the accuracy of t.
         let hit = cases.iter().filter(|case| case.coverage > 0.0).filter_map(row_of);
         let worse = |a, b| if a > b { a } else { b };
         MethodSummary {
@@ -131,8 +130,8 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns the time and the error of the method; `None` unless all its decisions are right and
-    /// t has some right digit.
+    /// Returns the time and the error of the method; `None` unless all its decisions are right and t
+    /// has a correct digit.
     fn result(&self) -> Option<(f64, f64)> {
         match (self.time, self.outcome) {
             (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
@@ -140,23 +139,24 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns true if `other` is at least as fast and as accurate, and strictly better in one
-    /// respect.
+    /// Returns true if `other` is at least as fast and as accurate, and strictly better in at least one
+    /// of the two.
     fn is_beaten_by(&self, other: &MethodSummary) -> bool {
         let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
         others.0 <= own.0 && others.1 <= own.1 && others != own
     }
 }
 
-/// Returns the median of ascending values; for an even number, the geometric mean of the two in the middle.
+/// Returns the median of ascending values. For an even number of values, it is the geometric mean of
+/// the middle two.
 pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     let (low, high) = (sorted.get(sorted.len().saturating_sub(1) / 2)?, sorted[sorted.len() / 2]);
-    // Of 0 and infinity there is no mean.
+    // If one of the two is 0, there is no meaningful geometric mean, so the smaller one is returned.
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
 }
 
-/// Returns the Pareto front: of the methods whose decisions are all right, those not beaten in time
-/// and error by another method; the fastest first.
+/// Returns the Pareto front, fastest first: the methods that decide everything right and that no other
+/// method beats in time and error.
 pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
     let is_first = |method: &&MethodSummary| {
         method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
@@ -166,34 +166,35 @@ pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodS
     front
 }
 
-/// All scenes or families together.
+/// The summary of all scenes or families together.
 pub(crate) struct Overall<'a> {
-    /// The methods, each with one row in the table.
+    /// The methods, each of which is one row in the table.
     pub(crate) methods: Vec<MethodOverall<'a>>,
-    /// The word for what is summarized: `families` or `scenes`.
+    /// The noun for what is summarized: `families` or `scenes`.
     pub(crate) noun: &'static str,
-    /// Number of scenes or families shared by all methods except the one that only traces frames.
+    /// Number of scenes or families that all methods have in common, apart from the method that only
+    /// traces frames.
     pub(crate) in_share: usize,
-    /// Number of scenes or families shared by all methods.
+    /// Number of scenes or families that all methods have in common.
     pub(crate) in_errors: usize,
 }
 
-/// A method over all scenes or families. Shares, errors and times only include shared cases,
-/// because different cases cannot be compared.
+/// A method over all scenes or families. Shares, errors and times include only the cases that the
+/// methods have in common, since different cases cannot be compared.
 pub(crate) struct MethodOverall<'a> {
-    /// The method in the first scene or family that has it.
+    /// The summary of the method in the first scene or family that has it.
     pub(crate) first: &'a MethodSummary<'a>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
-    /// The mean share of wrong decisions of the cases.
+    /// The mean over the cases of the fraction of wrong decisions.
     pub(crate) share: Option<f64>,
     /// The outcome of each scene or family, in ascending order.
     pub(crate) outcomes: Vec<Outcome>,
-    /// The time of each scene or family in nanoseconds per pixel, in ascending order.
+    /// The time for each scene or family, in nanoseconds per pixel, in ascending order.
     pub(crate) times: Vec<f64>,
 }
 
-/// The name of the method that only traces frames, not single rays.
+/// The name of the method that traces frames but not single rays.
 const OF_FRAMES_ALONE: &str = "ladder-f32";
 
 /// Returns the summary of every method over all scenes or families.
@@ -213,7 +214,7 @@ pub(crate) fn overall<'a>(summaries: &'a [Summary<'a>]) -> Overall<'a> {
     let in_share: Vec<&Summary> = summaries.iter().filter(has_most).collect();
     let method = |first| MethodOverall::new(first, summaries, &in_share, &shared);
     let mut methods: Vec<MethodOverall> = all.iter().copied().map(method).collect();
-    // Each formula's precisions are next to each other, the formulas in the order in which they occurred.
+    // The precisions of a formula are adjacent. The formulas keep the order in which they first occur.
     let place = |formula: &str| all.iter().position(|method| method.formula == formula);
     methods.sort_by_key(|method| (place(method.first.formula), method.first.digits));
     let has_knobs = summaries.iter().any(|summary| summary.cases[0].knob.is_some());
@@ -248,8 +249,8 @@ impl<'a> MethodOverall<'a> {
         }
     }
 
-    /// Returns the least, the middle and the greatest of the outcomes as numbers; an outcome is
-    /// infinite if no digit of t is right or nothing was hit.
+    /// Returns the smallest, the median and the largest outcome as numbers. An outcome is infinite if
+    /// no digit of t is correct or nothing was hit.
     pub(crate) fn errors(&self) -> Option<[f64; 3]> {
         let number = |outcome: &Outcome| match outcome {
             Outcome::Error(error) => *error,
@@ -259,7 +260,7 @@ impl<'a> MethodOverall<'a> {
     }
 }
 
-/// Returns the least, the middle and the greatest of ascending values.
+/// Returns the smallest, the median and the largest of ascending values; `None` if there are no values.
 pub(crate) fn least_middle_most(sorted: &[f64]) -> Option<[f64; 3]> {
     Some([*sorted.first()?, middle(sorted)?, *sorted.last()?])
 }

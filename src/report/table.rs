@@ -1,4 +1,4 @@
-//! The report as text, in aligned columns, for a terminal of 120 columns.
+//! The report as text in aligned columns, for a terminal with 120 columns.
 
 use std::fmt::Write as _;
 
@@ -68,7 +68,7 @@ pub fn to_table(report: &Report) -> String {
     out
 }
 
-/// Writes the summary of all scenes or families, one line per method.
+/// Writes the summary of all scenes or families, with one line per method.
 fn summary(out: &mut String, all: &Overall) {
     let Overall { methods, noun, in_share, in_errors } = all;
     let about = format!(
@@ -101,9 +101,9 @@ fn summary(out: &mut String, all: &Overall) {
     headed(out, &HEADS, SUMMARY, methods.iter().map(cells));
 }
 
-/// Writes rows under the names of their columns, and these under heads that span one column or several: each
-/// head has its first column, its number of columns, and its text. The first column is aligned to the left, the
-/// other columns to the right.
+/// Writes a table: heads, then the names of the columns, then the rows. A head spans one or more
+/// columns; it is given by its first column, its number of columns and its text. The first column is
+/// left-aligned, the others are right-aligned.
 fn headed<const N: usize>(
     out: &mut String,
     heads: &[(usize, usize, &str)],
@@ -136,8 +136,8 @@ fn headed<const N: usize>(
     }
 }
 
-/// Returns the time with which other times are compared: the time of the method named at the
-/// beginning of the baseline's text.
+/// Returns the time with which other times are compared. It belongs to the method whose name is the
+/// first word of the report's baseline.
 fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
     let name = report.baseline.split([' ', ',', ':']).next()?;
     let row = case.methods.iter().find(|row| row.name == name)?;
@@ -202,8 +202,8 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
     ]
 }
 
-/// Writes text after a head, in lines of at most [`WIDTH`] characters. Further lines are indented by the head's
-/// width.
+/// Writes a text after a head, in lines of at most [`WIDTH`] characters. The second and later lines are
+/// indented by the width of the head.
 fn wrapped(out: &mut String, head: &str, text: &str) {
     let indent = head.chars().count();
     for (k, line) in lines(text, WIDTH - indent).into_iter().enumerate() {

@@ -136,9 +136,9 @@ impl HandleDrag<'_> {
         Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
     }
 
-    /// Returns the camera that the drag sets, steered. If it has an up vector, returns `set` unchanged
-    /// in two cases: if the settings keep up fixed, or if steering finds no basis, so that the fields
-    /// show the fault.
+    /// Returns the camera after a drag has set its fields as in `set`; see `Camera::led_to`. A camera
+    /// with an up vector is returned as `set` itself in two cases: if the settings keep up fixed, or if
+    /// it would otherwise have no basis, so that the fields show the fault.
     fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));

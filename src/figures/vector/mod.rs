@@ -1,8 +1,8 @@
-//! Figures as vectors: SVG and PDF, with strokes as strokes and text as text.
+//! Figures in vector formats: SVG and PDF, in which strokes and text are kept as strokes and text.
 //!
-//! This file turns a figure into paths and texts. egui's text becomes runs of positioned letters;
-//! each run has one font and one colour, and each letter has the font that egui chose for it. `svg`
-//! and `pdf` write the files.
+//! This file converts a figure to paths and texts. egui's text becomes runs of positioned letters with
+//! the same font and colour; the font of each letter is the one that egui chose for it. `svg` and `pdf`
+//! write the files.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -30,7 +30,7 @@ pub(super) use crate::figures::vector::svg::write as svg;
 mod pdf;
 mod svg;
 
-/// A part of a figure, in dots from the upper left corner.
+/// A part of a figure. Positions are in dots from the upper left corner.
 #[derive(Clone, Debug)]
 enum Primitive {
     /// A fill or a stroke.
@@ -39,7 +39,7 @@ enum Primitive {
     Text(CasedText),
 }
 
-/// Returns everything in front of a figure's picture, from back to front.
+/// Returns everything that is drawn over the figure's picture, from back to front.
 fn primitives(figure: &Figure) -> Vec<Primitive> {
     let primitives = figure.paths.iter().cloned().map(Primitive::Path).collect();
     let mut maker = Maker { scale: figure.drawn.pixels_per_point, primitives };
@@ -47,7 +47,7 @@ fn primitives(figure: &Figure) -> Vec<Primitive> {
     maker.primitives
 }
 
-/// Converts egui's shapes, which are in points, to primitives.
+/// Converts egui's shapes, which are in points, to primitives in dots.
 struct Maker {
     /// Dots per point.
     scale: f32,
@@ -76,7 +76,7 @@ impl Maker {
                     center: [center.x * self.scale, center.y * self.scale],
                     radius: radius * self.scale,
                 };
-                // egui draws a circle's stroke outside of it.
+                // egui draws a circle's stroke outside the circle.
                 let (inner, outer) = (circle(*radius), circle(radius + 0.5 * stroke.width));
                 self.fill(inner, *fill);
                 self.stroke(outer, stroke);
@@ -131,21 +131,21 @@ impl Maker {
 }
 
 /// Minimum number of pixels along the shorter side of a compacted picture. Some programs smooth
-/// enlarged pictures; at this size, the smoothing is hardly visible.
+/// enlarged pictures, but at this size the smoothing is hardly visible.
 const LEAST_SIDE: usize = 600;
 
-/// Shrinks a picture that consists of equal squares, such as enlarged pixels, so that it is not
-/// stored dot by dot.
+/// Shrinks a picture that consists of equal rectangles, such as enlarged pixels, so that not every dot
+/// is stored. Returns other pictures unchanged.
 fn compacted(image: &ColorImage) -> ColorImage {
     let [width, height] = image.size;
     let dot = |row: usize, column: usize| image.pixels[row * width + column];
-    // The extent of the equal rectangles that the picture consists of.
+    // Width and height of the equal rectangles of which the picture consists.
     let side = |count: usize, differs: &dyn Fn(usize) -> bool| {
         (1..count).filter(|k| differs(*k)).fold(count, gcd)
     };
     let row = side(height, &|k| (0..width).any(|column| dot(k, column) != dot(k - 1, column)));
     let column = side(width, &|k| (0..height).any(|row| dot(row, k) != dot(row, k - 1)));
-    // The number of pixels per rectangle, across and down.
+    // Number of pixels per rectangle after shrinking, in both directions.
     let times = LEAST_SIDE.div_ceil((width / column).min(height / row));
     if times >= column.min(row) {
         return image.clone();
@@ -159,18 +159,18 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Slant of egui's italics: shift to the right per unit of height.
+/// Slant of egui's italics, as the shift to the right per unit of height.
 const SLANT: f32 = 0.25;
 
-/// Text that is written as one element.
+/// A text that is written as one element.
 #[derive(Clone, Debug, PartialEq)]
 struct CasedText {
     runs: Vec<LetterRun>,
-    /// A casing around all letters: its colour and its width.
+    /// The casing around all letters: its colour, and its width on each side.
     halo: Option<(Color32, f32)>,
 }
 
-/// Letters on one baseline, with the same font and colour.
+/// A run of letters on the same baseline, with the same font and colour.
 #[derive(Clone, Debug, PartialEq)]
 struct LetterRun {
     text: String,
@@ -179,14 +179,14 @@ struct LetterRun {
     size: f32,
     /// Start of the baseline.
     at: [f32; 2],
-    /// Distance from each letter to the next.
+    /// Distances from the start of each letter to the start of the next one.
     advances: Vec<f32>,
     color: Color32,
-    /// Slant of the letters: shift to the right per unit of height.
+    /// Slant of the letters, as the shift to the right per unit of height.
     slant: f32,
 }
 
-/// Returns the runs of a text, with all lengths multiplied by `scale`.
+/// Returns the runs of a text. All lengths are multiplied by `scale`.
 fn runs(shape: &TextShape, scale: f32) -> Vec<LetterRun> {
     let job = &shape.galley.job;
     let mut letters = job.text.char_indices();
@@ -241,7 +241,7 @@ impl LetterRun {
     }
 
     fn append(&mut self, next: &LetterRun) {
-        // The shift by kerning is added to the advance of the letter before.
+        // Kerning shifts the letter. The shift is added to the advance of the previous letter.
         let moved = next.at[0] - (self.at[0] + self.width());
         if let Some(before) = self.advances.last_mut() {
             *before += moved;
@@ -250,8 +250,8 @@ impl LetterRun {
         self.advances.extend(&next.advances);
     }
 
-    /// Distributes the width of a ligature over its letters. egui assigns the whole width to the
-    /// first letter; the other widths are zero up to rounding.
+    /// Distributes the width of a ligature over its letters. egui assigns the whole width to the first
+    /// letter and, apart from rounding, a width of zero to the others.
     fn spread(&mut self) {
         let natural: Vec<f32> =
             self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
@@ -271,14 +271,14 @@ impl LetterRun {
     }
 }
 
-/// The font families for plain text: the program's own, then similar ones as fallbacks.
+/// The font families for plain text: the program's own font, then similar ones as fallbacks.
 const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
 
-/// Font tables that are required outside PDF but missing from a subset for PDF. The `name` table
+/// Font tables that are missing from a subset made for PDF but required elsewhere. The `name` table
 /// contains the licence.
 const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
 
-/// The program's fonts, as they are installed in egui.
+/// The program's fonts, in the form in which they are installed in egui.
 static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions);
 
 /// A font of the program, identified by name.
@@ -286,7 +286,7 @@ static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions)
 struct FontName(&'static str);
 
 impl FontName {
-    /// Returns the font that egui uses for a letter: the family's first font that contains the
+    /// Returns the font that egui uses for a letter: the first font of the family that contains the
     /// letter.
     fn for_letter(family: &FontFamily, letter: char) -> FontName {
         let chain = FONTS.families.get(family).map(Vec::as_slice).unwrap_or_default();
@@ -317,12 +317,12 @@ impl FontName {
         width().unwrap_or_default()
     }
 
-    /// Returns the name of the family in style sheets.
+    /// Returns the family name for style sheets.
     fn family(self) -> &'static str {
         self.0.strip_suffix(" Bold").unwrap_or(self.0)
     }
 
-    /// Returns the family and its fallbacks, for style sheets.
+    /// Returns the font's family and its fallbacks, for style sheets.
     fn families(self) -> String {
         if SANS.starts_with(&format!("{},", self.family())) {
             return SANS.to_owned();
@@ -335,7 +335,7 @@ impl FontName {
         self.0.ends_with(" Bold")
     }
 
-    /// Returns a font file that contains only some of the letters, in a form that browsers accept.
+    /// Returns a font file that contains only the given letters, in a form that browsers accept.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the font cannot be read.
@@ -358,7 +358,7 @@ impl FontName {
                 font.add_raw(tag, table.as_bytes());
             }
         }
-        // Version 3 of the table only states that glyphs have no names.
+        // Version 3 of this table states that the glyphs have no names, and contains nothing else.
         font.add_raw(Tag::new(b"post"), [&[0, 3], &[0; 30][..]].concat());
         Ok(font.copy_missing_tables(outlines).build())
     }

@@ -1,8 +1,9 @@
-//! A figure as a PDF of one page: strokes as strokes, text as text, in embedded fonts.
+//! Writes a figure as a PDF with one page. Strokes and text are kept as strokes and text, in embedded
+//! fonts.
 //!
-//! The crate krilla writes the file: krilla takes glyphs with positions, keeps them as text, and
-//! embeds only the letters that occur. Converting the SVG with `krilla-svg` would lay the text out
-//! anew, letter by letter, would write each text with a casing twice, and would need 23 more
+//! The file is written by the crate krilla, which accepts positioned glyphs, keeps them as text, and
+//! embeds only the letters that occur. The alternative, converting the SVG with `krilla-svg`, would lay
+//! out the text again letter by letter, write each text with a casing twice, and require 23 more
 //! crates.
 
 use std::collections::HashMap;
@@ -26,7 +27,7 @@ use super::{Primitive, compacted, primitives};
 use crate::figures::Figure;
 use crate::view::overlay::{Ink, Path, PathOutline};
 
-/// PDF points per dot: an inch has 72 points, and 96 dots as in style sheets.
+/// PDF points per dot. An inch has 72 points and, as in style sheets, 96 dots.
 const POINTS: f32 = 0.75;
 
 /// Writes the whole file.
@@ -84,8 +85,8 @@ impl Writer<'_> {
         self.surface.draw_path(&outline);
     }
 
-    /// Writes a text. Its casing is written before it, as outlines, so that the file contains the
-    /// text only once.
+    /// Writes a text. Its casing is written first, as outlines, so that the file contains the text
+    /// itself only once.
     fn text(&mut self, text: &CasedText) -> Result<(), String> {
         if let Some((color, reach)) = text.halo {
             self.surface.set_fill(None);

@@ -1,5 +1,5 @@
-//! Measures one case: the reference and every method decide its rays, and its frames are timed. A [`Tally`] counts
-//! one method's wrong decisions and collects its errors.
+//! Measures one case: lets the reference and every method decide its rays, and times its frames. A
+//! [`Tally`] counts a method's wrong decisions and collects its errors.
 
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
@@ -14,29 +14,29 @@ use crate::report::measure::condition::Problem;
 use crate::report::measure::subject::{CaseSubject, Kernel};
 use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps};
 
-/// A case that is pending, in progress or done.
+/// A case that is waiting, in progress, or done.
 pub(super) struct CaseRun {
-    /// The case; it contains results once the measurement is done.
+    /// The case. It contains results only after the measurement is done.
     case: Case,
     pub(super) limits: Limits,
-    /// The function that prepares the sets; `None` once the case has begun.
+    /// The function that creates the sets; `None` after the case has begun.
     make: Option<MakeSets>,
-    /// The rays and methods; empty before and after the work.
+    /// The rays and the methods that trace them; empty before the case has begun and after it is done.
     sets: Vec<Set>,
     is_timing_next: bool,
-    /// A sentence about the rays that are left out, if any.
+    /// A sentence about rays that are left out, if there are any.
     pub(super) left_out: Option<String>,
 }
 
-/// A function that prepares the sets of a case. It also returns a sentence about the rays that are left out, if
-/// any.
+/// A function that creates the sets of a case. It also returns a sentence about rays that are left out,
+/// if there are any.
 type MakeSets = Box<dyn FnOnce() -> (Vec<Set>, Option<String>) + Send>;
 
-/// The amount of work for a case. It is the same on every machine, regardless of load.
+/// The amount of work for a case. It is the same on every machine, whatever the machine's load.
 pub(super) struct Limits {
-    /// Number of times that every method is timed.
+    /// Number of times that each method is timed.
     pub(super) rounds: usize,
-    /// Number of pieces of work that the case counts as.
+    /// Number of pieces of work that the case contributes to the total.
     pub(super) pieces: usize,
 }
 
@@ -46,11 +46,11 @@ pub(super) struct Set {
     workers: Vec<Worker>,
     decided: usize,
     hits: usize,
-    /// Condition numbers of `t`.
+    /// Condition numbers of `t`, for the rays that hit.
     conditions: Vec<f64>,
-    /// Number of rays to decide at a time.
+    /// Number of rays that are decided at a time.
     chunk: usize,
-    /// Number of time measurements made, over all methods.
+    /// Number of time measurements made so far, over all methods.
     timings: usize,
 }
 
@@ -64,7 +64,7 @@ struct Worker {
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
-    /// Creates the measurement of a case; `make` is called when its turn comes.
+    /// Creates the measurement of a case. `make` is called when the case begins.
     pub(super) fn new(
         case: Case,
         limits: Limits,
@@ -74,7 +74,7 @@ impl CaseRun {
         CaseRun { case, limits, make, sets: Vec::new(), is_timing_next: false, left_out: None }
     }
 
-    /// Returns the number of pieces of work that are done.
+    /// Returns the number of pieces of work that have been done.
     pub(super) fn done(&self) -> usize {
         (self.share() * self.limits.pieces as f64) as usize
     }
@@ -83,7 +83,7 @@ impl CaseRun {
         self.make.is_none()
     }
 
-    /// Returns the share of the work that is done, from 0 to 1.
+    /// Returns the fraction of the work that is done, 0 to 1.
     pub(super) fn share(&self) -> f64 {
         let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
         let all = sum(&|set| set.subject.len() + self.limits.rounds * set.workers.len());
@@ -94,7 +94,7 @@ impl CaseRun {
         }
     }
 
-    /// Keeps the results and drops everything else.
+    /// Keeps the results and frees everything else.
     pub(super) fn finish(&mut self) {
         self.case = self.report();
         self.sets.clear();
@@ -121,14 +121,15 @@ impl CaseRun {
         }
     }
 
-    /// Returns the share of the decided rays that hit.
+    /// Returns the fraction of the decided rays that hit.
     fn coverage(&self) -> f64 {
         let sum = |count: fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
         let decided = sum(|set| set.decided);
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
 
-    /// Does one piece of work: prepares the sets, and then decides some rays or times some methods, alternately.
+    /// Does one piece of work. The first call creates the sets. Further calls alternate between
+    /// deciding some rays and timing some methods.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
         if let Some(make) = self.make.take() {
             (self.sets, self.left_out) = make();
@@ -138,7 +139,7 @@ impl CaseRun {
         let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
         let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
         if to_time && (self.is_timing_next || !to_decide) {
-            // The set that is furthest behind, so that all of them are timed in turn.
+            // The set that is furthest behind is timed next, so that all sets are timed in turn.
             let round = |set: &&mut Set| set.timings / set.workers.len().max(1);
             if let Some(set) = self.sets.iter_mut().min_by_key(round) {
                 set.time(rounds, one_thread);
@@ -169,7 +170,7 @@ impl Set {
         Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *sorted.last()? })
     }
 
-    /// Traces the next rays with the reference and all methods.
+    /// Decides the next rays: traces them with the reference and with every method.
     fn decide(&mut self) {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
@@ -192,7 +193,7 @@ impl Set {
         self.chunk = (fitting as usize).clamp(1, 2 * self.chunk + 2);
     }
 
-    /// Times the next methods in turn.
+    /// Times the next methods, in turn.
     fn time(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
         let start = Instant::now();
         while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
@@ -205,7 +206,7 @@ impl Set {
     }
 }
 
-/// Results of one method in one case so far.
+/// The results of one method in one case so far.
 #[derive(Default)]
 struct Tally {
     /// Number of decisions.
@@ -214,19 +215,19 @@ struct Tally {
     wrong: u64,
     /// Errors of `t` in ulps.
     ulps: Vec<f64>,
-    /// Decisions that are right, but whose true t is out of range.
+    /// Number of right decisions whose true t is outside the range of the method's precision.
     t_out_of_range: u64,
     normal_error_max: Option<f64>,
     backward_error_max: Option<f64>,
-    /// Nanoseconds per pixel of each round.
+    /// Nanoseconds per pixel in each round.
     times: Vec<f64>,
-    /// The ladder's steps in the last round, for decisions and for `t`.
+    /// The ladder's steps in the last round: for decisions, and for finding `t`.
     steps: Option<[Steps; 2]>,
 }
 
 impl Tally {
-    /// Counts a decision. If the decision is right, also records its errors; the error of t is
-    /// recorded only if the true t is a normal number in the method's precision.
+    /// Counts a decision and, if it is right, records its errors. The error of t is recorded only if
+    /// the true t is a normal number in the method's precision.
     fn decide(
         &mut self,
         method: Method,
@@ -258,7 +259,7 @@ impl Tally {
             self.t_out_of_range += 1;
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
-        // A normal without a direction counts as wrong as the opposite one.
+        // A normal without a direction counts as wrong as the opposite of the true normal.
         let angle = if angle.is_nan() { PI } else { angle };
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
@@ -283,7 +284,7 @@ impl Tally {
             normal_error_max: self.normal_error_max,
             backward_error_max: self.backward_error_max,
             t_out_of_range: self.t_out_of_range,
-            // The subject knows.
+            // Set by the caller, which knows the subject.
             pixels_timed: 0,
             ns_per_pixel: Times {
                 median: quantile(&times, 0.5),
@@ -304,9 +305,10 @@ fn sorted(values: &[f64]) -> Vec<f64> {
     values
 }
 
-/// Returns the quantile: the smallest value such that at least this share of the values is not above it.
+/// Returns the quantile: the smallest value such that at least a fraction `share` of all values is less
+/// than or equal to it. Returns `None` if there are no values.
 fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
-    // The product has a rounding error.
+    // The product may be slightly too large because of rounding.
     let count = (share * sorted.len() as f64 * (1.0 - 1e-12)).ceil() as usize;
     sorted.get(count.max(1) - 1).copied()
 }

@@ -1,8 +1,7 @@
-//! How well `t` is determined by its problem, and how large a change of the problem explains a
+//! How sensitive `t` is to changes of its problem, and how small a change of the problem explains a
 //! method's `t`: the condition number and the backward error (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). Their product bounds the
-//! relative error of `t`, which separates the error of the method from the sensitivity of the
-//! problem.
+//! Numerical Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). Their product bounds the relative
+//! error of `t`. It thus separates the error of the method from the sensitivity of the problem.
 //!
 //! The root of `|o + t d - c| = r` moves, to first order, by
 //!
@@ -10,31 +9,31 @@
 //! dt = -(n.(do + t dd - dc) - dr) / n.d        n the unit normal where the ray meets the sphere
 //! ```
 //!
-//! Let every vector change by at most the fraction e of its length, and r by e r. The worst case is
-//! that all vectors change along n: `|dt| / t <= e k` with
+//! Let every vector change by at most the fraction e of its length, and r by at most e r. In the worst
+//! case all vectors change along n, so `|dt| / t <= e k` with
 //!
 //! ```text
 //! k = (|o| + |c| + t |d| + r) / (t |n.d|)
 //! ```
 //!
-//! Conversely, a computed t' is the exact root of a problem changed by the fraction `| |o + t' d -
-//! c| - r | / (|o| + |c| + t' |d| + r)`, and of no problem changed by less: the theorem of Rigal
-//! and Gaches (Higham, theorem 7.1) for one equation. A plane `n.(o + t d - q) = 0` has `|p - q|`
-//! in place of r: the effect of a change of its normal.
+//! Conversely, a computed t' is the exact root of a problem that is changed by the fraction `| |o + t'
+//! d - c| - r | / (|o| + |c| + t' |d| + r)`, and of no problem that is changed by less. This is the
+//! theorem of Rigal and Gaches (Higham, theorem 7.1) for one equation. For a plane `n.(o + t d - q) =
+//! 0`, r is replaced by `|p - q|`, the effect of a change of the normal.
 
 use pinhole_core::{DVec3, Object, Ray};
 use pinhole_reference::{Hit, Real};
 
-/// Unit roundoff of `f64`, 2^-53: the unit of backward errors. An error in ulps is at most the condition number
-/// times the backward error.
+/// The unit of backward errors: the unit roundoff of `f64`, 2^-53. In this unit, the condition number
+/// times the backward error is at least the error in ulps.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// The true hit of one ray with one object. All lengths are relative to the distance of the hit, to
-/// stay in the range of `f64`.
+/// The true hit of a ray with an object. All lengths are relative to the distance of the hit, so that
+/// they stay in the range of `f64`.
 pub(super) struct Problem {
     /// The true `t`.
     t: f64,
-    /// Cosine of the angle between direction and normal.
+    /// Cosine of the angle between the ray's direction and the normal.
     cosine: f64,
     /// `|o| + |c| + r`, or `|o| + |q| + |p - q|`.
     fixed: f64,
@@ -42,11 +41,11 @@ pub(super) struct Problem {
     radius: Option<f64>,
 }
 
-/// The cosine at the hit below which a sphere's roots cannot be distinguished.
+/// The |cosine| at the hit below which a sphere's two roots cannot be distinguished.
 const ONE_ROOT: f64 = 1e-14;
 
 impl Problem {
-    /// Creates the problem whose answer is this first hit.
+    /// Creates the problem whose solution is this first hit.
     pub(super) fn new(ray: &Ray, object: &Object, truth: &Hit) -> Problem {
         let of_reals = |reals: &[pinhole_reference::Real; 3]| {
             DVec3::new(reals[0].to_f64(), reals[1].to_f64(), reals[2].to_f64())
@@ -57,7 +56,7 @@ impl Problem {
             Object::Plane(plane) => (plane.point, length(of_reals(&truth.point) - plane.point)),
         };
         let t = truth.t.to_f64();
-        // Beyond the range of numbers, nothing is known.
+        // If the distance overflows, nothing can be computed, so all lengths become NaN.
         let distance = Some(t * speed).filter(|x| x.is_finite()).unwrap_or(f64::NAN);
         Problem {
             t,
@@ -67,8 +66,7 @@ impl Problem {
         }
     }
 
-    /// Returns `(t' - t) / t` for a computed t'; `None` if the quotient is outside the range of
-    /// `f64`.
+    /// Returns `(t' - t) / t` for a computed t'; `None` if it is outside the range of `f64`.
     fn moved(&self, truth: &Hit, t: f64) -> Option<f64> {
         if !t.is_finite() {
             return None;
@@ -77,14 +75,14 @@ impl Problem {
         let moved = if half.abs() < 0.5 {
             -2.0 * half / (1.0 + half)
         } else {
-            // The difference is exact, so nothing is lost to cancellation.
+            // This difference is exact, so nothing is lost to cancellation.
             -truth.t.minus(&Real::from(t)).to_f64() / self.t
         };
         moved.is_finite().then_some(moved)
     }
 
-    /// Returns true if a computed t is the other root of the same object: less than half as far
-    /// from the other root as from the true one. Roots that differ by only a few times `unit` count
+    /// Returns true if a computed t is the other root of the same object: t is then less than half as
+    /// far from the other root as from the true one. Roots that differ by only a few times `unit` count
     /// as one root.
     pub(super) fn is_other_root(&self, truth: &Hit, t: f64, unit: f64) -> bool {
         let (Some(radius), Some(moved)) = (self.radius, self.moved(truth, t)) else { return false };
@@ -93,14 +91,15 @@ impl Problem {
         are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
-    /// Returns the condition number of `t`; `None` at a tangent, where the condition number is
-    /// infinite, and if sizes are outside the range of `f64`.
+    /// Returns the condition number of `t`. Returns `None` at a tangent, where it is infinite, or if a
+    /// size is outside the range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
         let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
     }
 
-    /// Returns the backward error of a computed `t`, in units of 2^-53.
+    /// Returns the backward error of a computed `t`, in units of 2^-53; `None` if it is outside the
+    /// range of `f64`.
     pub(super) fn backward_error(&self, truth: &Hit, t: f64) -> Option<f64> {
         let moved = self.moved(truth, t)?;
         let off = match self.radius {
@@ -116,7 +115,7 @@ impl Problem {
     }
 }
 
-/// Returns the length of a vector without overflow or underflow.
+/// Returns the length of a vector. Intermediate results do not overflow or underflow.
 fn length(v: DVec3) -> f64 {
     let largest = v.abs().max_element();
     if largest > 0.0 { largest * (v / largest).length() } else { 0.0 }

@@ -1,4 +1,4 @@
-//! The cases of the stress families: each family at each setting of its knob.
+//! The cases of the stress families: one for each setting of each family's knob.
 
 use std::sync::Arc;
 
@@ -14,21 +14,21 @@ use super::scenes::methods_for;
 use super::subject::{CaseSubject, MeasuredPicture};
 use crate::report::model::Case;
 
-/// Rays for each setting of a knob.
+/// Number of rays for each setting of a knob.
 const RAYS: usize = 600;
-/// Pictures for each setting of a knob.
+/// Number of pictures for each setting of a knob.
 const FRAMES: usize = 4;
-/// Approximate number of pixels at which a small picture is timed.
+/// Approximate number of pixels to which a small picture is enlarged for timing.
 const TIMED: u32 = 90 * 90;
 /// Maximum number of pixels per side of a picture.
 const SIDE: u32 = 256;
 
-/// A note for readers of the families' numbers.
+/// A note for readers of the results.
 pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: numbers exact in f32, ulps \
      of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2); \
      ladder-f32 gets the pictures of the f64 methods";
 
-/// Returns the cases, and sentences about omitted measurements.
+/// Returns the cases, and sentences about measurements that are omitted.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let of_knobs =
         |family: &'static Family| family.knobs.iter().map(move |knob| case(family, *knob, seed));
@@ -52,8 +52,9 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
     CaseRun::new(case, limits, move || make(family, knob, seed))
 }
 
-/// Creates the sets of a case. The `f64` methods get the family's cases; the `f32` methods get cases whose
-/// numbers are exact in `f32`, so that their own errors are measured and not those of rounding the scene.
+/// Creates the sets of a case. The `f64` methods get the family's cases. The `f32` methods get cases
+/// whose numbers are exact in `f32`, so that the rounding of the scene does not contribute to their
+/// errors.
 fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
@@ -83,8 +84,8 @@ fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     (sets, left_out)
 }
 
-/// Returns the precision of a method's input. The ladder's input is `f64`, regardless of the
-/// precision of its t.
+/// Returns the precision of a method's input. The ladder's input is in `f64`, whatever the precision of
+/// its t.
 fn given_in(method: Method) -> Precision {
     match method {
         Method::Known(_, precision) => precision,
@@ -119,9 +120,10 @@ fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     Some(MeasuredPicture::new(scene, &camera, &resolved, raster, timed))
 }
 
-/// Returns a picture of usual size, in which work shared by all pixels takes little of the time.
-/// Each pixel is divided into an odd number of pixels per direction, to include the pixel's own
-/// ray, which may be the difficult one. Returns `None` if the picture is already large.
+/// Returns a picture of ordinary size for timing, so that the work shared by all pixels takes only a
+/// small part of the time. Each pixel is divided into an odd number of pixels in each direction. Their
+/// centres include the pixel's own centre, whose ray may be the difficult one. Returns `None` if the
+/// picture is already large enough.
 fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
     let (columns, rows) = (camera.image.width(), camera.image.height());
     let times = (f64::from(TIMED) / (f64::from(columns) * f64::from(rows))).sqrt() as u32;

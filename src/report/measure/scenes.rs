@@ -1,5 +1,5 @@
-//! The cases of one scene: the whole scene, and separate cases for objects that are handled by
-//! other code.
+//! The cases of a scene: the whole scene, and separate cases for objects that are traced by separate
+//! code.
 
 use std::sync::Arc;
 
@@ -10,18 +10,18 @@ use super::case::{CaseRun, Limits, Set};
 use super::subject::{CaseSubject, MeasuredPicture};
 use crate::report::model::Case;
 
-/// Maximum number of pixels per side when comparing with the truth.
+/// Maximum number of pixels per side that are compared with the reference.
 const SIDE: u32 = 240;
-/// Maximum number of pixels per side when timing.
+/// Maximum number of pixels per side that are timed.
 const TIMED_SIDE: u32 = 256;
-/// Maximum number of intersection tests that are timed at once, so that slices stay short.
+/// Maximum number of intersection tests in one time measurement, which keeps the slices short.
 const TIMED_TESTS: usize = 1 << 17;
-/// A note for readers of a scene's numbers.
+/// A note for readers of the results.
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// Returns the cases, and sentences about omitted measurements. The cases are the scene, its planes, and the
-/// spheres around the eye if there are other spheres too.
+/// Returns the cases, and sentences about measurements that are omitted. The cases are the scene, its
+/// planes alone, and, if there are other objects too, the spheres around the eye alone.
 pub(super) fn cases(
     name: &str,
     scene: &Scene,
@@ -64,7 +64,7 @@ pub(super) fn cases(
     Ok((cases, left_out.into_iter().map(|what| format!("{name}: {what}")).collect()))
 }
 
-/// Returns all methods; without spheres, returns one method for each way to intersect a plane.
+/// Returns all methods. Without spheres, returns only one method for each way of intersecting a plane.
 pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     Method::of_frames().filter(move |method| match method {
         Method::Known(formula, _) => has_spheres || *formula == Formula::Textbook,
@@ -94,7 +94,8 @@ fn make(
     (vec![Set::new(CaseSubject::Frames(vec![picture]), methods)], left_out)
 }
 
-/// Returns the raster for timing: the image, or fewer of its pixels, in rows as long as possible.
+/// Returns the raster for timing: the image or, if it is too large, a part of its pixels in rows as
+/// long as possible.
 fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
     let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());

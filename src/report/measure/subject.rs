@@ -1,4 +1,4 @@
-//! The subject of a case: rays that the reference and the methods trace.
+//! The subject of a case: the rays that the reference and the methods trace.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -13,48 +13,48 @@ use rayon::ThreadPool;
 
 use super::condition::Problem;
 
-/// The reference, in words.
+/// A description of the reference.
 pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
      from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
-/// Numbered rays of one kind.
+/// Numbered rays, which are either single rays or the rays of pixels.
 pub(super) enum CaseSubject {
-    /// Any rays, each with a scene of its own.
+    /// Single rays, each with its own scene.
     Rays(Vec<(Scene, Ray)>),
-    /// Pixels of pictures.
+    /// The rays of the pixels of pictures.
     Frames(Vec<MeasuredPicture>),
 }
 
-/// A scene as seen by a camera.
+/// A scene seen by a camera.
 pub(super) struct MeasuredPicture {
     pub(super) scene: Arc<Scene>,
     pub(super) camera: ResolvedCamera,
     of_reference: reference::Camera,
     objects: Vec<Object>,
-    /// The exact numbers that all rays share; `None` for a scene of many objects, which are filtered for each
-    /// pixel first.
+    /// The exact numbers that all rays share. `None` for a scene with many objects, which are filtered
+    /// separately for each pixel.
     view: Option<View>,
-    /// The pixels that are compared with the truth.
+    /// The pixels that are compared with the reference.
     raster: Raster,
-    /// The camera and raster that are traced for timing.
+    /// The camera and the raster that are traced for timing.
     timed: (ResolvedCamera, Raster),
 }
 
-/// One method at work on a subject.
+/// A method that is prepared for a subject.
 pub(super) struct Kernel {
-    /// Kernels for the hits that are compared with the truth: one for each picture, or one for all single rays.
+    /// Kernels whose hits are compared with the reference: one per picture, or one for all single rays.
     compared: Vec<Box<dyn MethodKernel>>,
-    /// Kernels that run while the method is timed.
+    /// Kernels that are run to time the method.
     timed: Vec<Box<dyn MethodKernel>>,
-    /// Number of passes in one time measurement.
+    /// Number of times that the timed kernels run in one time measurement.
     repeats: u32,
 }
 
-/// Minimum duration of one time measurement of rays, if possible.
+/// Minimum duration of one time measurement of single rays, unless it would take too many runs.
 const MEASUREMENT: Duration = Duration::from_micros(300);
 
-/// Number of objects above which the reference gets only the objects that a ray may hit.
+/// Number of objects from which the reference gets only the objects that a ray may hit.
 const MANY_OBJECTS: usize = 12;
 
 impl CaseSubject {
@@ -66,8 +66,8 @@ impl CaseSubject {
         }
     }
 
-    /// Returns the number of the picture that the ray with this number belongs to, and its pixel's number there;
-    /// of single rays, 0 and the ray's own number.
+    /// Returns the index of the picture to which the ray `index` belongs, and the index of its pixel in
+    /// that picture. For single rays, returns 0 and `index`. Returns `None` if there is no such ray.
     fn locate(&self, mut index: usize) -> Option<(usize, usize)> {
         let CaseSubject::Frames(pictures) = self else { return Some((0, index)) };
         for (number, picture) in pictures.iter().enumerate() {
@@ -79,7 +79,7 @@ impl CaseSubject {
         None
     }
 
-    /// Returns the true first hit of the ray with this number, and the problem that it answers; `None` if the ray
+    /// Returns the true first hit of the ray `index`, and the problem that it solves; `None` if the ray
     /// hits nothing.
     pub(super) fn truth(&self, index: usize) -> Option<(Hit, Problem)> {
         let (scene, ray, hit) = match self {
@@ -100,8 +100,8 @@ impl CaseSubject {
         Some((hit, problem))
     }
 
-    /// Prepares a method to trace the rays; returns `None` if the rays are single and the method
-    /// only traces frames.
+    /// Prepares a method to trace the rays. Returns `None` if the rays are single and the method only
+    /// traces frames.
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
             CaseSubject::Rays(cases) => {
@@ -126,7 +126,7 @@ impl CaseSubject {
         })
     }
 
-    /// Returns the hit that the method finds for the ray with this number.
+    /// Returns the hit that a method finds for the ray `index`; `None` if it finds none.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
         let (number, index) = self.locate(index)?;
         kernel.compared[number].hit(index)
@@ -140,7 +140,7 @@ impl CaseSubject {
         }
     }
 
-    /// Returns the time of the method, in nanoseconds per pixel (or ray).
+    /// Runs a method. Returns its time in nanoseconds per pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
         let pixels = self.pixels_timed() * kernel.repeats as usize;
         let mut measure = || {
@@ -159,7 +159,8 @@ impl CaseSubject {
 }
 
 impl Kernel {
-    /// Returns the ladder's steps in the last time measurement: for decisions, and for `t`.
+    /// Returns the ladder's steps in the last time measurement, for decisions and for finding `t`;
+    /// `None` for other methods.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
         let mut each = self.timed.iter().map(|kernel| kernel.steps());
         each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
@@ -170,7 +171,8 @@ impl Kernel {
 }
 
 impl MeasuredPicture {
-    /// Creates a picture: the pixels of `raster` are compared with the truth; `timed` is traced for timing.
+    /// Creates a picture. The pixels of `raster` are compared with the reference, and those of `timed`
+    /// are traced for timing.
     pub(super) fn new(
         scene: Arc<Scene>,
         given: &Camera,
@@ -185,7 +187,7 @@ impl MeasuredPicture {
         MeasuredPicture { scene, camera, of_reference, objects, view, raster, timed }
     }
 
-    /// Returns the pixel with this number.
+    /// Returns the row and column of the pixel with this index in the raster.
     fn pixel(&self, pixel: usize) -> Pixel {
         let (rows, columns) = (self.raster.rows(), self.raster.columns());
         Pixel { row: rows[pixel / columns.len()], column: columns[pixel % columns.len()] }
@@ -208,12 +210,12 @@ impl MeasuredPicture {
     }
 }
 
-/// Returns true if the ray's line misses the sphere by more than any rounding of the ray could
-/// explain.
+/// Returns true if the ray's line misses the sphere by more than any rounding of the ray could explain;
+/// false for a plane.
 ///
-/// The ray's direction has a relative error of about 1e-16; the margin, 1e-6 of the distance to the
-/// centre, is far larger than that error and the rounding errors here. If anything overflows or
-/// underflows, the result is false.
+/// The ray's direction has a relative error of about 1e-16. The margin of 1e-6 of the distance to the
+/// centre is far larger than this error and the rounding errors in this function. If anything overflows
+/// or underflows, the result is false.
 fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     let Object::Sphere { center, radius } = object else { return false };
     let to_center = DVec3::from_array(*center) - ray.origin;
@@ -223,7 +225,7 @@ fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     is_plain(ray.direction.length()) && is_plain(reach) && across > reach
 }
 
-/// Returns the scene's objects for the reference: spheres, then planes.
+/// Converts the scene's objects for the reference, spheres before planes.
 fn objects_of(scene: &Scene) -> Vec<Object> {
     let sphere = |s: &Sphere| Object::Sphere { center: s.center.into(), radius: s.radius };
     let plane = |p: &Plane| Object::Plane { point: p.point.into(), normal: p.normal.into() };

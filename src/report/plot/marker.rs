@@ -1,5 +1,5 @@
-//! Marks that distinguish methods: a shape and a colour for each formula, hollow in `f32`, filled in `f64`,
-//! filled and framed in double-double.
+//! Marks that distinguish methods: a shape and a colour for each formula. A mark is hollow for `f32`,
+//! filled for `f64`, and filled with a frame for double-double.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 
@@ -9,9 +9,9 @@ use crate::report::model::Digits;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Marker {
     pub(crate) color: Color32,
-    /// Number of sides of the shape, a regular polygon; 0 for a star.
+    /// Number of sides of the regular polygon; 0 for a star.
     sides: usize,
-    /// Angle of the polygon's first corner from straight up, in degrees.
+    /// Angle from straight up to the polygon's first corner, in degrees.
     turned: f32,
 }
 
@@ -21,8 +21,8 @@ const RADIUS: f32 = 6.0;
 /// The colour of wrong decisions.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
-/// Colours after Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers can distinguish;
-/// yellow, too light for white paper, is replaced by wine (Tol 2021).
+/// The colours are those of Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers
+/// can distinguish. Their yellow is too light for white paper and is replaced by wine (Tol 2021).
 const MARKERS: [(&str, Marker); 8] = [
     ("ladder", marker([0x00, 0x00, 0x00], 0, 0.0)),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
@@ -46,12 +46,12 @@ const IN_WORDS: [(&str, &str); 8] = [
     ("lagrange", "discriminant as r²a - |oc × d|²"),
 ];
 
-/// Returns a short description of a formula; empty for an unknown one.
+/// Returns a short description of a formula; empty if the formula is unknown.
 pub(crate) fn in_words(formula: &str) -> &'static str {
     IN_WORDS.iter().find(|(name, _)| *name == formula).map_or("", |(_, words)| *words)
 }
 
-/// The grey marker of a formula that is missing from [`MARKERS`].
+/// The grey marker of any formula that is not in [`MARKERS`].
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
 const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
@@ -63,7 +63,7 @@ pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// Returns a formula's colour on a dark background: at least as light as a medium grey.
+/// Returns a formula's colour on a dark background, which is at least as light as a medium grey.
 pub(crate) fn lightened(color: Color32) -> Color32 {
     let [r, g, b, _] = color.to_array().map(f32::from);
     let luma = 0.299 * r + 0.587 * g + 0.114 * b;
@@ -72,8 +72,8 @@ pub(crate) fn lightened(color: Color32) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the sign of wrong decisions: one ring around adjacent marks of methods with wrong
-/// decisions.
+/// Draws the sign for wrong decisions: a single ring around the adjacent marks of methods that made
+/// some.
 pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = Pos2>) {
     const RING: f32 = 1.5 * RADIUS;
     let mut around = Rect::NOTHING;
@@ -85,7 +85,7 @@ pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = P
 }
 
 impl Marker {
-    /// Draws the marker of a method of this precision.
+    /// Draws the mark of a method with this precision.
     pub(crate) fn draw(&self, painter: &Painter, center: Pos2, digits: Digits) {
         let corners = self.corners(center, 1.0);
         let outlined = |corners: &[Pos2], width: f32, color| {
@@ -97,15 +97,15 @@ impl Marker {
             return;
         }
         self.fill(painter, &corners, self.color);
-        // A white line separates a filled mark from anything below it.
+        // A white outline separates a filled mark from anything below it.
         outlined(&corners, 1.0, Color32::WHITE);
         if digits == Digits::DoubleDouble {
             outlined(&self.corners(center, 1.55), 1.5, self.color);
         }
     }
 
-    /// Fills the outline. egui only fills convex shapes, so a star is drawn as five kites, each from a tip to
-    /// the opposite notch.
+    /// Fills the outline. egui only fills convex shapes, so a star is drawn as five kites, each from a
+    /// tip to the opposite notch.
     fn fill(&self, painter: &Painter, corners: &[Pos2], color: Color32) {
         let fill = |corners| painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
         if self.sides == 0 {
@@ -117,8 +117,8 @@ impl Marker {
         }
     }
 
-    /// Returns the corners of the outline. Triangles and stars are enlarged, to appear as large as
-    /// the other outlines.
+    /// Returns the corners of the outline. Triangles and stars are enlarged so that they look as large
+    /// as the other shapes.
     fn corners(&self, center: Pos2, scale: f32) -> Vec<Pos2> {
         let corner = |degrees: f32, radius: f32| {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())

@@ -1,10 +1,11 @@
-//! The report as pictures similar to work-precision diagrams (Hairer and Wanner, "Solving Ordinary Differential
-//! Equations II", section IV.10; SciML's benchmarks): time on the x axis, error on the y axis, both
-//! logarithmic; one curve per formula, over the precisions in which it is computed.
+//! The report as pictures, similar to work-precision diagrams (Hairer and Wanner, "Solving Ordinary
+//! Differential Equations II", section IV.10; SciML's benchmarks). Time is on the x axis and error on
+//! the y axis, both logarithmic. Each formula has a curve over the precisions in which it is computed.
 //!
-//! The pages are 16:9, each for one slide. A scene has one page; for several scenes, the first page is a
-//! summary with one line per method. The families have a summary, and pages of four each: a family also shows
-//! its error against the knob, and its time panel the worst error over all settings.
+//! Each page has the format 16:9 and fits on a slide. A scene has one page. A report of several scenes
+//! or families starts with a summary, with one line per method; families follow with four on each page.
+//! The time panel of a family shows the worst error over all settings, and a second panel shows the
+//! error against the knob.
 
 pub(crate) mod marker;
 mod panel;
@@ -22,7 +23,7 @@ use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 
-/// Dots per point in PNG: the page is then as wide as a projector's picture.
+/// Dots per point in PNG files, with which the page is as wide as a projector's picture.
 pub const PNG_SCALE: f32 = 1.5;
 
 /// The size of a page, in points.
@@ -31,11 +32,12 @@ const PAGE: Vec2 = vec2(1280.0, 720.0);
 /// Margin around all panels.
 const MARGIN: f32 = 28.0;
 
-/// Space for the numbers to the left of a panel, and for the names of lines to the right.
+/// Space for the numbers to the left of a panel.
 const NUMBERS: f32 = 84.0;
+/// Space for the names of lines to the right of a panel.
 const NAMES: f32 = 46.0;
 
-/// Number of families on a page: two by two.
+/// Number of families on a page, in two rows and two columns.
 const FAMILIES: usize = 4;
 
 const TEXT: Color32 = Color32::from_gray(0x1a);
@@ -44,7 +46,7 @@ const FRAME: Color32 = Color32::from_gray(0x70);
 /// The background of every other formula in a table.
 const BAND: Color32 = Color32::from_gray(0xf6);
 
-/// The font size of an axis's numbers and of other small text.
+/// The font size of the numbers on an axis and of other small text.
 const SMALL: f32 = 14.0;
 
 const GRID: GridInk = GridInk { line: Color32::from_gray(0xe4), text: TEXT, size: SMALL };
@@ -60,7 +62,7 @@ fn bold(size: f32) -> FontId {
 /// A function that draws the contents of a page.
 type DrawPage<'a> = Box<dyn Fn(&Painter) + 'a>;
 
-/// Draws a report with this number of dots per point: one picture per page.
+/// Draws a report with `scale` dots per point, as one figure per page.
 pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
     let summaries = summary::summaries(report);
     let (families, scenes): (Vec<&Summary>, Vec<&Summary>) =
@@ -120,7 +122,7 @@ fn single(painter: &Painter, report: &Report, summary: &Summary) {
     foot(painter, y, report);
 }
 
-/// Draws the first page of a report of several scenes or families.
+/// Draws the first page of a report with several scenes or families.
 fn first(painter: &Painter, report: &Report, summaries: &[Summary]) {
     let all = summary::overall(summaries);
     let bottom = table::of_all(painter, pos2(MARGIN, TOP), &all);
@@ -138,7 +140,7 @@ fn first(painter: &Painter, report: &Report, summaries: &[Summary]) {
     foot(painter, y, report);
 }
 
-/// Draws a page of several families.
+/// Draws a page with several families.
 fn grid(painter: &Painter, families: &[&Summary]) {
     let size = vec2(0.5 * (PAGE.x - 3.0 * MARGIN), 282.0);
     for (index, summary) in families.iter().enumerate() {
@@ -151,7 +153,7 @@ fn grid(painter: &Painter, families: &[&Summary]) {
     paragraph(painter, below + 24.0, &format!("{MARKS} {SETTINGS}"));
 }
 
-/// Draws the marks of these families' formulas in one line.
+/// Draws the marks of the families' formulas with their names, in one line.
 fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
     let mut formulas: Vec<&str> = Vec::new();
     for method in families.iter().flat_map(|summary| &summary.methods) {
@@ -167,7 +169,7 @@ fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
     }
 }
 
-/// Draws a scene or a family: its error against time, and against the knob if there is one.
+/// Draws a scene or a family: its error against time and, if it has a knob, its error against the knob.
 fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     let Some(case) = summary.cases.first() else { return };
     let top = rect.left_top() + vec2(0.0, 4.0);
@@ -185,8 +187,8 @@ fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary);
 }
 
-/// Draws the panels of a scene or a family with everything around them. Returns the marks of error against
-/// time.
+/// Draws the panels of a scene or a family, with all labels. Returns the marks in the panel of error
+/// against time.
 pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<PlotMark<'a>> {
     let what = "largest error in t, ulps of f64";
     painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
@@ -201,7 +203,7 @@ pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) ->
     panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary)
 }
 
-/// Writes wrapped text; returns its lower edge.
+/// Writes a text with line breaks. Returns the position of its lower edge.
 fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     let galley = painter.layout(text.to_owned(), plain(SMALL), WEAK, PAGE.x - 2.0 * MARGIN);
     let below = y + galley.size().y;
@@ -209,7 +211,7 @@ fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     below
 }
 
-/// Writes the reference, the processor, the notes, and the omitted measurements.
+/// Writes the reference, the processor, the notes, and the measurements that were left out.
 fn foot(painter: &Painter, mut y: f32, report: &Report) {
     let seed = report.seed.map_or(String::new(), |seed| format!("; seed {seed}"));
     for (name, text, more) in [
@@ -226,8 +228,8 @@ fn foot(painter: &Painter, mut y: f32, report: &Report) {
     }
 }
 
-/// Returns the first measurement that was left out, and the number of others: the text table lists
-/// all of them.
+/// Returns the first measurements that were left out, and the number of the others. The text table
+/// lists all of them.
 fn left_out(lines: &[String]) -> String {
     const MOST: usize = 160;
     let mut length = 0;

@@ -11,7 +11,7 @@ use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
-/// The colour of the Pareto front, a wide pale line behind the curves.
+/// The colour of the Pareto front, which is a wide pale line behind the curves.
 const FRONT: Color32 = Color32::from_rgb(0xc9, 0xd6, 0xe6);
 
 /// The colour of the condition number.
@@ -20,30 +20,31 @@ const CONDITION: Color32 = Color32::from_gray(0xa0);
 /// Dash and gap of a dashed line.
 const DASH: [f32; 2] = [7.0, 5.0];
 
-/// The height of the lanes for zero errors and for methods without an error.
+/// The height of a lane, in which zero errors or methods without an error are shown.
 const LANE: f32 = 20.0;
 
-/// Space between the outermost values and the frame, and around a knob's outermost settings.
+/// Space between the outermost values and the frame.
 const MARGIN: f32 = 10.0;
+/// Space on both sides of a knob's outermost settings.
 const EDGE: f32 = 24.0;
 
-/// Lanes above the scale, from the top. A lane is present only if it contains a mark.
+/// The lanes above the scale, from top to bottom. A lane is drawn only if there is a mark in it.
 const LANES: [(Outcome, &str); 3] = [
     (Outcome::NoHit, "no hit alike"),
     (Outcome::NoDigit, "no digit right"),
     (Outcome::OutOfRange, "out of range"),
 ];
 
-/// The scale of errors, shared by the two panels of a row.
+/// The scale of errors, which the two panels in a row share.
 pub(super) struct Errors {
     scale: Scale,
     y: Rangef,
-    /// The lanes above the scale.
+    /// The drawn lanes above the scale.
     lanes: Vec<(Outcome, &'static str)>,
 }
 
 impl Errors {
-    /// Creates the scale of panels with this vertical range.
+    /// Creates the scale for panels with this vertical range.
     pub(super) fn new(summary: &Summary, y: Rangef) -> Errors {
         let is_there = |(lane, _): &(Outcome, &str)| summary.outcomes().any(|o| o == *lane);
         let lanes: Vec<_> = LANES.into_iter().filter(is_there).collect();
@@ -68,7 +69,8 @@ impl Errors {
         }
     }
 
-    /// Draws the frame and the horizontal lines, and labels to the left of the frame.
+    /// Draws the frame and the horizontal lines and, if `has_numbers` is true, the labels to the left
+    /// of the frame.
     fn draw(&self, painter: &Painter, rect: Rect, has_numbers: bool) {
         let ticks = self.scale.ticks(24.0);
         rows(painter, rect, &ticks, GRID.line);
@@ -91,7 +93,7 @@ impl Errors {
         painter.rect_stroke(rect, 0.0, Stroke::new(1.5, FRAME), StrokeKind::Middle);
     }
 
-    /// Writes the names of the two lines for one ulp, to the right of a frame.
+    /// Writes the names of the two lines that show one ulp, to the right of a frame.
     pub(super) fn name_ulps(&self, painter: &Painter, right: f32) {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.contains(ulp) {
@@ -102,7 +104,7 @@ impl Errors {
     }
 }
 
-/// A method's mark at a position.
+/// The mark of a method and its position.
 #[derive(Clone, Copy)]
 pub(crate) struct PlotMark<'a> {
     pub(crate) method: &'a MethodSummary<'a>,
@@ -117,8 +119,8 @@ impl PlotMark<'_> {
     }
 }
 
-/// Draws error against time: one curve per formula, over its precisions; one bar per method, over
-/// its times; and the Pareto front behind the curves. Returns the marks.
+/// Draws error against time: a curve per formula over its precisions, a bar per method over its times,
+/// and the Pareto front behind the curves. Returns the marks.
 pub(super) fn time<'a>(
     painter: &Painter,
     rect: Rect,
@@ -148,8 +150,8 @@ pub(super) fn time<'a>(
         let points: Vec<Pos2> = curve.iter().map(|mark| mark.center).collect();
         line(painter, &points, (2.0, marker_of(curve[0].method.formula).color), SOLID);
     }
-    // The first method, the one to look for, is drawn on top. Each ring is drawn together with its
-    // mark, to make clear which mark it belongs to.
+    // The first method is the most important one, so it is drawn last, on top. Each ring is drawn
+    // together with its mark, so that it is clear which mark it belongs to.
     for mark in marks.iter().rev() {
         marker::ring_around(painter, mark.is_wrong.then_some(mark.center));
         mark.draw(painter);
@@ -157,21 +159,21 @@ pub(super) fn time<'a>(
     marks
 }
 
-/// Draws grid lines with their numbers below, and the name of the scale.
+/// Draws vertical grid lines with their numbers below the panel, and the name of the scale.
 fn across(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk, name: &str) {
     columns(painter, rect, ticks, ink);
     let below = pos2(rect.center().x, rect.bottom() + 32.0);
     painter.text(below, Align2::CENTER_CENTER, name, plain(SMALL), TEXT);
 }
 
-/// Draws the Pareto front as stairs: no method lies between two of its methods, so extra time gains nothing
-/// until the slower method's time is reached.
+/// Draws the Pareto front as stairs. No method lies between two adjacent methods of the front, so extra
+/// time gains nothing until it reaches the time of the slower one.
 fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     let mut last: Option<Pos2> = None;
     for point in front {
         if let Some(last) = last {
             let corner = pos2(point.x, last.y);
-            // Each step is drawn separately, because egui's wide lines have no clean corners.
+            // Each step is drawn separately, because the corners of egui's wide lines are not clean.
             line(painter, &[last, corner], (7.0, FRONT), SOLID);
             line(painter, &[corner - egui::vec2(0.0, 3.5), point], (7.0, FRONT), SOLID);
         }
@@ -180,7 +182,7 @@ fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     }
 }
 
-/// Draws error against the family's knob: one line per method, at its largest error.
+/// Draws error against the family's knob, as a line per method through its largest errors.
 pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Summary) {
     let (places, is_to_scale) = places(rect, summary);
     let case_name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
@@ -218,7 +220,7 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
         };
         let dash = if method.digits == Digits::Single { DASH } else { SOLID };
         let stroke = Stroke::new(1.5, marker_of(method.formula).color);
-        // A curve is interrupted where there is no error to show.
+        // A line is interrupted where there is no error to show.
         let points = columns.iter().map(center).collect();
         chains(points).for_each(|chain| line(painter, &chain, stroke, dash));
     }
@@ -229,8 +231,8 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     }
 }
 
-/// Returns the position of each setting of the knob: true to scale if the marks then stay separate,
-/// otherwise equally spaced. The second result is true if the positions are true to scale.
+/// Returns the position of each setting of the knob. The positions are true to scale if the marks then
+/// do not overlap, and equally spaced otherwise. The second result is true if they are true to scale.
 fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     let knobs: Vec<f64> = summary.cases.iter().map(|case| case.knob.unwrap_or(0.0)).collect();
     let (low, high) = (knobs[0], knobs[knobs.len() - 1]);
@@ -244,7 +246,7 @@ fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     ((0..knobs.len()).map(place).collect(), false)
 }
 
-/// Returns the runs of consecutive points.
+/// Splits the points into runs without gaps. Runs of a single point are dropped.
 fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     let chains: Vec<Vec<Pos2>> = points
         .split(Option::is_none)
@@ -254,14 +256,14 @@ fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     chains.into_iter()
 }
 
-/// Height difference below which marks are moved apart horizontally.
+/// Vertical distance below which marks are moved apart horizontally.
 const CLOSE: f32 = 5.0;
-/// Horizontal distance between marks that are moved apart.
+/// Horizontal distance to which marks are moved apart.
 const APART: f32 = 4.0;
 
-/// Returns the marks of one setting of the knob, grouped: marks that would overlap are placed next
-/// to each other, over a width of at most `room`. Marks with wrong decisions come last, to let one
-/// ring enclose them.
+/// Returns the marks for one setting of the knob, in groups. Marks that would overlap form a group and
+/// are placed side by side, over a width of at most `room`. Within a group, the marks of methods with
+/// wrong decisions come last, so that a single ring can enclose them.
 fn column<'a>(
     case: &Case,
     (x, room): (f32, f32),
@@ -291,8 +293,8 @@ fn column<'a>(
     column
 }
 
-/// Returns the condition number, which is the error that one rounding of the input may cause;
-/// `None` if this error leaves no digit of t.
+/// Returns the condition number, which is the error that rounding the input once may cause. Returns
+/// `None` if that error leaves no correct digit of t.
 fn condition(case: &Case) -> Option<f64> {
     case.condition.map(|condition| condition.max).filter(|max| *max < NO_DIGIT)
 }

@@ -1,6 +1,6 @@
-//! The table of methods on every page except those of families: one row per method, with its mark,
-//! its formula in words and its wrong decisions. For several scenes or families, the table also
-//! shows errors and times, each as a line from the least to the greatest value.
+//! The table of methods, which is on every page except those of families. It has a row per method with
+//! its mark, its formula in words, and its wrong decisions. For several scenes or families, it also
+//! shows errors and times, each as a line from the smallest to the largest value.
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use pinhole_lecture::numbers::grouped;
@@ -18,23 +18,23 @@ pub(super) const WIDTH: f32 = 512.0;
 /// Height of a row, in points.
 const ROW: f32 = 23.0;
 
-/// Distance from the table's left edge to the words.
+/// Distance from the table's left edge to the formulas in words, in points.
 const WORDS: f32 = 178.0;
 
-/// The left and right edges of the column of errors, from the page's left edge.
+/// Left and right edge of the column of errors, from the left edge of the page.
 const ERROR: [f32; 2] = [590.0, 885.0];
-/// The left and right edges of the column of times, from the page's left edge.
+/// Left and right edge of the column of times, from the left edge of the page.
 const TIME: [f32; 2] = [930.0, 1240.0];
 
 /// A row of the table.
 struct TableRow<'a> {
     method: &'a MethodSummary<'a>,
-    /// The number or the share of wrong decisions.
+    /// The number or the fraction of wrong decisions, as text.
     wrong: String,
     is_wrong: bool,
 }
 
-/// Draws the table of a scene.
+/// Draws the table for a scene.
 pub(super) fn of_scene<'a>(painter: &Painter, at: Pos2, summary: &'a Summary<'a>) {
     let methods = &summary.methods;
     let place = |worst: &&MethodSummary| {
@@ -51,14 +51,14 @@ pub(super) fn of_scene<'a>(painter: &Painter, at: Pos2, summary: &'a Summary<'a>
     table(painter, at, WIDTH, &rows, &format!("of {} compared", grouped(decisions)));
 }
 
-/// Draws the table of all scenes or families; returns its lower edge.
+/// Draws the table for all scenes or families. Returns the position of its lower edge.
 pub(super) fn of_all<'a>(painter: &Painter, at: Pos2, all: &Overall<'a>) -> f32 {
     let Overall { methods, noun, in_share, in_errors } = all;
     let row = |method: &MethodOverall<'a>| {
         let wrong = match method.share {
             None => "-".to_owned(),
             Some(0.0) => "0 %".to_owned(),
-            // A share that is not zero is never written as 0 %.
+            // A share that is not zero is never rounded to 0 %.
             Some(share) => format!("{} %", short_plain(((1e5 * share).round() / 1e3).max(1e-3))),
         };
         TableRow { method: method.first, wrong, is_wrong: method.wrong > 0 }
@@ -82,7 +82,7 @@ pub(super) fn of_all<'a>(painter: &Painter, at: Pos2, all: &Overall<'a>) -> f32 
     body.bottom() + 30.0
 }
 
-/// Draws the rows, and returns the area that they cover.
+/// Draws the rows. Returns the area that they cover.
 fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str) -> Rect {
     let right = at.x + WIDTH;
     painter.text(at, Align2::LEFT_CENTER, "method", bold(17.0), TEXT);
@@ -117,8 +117,8 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str
     body
 }
 
-/// Draws, for each method, a line from its least to its greatest value, with its mark at the middle
-/// value. Zero and infinity have separate places.
+/// Draws, for each method, a line from its smallest to its largest value, with its mark at the median.
+/// Zero and infinity have places outside the scale.
 fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f64; 3]>]) {
     let all = || values.iter().flatten().flatten().copied();
     let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };

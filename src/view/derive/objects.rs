@@ -30,9 +30,9 @@ pub(super) type Enclosing = Arc<Vec<u32>>;
 #[derive(Debug, Default)]
 pub(super) struct Objects {
     good: Option<GoodWorld>,
-    /// The spheres from the CSV file in [`Objects::good`].
+    /// The spheres from the CSV file in the last valid document.
     csv: Option<CsvSpheres>,
-    /// The scheme of the colours in [`Objects::good`].
+    /// The colour scheme for which `GoodWorld::colors` was computed.
     scheme: Scheme,
     /// The scene that the observer sees, without the spheres of these indices.
     observed: Option<(Enclosing, Arc<Scene>)>,

@@ -1,6 +1,6 @@
 //! The second picture, shown next to the camera's. It is an error map, the picture of a wrong camera or
-//! of the ghost (a frozen camera), or the map of a student's answers. The world view marks the same
-//! camera or ray, and the student's answer together with the right one.
+//! of the ghost (a frozen camera), or the map of a student's answers. The world view draws that camera
+//! and its ray, or the student's answer together with the right one.
 
 use std::sync::Arc;
 

@@ -11,13 +11,13 @@ use crate::model::session::Scheme;
 /// The font of a label: its size in points, and whether it is bold.
 pub(super) type LabelFont = (f32, bool);
 
-/// Font of the labels of vectors.
+/// Large font for the labels of vectors.
 pub(super) const VECTOR: LabelFont = (21.0, true);
-/// Font of the labels of points that belong to a vector or a ray.
+/// Bold font for the labels of normals and of answers.
 pub(super) const BOLD_POINT: LabelFont = (17.0, true);
-/// Font of the labels of other points.
+/// Font for the labels of points, of axes, and of the given vectors.
 pub(super) const POINT: LabelFont = (17.0, false);
-/// Font of the labels of marks.
+/// Font for the labels of marks.
 pub(super) const MARK: LabelFont = (14.0, false);
 
 /// A set of colours for a light or a dark window. Each [`Scheme`] has a light and a dark style, in the
@@ -42,7 +42,7 @@ pub enum Style {
 /// The colours of one [`Style`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Colors {
-    /// Colour where the observer sees nothing.
+    /// The colour where the observer's rays hit nothing.
     pub background: Color32,
     /// The casing of lines and text, which separates them from what they cross.
     pub halo: Color32,

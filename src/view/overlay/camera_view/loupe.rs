@@ -52,7 +52,8 @@ struct Inset {
     from: DVec2,
     /// Size in dots. The rims are included.
     size: DVec2,
-    /// The row and column, with fractions, at the middle of the cells; x and y are those of the image.
+    /// The position in the image that is shown at the middle of the cells: x in columns and y in rows,
+    /// with fractions.
     middle: DVec2,
     /// Position of the middle of the cells, in dots.
     center: DVec2,
@@ -165,7 +166,7 @@ impl CameraSketch<'_> {
             let (item, position, bold) = (Item::Loupe, dot(center), false);
             let (color, halo) = (*ink, *background);
             let mut label = Label { item, position, text, color, halo, size: TEXT, bold };
-            // A small loupe is narrower than its text, and lies at the edge of the view.
+            // A small loupe, which is narrower than its text, may lie at the edge of the view.
             let [half, _] = label.half_extent(*scale);
             label.position[0] = label.position[0].min(width - half).max(half);
             label

@@ -1,5 +1,5 @@
-//! Draws in the world view what is compared with the edited camera: the ghost (its eye, basis, frustum and
-//! viewport, all dashed, with a prime after each name), and a student's answers, dashed.
+//! Draws in the world view what is compared with the edited camera, dashed: the ghost (its eye, basis,
+//! frustum and viewport, with a prime after each name), and a student's answers.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Ray, ResolvedCamera};
@@ -10,29 +10,32 @@ use crate::view::overlay::{
     BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, Shape, Sketch, VECTOR, corners, unit,
 };
 
-/// Length of the drawn frustum edges, in viewport distances.
+/// Length of the drawn frustum edges, as a multiple of the vector from the eye to the viewport's
+/// corner.
 const FRUSTUM: f64 = 2.2;
 
-/// Maximum length at which a basis vector is drawn to scale; a wrong one may have any length.
+/// Maximum length up to which a basis vector is drawn to scale. The vectors of a wrong camera may have
+/// any length.
 const LONGEST: f64 = 2.0;
 
-/// A camera to compare with: a frozen camera, or the camera that results from a mistake.
+/// A camera that is compared with the edited one: a frozen camera, or a camera with a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostCamera {
     eye: DVec3,
     /// The vectors u, v and w; `None` for a vector that is not drawn.
     basis: [Option<DVec3>; 3],
-    /// Vectors from the eye to the viewport's corners, clockwise in the image from the corner of pixel (0,
-    /// 0).
+    /// Vectors from the eye to the viewport's corners, clockwise in the image, starting at the corner
+    /// of pixel (0, 0).
     corners: [DVec3; 4],
-    /// True if this is a separate camera with its own eye; a mistake's camera has the right camera's eye.
+    /// True if this is a frozen camera, with its own eye. A camera with a mistake has the right
+    /// camera's eye.
     is_frozen: bool,
-    /// True if the corner of pixel (0, 0) is not the same as in the right camera.
+    /// True if the corner of pixel (0, 0) lies at a different place than in the right camera.
     is_turned: bool,
 }
 
 impl GhostCamera {
-    /// Returns a frozen camera as a ghost.
+    /// Creates the ghost of a frozen camera.
     pub fn frozen(camera: &ResolvedCamera) -> GhostCamera {
         let basis = camera.basis();
         GhostCamera {
@@ -44,7 +47,7 @@ impl GhostCamera {
         }
     }
 
-    /// Returns a mistake's camera as a ghost that has only the wrong vectors of its basis.
+    /// Creates the ghost of a camera with a mistake. Of its basis, only the wrong vectors are drawn.
     pub fn of_mistake(wrong: &WrongCamera) -> GhostCamera {
         let right = wrong.right_camera();
         let [u, v, w] = wrong.wrong_vectors();
@@ -61,7 +64,7 @@ impl GhostCamera {
 }
 
 impl Sketch<'_> {
-    /// Draws the ghost below everything that belongs to the edited camera.
+    /// Draws the ghost. It must be drawn before the edited camera, which then covers it.
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
@@ -92,16 +95,16 @@ impl Sketch<'_> {
     }
 }
 
-/// Range of lengths, in unit vectors, at which an answer is drawn to scale.
+/// Range of lengths at which a vector in an answer is drawn to scale, as multiples of a unit vector.
 const LENGTHS: (f64, f64) = (0.3, 1.5);
 
-/// The overlay item of all answers. No checkbox hides them, because the page is about them.
+/// The overlay item of all answers. It has no checkbox, since the answers are the subject of the page.
 const ITEM: Item = Item::Eye;
 
 impl Sketch<'_> {
-    /// Draws the answers, on top of the camera's marks.
+    /// Draws the answers on top of the camera's marks.
     pub(crate) fn answer_marks(&mut self) {
-        // The right answers come first, so that a student's answers lie on top of them.
+        // The right answers are drawn first, so that the student's answers lie on top.
         let mut marks: Vec<&AnswerMark> = self.view.answer_marks.iter().collect();
         marks.sort_by_key(|mark| mark.is_dashed);
         for mark in marks {
@@ -142,7 +145,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow from a point; `unit_length` is the length of a unit vector.
+    /// Draws a vector as an arrow that starts at a point. `unit_length` is the length at which a unit
+    /// vector is drawn.
     fn mark_vector(
         &mut self,
         mark: &AnswerMark,
@@ -157,7 +161,8 @@ impl Sketch<'_> {
         self.named_arrow([from, tip], head, pen, &mark.label, font);
     }
 
-    /// Draws a ray up to its t or its first hit, with a label at the viewport.
+    /// Draws a ray up to `t` or, without it, up to its first hit, with a label where the ray passes the
+    /// viewport.
     fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: LineStyle) {
         let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {
@@ -181,7 +186,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point: the right one as a disc, a student's point as a ring.
+    /// Draws a point: as a ring for a student's answer, as a disc for the right one.
     fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: LineStyle) {
         if !mark.is_dashed {
             self.point(at, radius, pen);

@@ -1,19 +1,19 @@
-//! Handles, drawn on top of everything else and always at the same size on the screen. A hovered or held
-//! handle is larger, has a different middle, and shows the line or ring along which it moves.
+//! Draws the handles, on top of everything else and at a constant size on the screen. A hovered or held
+//! handle is larger. It also shows the line or ring along which it moves.
 
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::{LineStyle, Shape, Sketch, VECTOR, circle, dot};
 
-/// The handles that can be dragged, and how they are drawn during a drag.
+/// The handles that can be dragged, and data that is only needed during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
     /// The handles.
     pub marks: Vec<HandleMark>,
     /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
-    /// Length in the world of the up arrow while its tip is held.
+    /// Length in the world of the up arrow while its tip is held; `None` at other times.
     pub up: Option<f64>,
 }
 
@@ -22,20 +22,20 @@ pub struct Handles {
 pub struct HandleMark {
     /// The position in the world.
     pub at: DVec3,
-    /// The form.
+    /// The shape.
     pub knob: Knob,
     /// The state: plain, hovered or held.
     pub state: KnobState,
 }
 
-/// The shape of a handle.
+/// The shape of a handle, which shows how the handle moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Knob {
     /// Moves freely.
     Round,
     /// Moves in the viewport's plane.
     Square,
-    /// Moves along one line.
+    /// Changes a single number, such as a radius.
     Diamond,
 }
 
@@ -46,7 +46,7 @@ pub enum KnobState {
     Plain,
     /// Hovered: large, with an empty middle.
     Over,
-    /// Held: large and full, with a ring around it.
+    /// Held: large and filled, with a ring around it.
     Held,
 }
 
@@ -62,9 +62,9 @@ impl KnobState {
 pub enum Guide {
     /// A line along an axis of the camera.
     Line {
-        /// One end.
+        /// One end of the line.
         from: DVec3,
-        /// The other end, where the axis points.
+        /// The other end of the line, in the direction of the axis.
         to: DVec3,
         /// Index of the axis: 0 to 2 for u, v, w.
         axis: usize,
@@ -73,22 +73,23 @@ pub enum Guide {
     Ring {
         /// The centre.
         center: DVec3,
-        /// Vector from the centre to the ring.
+        /// Vector from the centre to a point of the ring.
         a: DVec3,
         /// Another such vector, orthogonal to `a`.
         b: DVec3,
     },
 }
 
-/// Distance from the middle of a handle to its edge, in points: for plain handles, and for the others.
+/// Distance from the middle of a plain handle to its edge, in points.
 const PLAIN: f64 = 6.0;
+/// Distance from the middle of a hovered or held handle to its edge, in points.
 const LARGE: f64 = 10.0;
 
-/// Distance from the edge to the empty middle, in points.
+/// Width of the rim around the empty middle, in points.
 const RIM: f64 = 2.4;
 
 impl Sketch<'_> {
-    /// Draws all handles, with the hovered and held ones last.
+    /// Draws all handles; the hovered or held one is drawn last.
     pub(crate) fn handles(&mut self) {
         let handles = &self.view.handles;
         if !self.items.shows(Item::Handles) {
@@ -102,8 +103,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the handles that do not overlap; hovered and held ones have priority. If two overlap, the
-    /// second appears only while it is hovered or held.
+    /// Returns the handles to draw, with hovered or held ones first. Leaves out each handle that
+    /// overlaps an earlier one.
     fn without_overlaps<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
         let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
             marks.iter().partition(|mark| mark.state == KnobState::Plain);
@@ -152,7 +153,7 @@ impl Sketch<'_> {
             Guide::Ring { center, a, b } => {
                 let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.0).on_top();
                 let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
-                // A casing around each line would cut into the line before it.
+                // If each line had a casing, it would cut into the previous line.
                 ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));
             }
         }

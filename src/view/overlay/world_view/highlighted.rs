@@ -1,9 +1,9 @@
-//! Highlighting of a concept: draws it again, thicker and on top, even if its overlay item is hidden. If the
-//! derivation or a lesson refers to the concept, everything else is dimmed; if the pointer only hovers over
-//! the concept, nothing is.
+//! Highlights a concept: draws it again, thicker and on top, even if its overlay item is hidden. If the
+//! derivation or a lesson refers to the concept, everything else is dimmed. If the pointer only hovers
+//! over it in a view, nothing is dimmed.
 //!
-//! This module has the world view's highlighting and the parts that both views share; the camera view's is in
-//! `camera_view::highlighted`.
+//! This module contains the world view's highlighting and the parts that both views share. The camera
+//! view's highlighting is in `camera_view::highlighted`.
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
@@ -22,9 +22,9 @@ use crate::view::overlay::{
 pub struct Highlighted {
     /// The concept.
     pub concept: Concept,
-    /// The edited camera as given.
+    /// The edited camera as the user gives it.
     pub camera: Camera,
-    /// Significant digits of numbers.
+    /// Number of significant digits.
     pub digits: usize,
     /// True if everything else is dimmed.
     pub dims: bool,
@@ -36,7 +36,7 @@ impl Highlighted {
         written(x, self.digits.min(LABEL_DIGITS))
     }
 
-    /// Returns `=` if a label shows all of these numbers exactly, otherwise `≈`.
+    /// Returns `=` if a label shows all of these numbers exactly; otherwise `≈`.
     pub(crate) fn relation(&self, shown: &[f64]) -> char {
         let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
         if shown.iter().all(is_exact) { '=' } else { '≈' }
@@ -48,22 +48,23 @@ impl Highlighted {
     }
 }
 
-/// Maximum number of significant digits of a label; a longer one would cover the thing that it names.
+/// Maximum number of significant digits in a label. A longer label would cover what it names.
 const LABEL_DIGITS: usize = 4;
 
-/// Opacity of the other marks.
+/// Opacity of the other marks and labels while they are dimmed.
 const DIMMED: f32 = 0.42;
 
-/// Labels of the parts of a view ray's direction.
+/// The concepts and labels of the components of a view ray's direction.
 pub(crate) const ALONG: [(Concept, &str); 3] =
     [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
-/// Widths of highlighted lines and of the lines that accompany them, in points.
+/// Width of highlighted lines, in points.
 pub(crate) const STRONG: f32 = 5.0;
+/// Width of the lines that accompany a highlighted one, in points.
 pub(crate) const ACCOMPANYING: f32 = 3.0;
 
-/// Removes the concept's own marks and labels, which are drawn again. Dims the others if `highlighted`
-/// requests it.
+/// Removes the concept's own marks and labels, which will be drawn again. Dims all others if
+/// `highlighted.dims` is true.
 pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
     let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
@@ -80,22 +81,23 @@ pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
     }
 }
 
-/// Puts the concept's own labels first, so that they get the best positions, and removes other labels with
-/// the same text.
+/// Puts the concept's own labels first, so that they get the best positions, and removes other labels
+/// with the same text.
 pub(crate) fn first(mut labels: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
     labels.iter_mut().for_each(|request| request.rank = 0);
     others.retain(|other| labels.iter().all(|request| request.label.text != other.label.text));
     labels.into_iter().chain(others).collect()
 }
 
-/// Returns the style of the casing and the style of the line. A polyline needs one casing as a whole, below
-/// all of its lines.
+/// Returns the style of a casing and the style of the line on it. A polyline must have a single casing
+/// below all of its lines.
 pub(crate) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
     [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
-/// Returns the silhouette of a sphere as seen from a point, which is a circle; `None` from inside.
+/// Returns the silhouette of a sphere seen from a point, as a closed polyline; `None` if the point lies
+/// inside the sphere.
 pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     let out = from - sphere.center;
     let distance = out.length();
@@ -110,8 +112,8 @@ pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     Some(circle(96).map(|p| center + radius * (p.x * a + p.y * b)).collect())
 }
 
-/// Returns the cross product that a concept stands for, with the names and the colours of both factors and of
-/// the product; `None` for every other concept, and without a product.
+/// Returns the cross product that a concept stands for, with the names and colours of its two factors
+/// and of the product. Returns `None` for any other concept, or if the camera has no such product.
 pub(crate) fn cross_of(
     Highlighted { concept, camera, .. }: Highlighted,
     Colors { basis: [u, v, w], given, .. }: &Colors,
@@ -125,7 +127,7 @@ pub(crate) fn cross_of(
 }
 
 impl Sketch<'_> {
-    /// Highlights a concept over everything that is already drawn.
+    /// Highlights a concept on top of everything already drawn.
     pub(crate) fn highlight(&mut self, highlighted: Highlighted) {
         dim(&mut self.drawing, &mut self.requests, highlighted);
         let (shown, before) = (self.items, self.requests.len());
@@ -155,7 +157,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights the inputs of the camera, which exist even if it has no basis.
+    /// Highlights what the user gives for the camera. It exists even if the camera has no basis.
     fn highlight_given(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let camera = &self.view.camera;
         let eye = camera.eye;
@@ -191,9 +193,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws both factors, the parallelogram between them, and the product with its length `|first|
-    /// sin(angle)`; the second factor has length 1. If the first factor is too short or too long to be drawn
-    /// next to the second, it too is drawn with length 1. `arrow` is the length of a unit vector.
+    /// Draws a cross product: both factors, the parallelogram that they span, and the product with its
+    /// length `|first| sin(angle)`. The second factor has length 1. If the first is much shorter or
+    /// longer, it too is drawn with length 1. `arrow` is the length at which a unit vector is drawn.
     fn highlight_cross(
         &mut self,
         (eye, arrow): (DVec3, f64),
@@ -238,7 +240,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights the concepts that need the basis: its vectors, the viewport and its distance.
+    /// Highlights a concept that needs the basis: one of its vectors, the viewport or the distance.
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, shown: Highlighted, pen: LineStyle) {
         let eye = resolved.eye();
         let arrow = self.screen.arrow_length(eye);
@@ -265,7 +267,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights the parts of the selected ray.
+    /// Highlights a concept of the selected ray.
     fn highlight_selected(
         &mut self,
         resolved: &ResolvedCamera,
@@ -314,7 +316,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the parts of the direction as a chain from the eye: forwards, right and up.
+    /// Draws the components of the direction as a chain that starts at the eye: forwards, right and up.
     fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: LineStyle) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
@@ -332,7 +334,7 @@ impl Sketch<'_> {
         self.line(eye, from, ray);
     }
 
-    /// Draws a sphere's silhouette, or a square in a plane and the plane's normal.
+    /// Draws the silhouette of a sphere, or a square in a plane together with the plane's normal.
     fn highlight_object(&mut self, index: u32, pen: LineStyle) {
         let view = self.view;
         let pen = LineStyle { color: self.colors.hit, width: 4.0, ..pen };

@@ -18,26 +18,26 @@ use crate::view::overlay::{
     wide,
 };
 
-/// The inputs of the world view. Equal inputs give the same picture, so the cache compares them as a whole.
+/// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldView {
-    /// The edited camera as given, maybe without a basis.
+    /// The edited camera as the user gives it; it may have no basis.
     pub camera: Camera,
     /// The edited camera, if it has a basis.
     pub resolved: Option<ResolvedCamera>,
-    /// The picture of the edited camera.
+    /// The picture of the edited camera, if there is a current one.
     pub picture: Option<Same<Picture>>,
-    /// The selected ray.
+    /// The selected ray and its hits.
     pub inspection: Option<Same<Inspection>>,
-    /// The generation numbers of the objects and of their colours; they stand for the scene that is drawn.
+    /// The generation numbers of the objects and of their colours, which identify the scene.
     pub generations: [u64; 2],
     /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
     /// drawn cut away.
     pub enclosing: Arc<Vec<u32>>,
     /// The observer.
     pub observer: Observer,
-    /// The observer's picture of [`observer::traced_scene`](crate::model::observer::traced_scene), with
-    /// every pixel traced.
+    /// The observer's picture of [`observer::traced_scene`](crate::model::observer::traced_scene),
+    /// traced at every pixel.
     pub frame: Same<Frame<f32>>,
     /// The overlay items to draw.
     pub items: OverlayItems,
@@ -45,26 +45,26 @@ pub struct WorldView {
     pub scale: f32,
     /// The colours.
     pub style: Style,
-    /// The t of the point that moves along the selected ray.
+    /// The t of the point marked on the selected ray.
     pub ray_point_t: Option<f64>,
-    /// The camera to compare with.
+    /// The camera that is compared with the edited one.
     pub ghost: Option<GhostCamera>,
-    /// A student's answers, and the right answers.
+    /// The answers to mark: a student's answers and the right ones.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted>,
     /// The handles that can be dragged.
     pub handles: Handles,
-    /// True if the picture is transparent where the observer sees nothing.
+    /// True if the picture is transparent where the observer's rays hit nothing.
     pub is_clear: bool,
-    /// True if everything has a label, as in lessons and figures; otherwise only the camera's parts and the
-    /// highlighted concept have one.
+    /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
+    /// and the highlighted concept have labels.
     pub names_all: bool,
-    /// True if the marks are not painted into the picture, because a figure draws them itself.
+    /// True if the marks are not painted into the picture, as in figures, which draw them separately.
     pub without_marks: bool,
 }
 
-/// The pictures that a world view is painted over.
+/// The pictures over which a world view is painted.
 #[derive(Clone, Copy)]
 pub struct Below<'a> {
     /// The observer's picture.
@@ -88,8 +88,8 @@ pub fn world(
     drawing
 }
 
-/// Returns the viewport's (u, v) at a position of the world view, in dots; `None` outside the viewport or
-/// where an object hides it.
+/// Returns the viewport's (u, v) at a position in the world view, in dots; `None` if the position lies
+/// outside the viewport or an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = wide(position);
@@ -101,8 +101,8 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Returns the position in the world view, in dots, of a point of the world; `None` behind the observer or
-/// outside the picture. Ignores objects in front of the point.
+/// Returns the position of a point of the world in the world view, in dots; `None` if it is behind the
+/// observer or outside the picture. Objects in front of the point are ignored.
 pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
@@ -110,8 +110,9 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     Some(dot(spot.at))
 }
 
-/// Returns the t at which the ray's line passes closest to the observer's line of sight through a position in
-/// dots, rounded to the precision of the pointer; `None` if the two lines are parallel.
+/// Returns the t at which the ray's line comes closest to the observer's line of sight through a
+/// position in dots. The t is rounded to the precision of the pointer. Returns `None` if the two lines
+/// are parallel.
 pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
     let observer = frame.camera();
     let size = [observer.image().width() as usize, observer.image().height() as usize];
@@ -136,12 +137,12 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
-/// Minimum distance between drawn pixel edges, in points. If they would be closer, only every second, fifth,
-/// tenth... edge is drawn.
+/// Minimum distance between drawn pixel edges, in points. If the edges are closer together, only every
+/// second, fifth, tenth... edge is drawn.
 const GRID_SPACING: f64 = 7.0;
 
 impl WorldView {
-    /// Returns the marks and labels, without painting them.
+    /// Returns the marks and labels without painting them.
     pub fn drawing(&self, scene: ColoredScene<'_>) -> Drawing {
         self.sketch(scene, &self.layers(&self.backdrop(scene)))
     }
@@ -167,7 +168,7 @@ impl WorldView {
         Screen::new(self.frame.camera(), self.observer.distance(), self.scale)
     }
 
-    /// Returns the layers behind the camera.
+    /// Returns the layers below the camera and its marks.
     pub fn backdrop(&self, scene: ColoredScene<'_>) -> Backdrop {
         let background = match self.is_clear {
             true => Color32::TRANSPARENT,
@@ -224,8 +225,8 @@ impl WorldView {
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space();
         sketch.answer_marks();
-        // The ghost's labels come last, so that the camera's labels get the space if there is not enough for
-        // both.
+        // The ghost's labels come last, so that the camera's labels have precedence if there is not
+        // enough space for all.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
             sketch.highlight(highlighted);
@@ -237,7 +238,8 @@ impl WorldView {
     }
 }
 
-/// Returns the densest grid of pixel edges that can be distinguished on the screen, and its opacity.
+/// Returns the densest grid of pixel edges that can be distinguished on the screen, and its opacity;
+/// `None` if there is none.
 fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)> {
     let center = resolved.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (resolved.basis(), resolved.viewport(), resolved.image());
@@ -248,7 +250,7 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)>
         let half_extent = match ends {
             (Some(a), Some(b)) => (b.at - a.at).length(),
             (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
-            // The observer is so close that the whole screen is within the viewport.
+            // The observer is so close that the viewport extends beyond the whole screen.
             (None, None) => screen.size.max_element(),
         };
         2.0 * half_extent / f64::from(count)

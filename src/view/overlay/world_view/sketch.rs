@@ -1,9 +1,9 @@
-//! Converts lines, arrows and points of the world into the marks of a [`Drawing`]: projects them,
-//! clips them, and splits them into visible and hidden parts. Then places the labels.
+//! Converts lines, arrows and points of the world into the marks of a [`Drawing`]. They are projected,
+//! clipped, and split into visible and hidden parts. Finally, the labels are placed.
 //!
-//! Each label lies inside the picture, near its anchor, over no other label and no handle, and over as
-//! few lines as possible. A label far from its anchor gets a leader line; one that finds no room is left
-//! out, so the more important labels are placed first.
+//! Each label lies inside the picture and near its anchor. It covers no other label, no handle, and as
+//! few lines as possible. If it is far from its anchor, it gets a leader line; if there is no room, it
+//! is left out. The more important labels are placed first.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Scene};
@@ -23,11 +23,11 @@ pub(crate) struct LineStyle {
     /// Width in points.
     pub(crate) width: f32,
     pub(crate) halo: bool,
-    /// True if the line lies on the viewport's rectangle, which then does not hide it.
+    /// True if the line lies on the viewport, which then does not hide it.
     pub(crate) on_viewport: bool,
-    /// True if no object hides the line.
+    /// True if the line is drawn as visible even where an object hides it.
     pub(crate) on_top: bool,
-    /// True if the line is dashed even where no object hides it.
+    /// True if the line is dashed even where it is visible.
     pub(crate) dashed: bool,
     /// Dash and gap; see [`Mark::pattern`].
     pub(crate) pattern: Option<[f32; 2]>,
@@ -56,16 +56,17 @@ pub(crate) struct Sketch<'a> {
     pub(crate) requests: Vec<Request>,
 }
 
-/// Distance, in dots, between two occlusion tests along a line. If two neighbouring tests differ, bisection
-/// finds the change between them to within a quarter of a dot.
+/// Distance in dots between two occlusion tests along a line. Where two neighbouring tests differ,
+/// bisection locates the change to within a quarter of a dot.
 const SAMPLE_SPACING: f64 = 3.0;
+/// Number of steps of this bisection.
 const HALVINGS: u32 = 3;
 
-/// Length, in points, below which a part of a line is drawn like its neighbour.
+/// Length, in points, below which a part of a line is drawn like the part before it.
 const SHORTEST_RUN: f64 = 3.0;
 
-/// A part of a line that is either wholly visible or wholly hidden. Its ends are shares of the line's length
-/// on the screen.
+/// A part of a line that is either entirely visible or entirely hidden. Its ends are fractions of the
+/// line's length on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct LinePart {
     from: f64,
@@ -80,7 +81,7 @@ impl LineStyle {
         LineStyle { item, concept, color, width, halo: true, on_viewport, on_top, dashed, pattern }
     }
 
-    /// Sets dash and gap, in points, of the visible parts.
+    /// Sets the dash and gap, in points, of visible parts.
     pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> LineStyle {
         LineStyle { pattern, ..self }
     }
@@ -106,7 +107,7 @@ impl LineStyle {
         LineStyle { on_viewport: true, ..self }
     }
 
-    /// Returns the mark of a visible shape, with a casing of the colour `halo` if the style has a casing.
+    /// Returns the mark of a visible shape. If the style has a casing, its colour is `halo`.
     pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
         let LineStyle { item, concept, color, .. } = self;
         let halo = self.halo.then_some(halo);
@@ -115,7 +116,7 @@ impl LineStyle {
 }
 
 impl Sketch<'_> {
-    /// Draws a straight line of the world.
+    /// Draws a straight line in the world.
     pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: LineStyle) {
         if self.items.shows(pen.item)
             && let Some(cut) = self.screen.line(from, to)
@@ -124,8 +125,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow whose head has a fixed size on the screen. If the tip is in the picture, returns its
-    /// position and the direction of the arrow: of length 1, or zero for an arrow that points at the observer.
+    /// Draws an arrow whose head has a constant size on the screen. Returns the position of the tip and
+    /// the arrow's direction on the screen, or `None` if the tip is not in the picture. The direction
+    /// has length 1; it is zero if the arrow points along the line of sight.
     pub(crate) fn arrow(
         &mut self,
         ends: [DVec3; 2],
@@ -144,7 +146,7 @@ impl Sketch<'_> {
         let length = along.length();
         let full = self.screen.scale * (4.0 + 3.0 * f64::from(pen.width));
         let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
-            // The arrow points towards the observer or away, so only its end is visible.
+            // The arrow points almost along the line of sight, so only its tip is visible.
             self.disc(to, pen.width + 1.5, pen);
             return Some([to.at, DVec2::ZERO]);
         };
@@ -208,7 +210,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point of the world as a disc of `radius` points, with a label.
+    /// Draws a point in the world as a disc of `radius` points, with a label.
     pub(crate) fn named_point(
         &mut self,
         at: DVec3,
@@ -222,8 +224,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point of the world as a disc of `radius` points. Returns its spot if it is in the
-    /// picture.
+    /// Draws a point in the world as a disc of `radius` points. Returns its position on the screen, or
+    /// `None` if it is not in the picture.
     pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> Option<Spot> {
         if !self.items.shows(pen.item) {
             return None;
@@ -233,7 +235,7 @@ impl Sketch<'_> {
         Some(spot)
     }
 
-    /// Draws a disc, or a ring if it is hidden.
+    /// Draws a disc, or a ring if an object hides it.
     fn disc(&mut self, spot: Spot, radius: f32, pen: LineStyle) {
         let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
@@ -245,15 +247,14 @@ impl Sketch<'_> {
         self.drawing.marks.push(pen.mark(shape, self.colors.halo));
     }
 
-    /// Draws the sides of a polygon of the world.
+    /// Draws the sides of a polygon in the world.
     pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) {
         for k in 0..N {
             self.line(corners[k], corners[(k + 1) % N], pen);
         }
     }
 
-    /// Draws the part of a flat convex polygon that lies in the picture, unless all of its corners are
-    /// hidden.
+    /// Draws the visible part of a flat convex polygon, unless objects hide all of its corners.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: LineStyle) {
         if !self.items.shows(pen.item) {
             return;
@@ -266,7 +267,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Requests a label.
+    /// Requests a label, which is placed later. Ignores the request if the anchor is outside the
+    /// picture.
     pub(crate) fn label(
         &mut self,
         pen: LineStyle,
@@ -331,7 +333,7 @@ impl Sketch<'_> {
     }
 }
 
-/// Merges runs shorter than `shortest` into the run before them.
+/// Merges parts shorter than `shortest` with the part before them.
 fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
     let mut merged: Vec<LinePart> = Vec::new();
     for run in runs {
@@ -339,7 +341,7 @@ fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
             Some(last) if last.hidden == run.hidden || run.to - run.from < shortest => {
                 last.to = run.to;
             }
-            // The first part of a line has no part before it.
+            // A short first part has no part before it, so it joins the next one.
             Some(last) if last.to - last.from < shortest => {
                 *last = LinePart { from: last.from, ..*run };
             }
@@ -352,19 +354,20 @@ fn merged(runs: &[LinePart], shortest: f64) -> Vec<LinePart> {
 /// A label to be placed.
 #[derive(Clone, Debug)]
 pub(crate) struct Request {
-    /// The label, not yet with a position.
+    /// The label, whose position is not yet set.
     pub(crate) label: Label,
     pub(crate) concept: Option<Concept>,
-    /// The point it names, in dots.
+    /// The point that the label names, in dots.
     pub(crate) anchor: DVec2,
-    /// The preferred direction from the anchor, of any length; zero if there is no preference.
+    /// The preferred direction from the anchor. Its length does not matter; zero means no preference.
     pub(crate) toward: DVec2,
-    /// Lower ranks are placed first.
+    /// Labels of lower rank are placed first.
     pub(crate) rank: u8,
 }
 
 impl Request {
-    /// Creates the request for a label with a pen's overlay item, concept and colour.
+    /// Creates the request for a label that takes its overlay item, concept and colour from a line's
+    /// style.
     pub(crate) fn new(
         pen: LineStyle,
         text: String,
@@ -378,8 +381,8 @@ impl Request {
     }
 }
 
-/// Returns the rank of an item's label. The names of the camera's parts come before those of the ray, the
-/// world's axes and the marks.
+/// Returns the rank of an item's label. The names of the camera's parts precede those of the ray, of
+/// the world's axes and of the marks.
 fn rank(item: Item) -> u8 {
     match item {
         Item::Handles => 1,
@@ -392,24 +395,27 @@ fn rank(item: Item) -> u8 {
     }
 }
 
-/// Distance from the anchor to the edge of the label, in points.
+/// Minimum distance from the anchor to the edge of the label, in points.
 const GAP: f64 = 7.0;
 
-/// Number of directions tried around the anchor, and number of distances tried in each direction.
+/// Number of directions tried around the anchor.
 const DIRECTIONS: usize = 16;
+/// Number of distances tried in each direction.
 const RINGS: usize = 9;
 
-/// Distance from the anchor to the edge of a label, in points, beyond which it gets a leader line.
+/// Distance from the anchor to the edge of a label, in points, above which the label gets a leader
+/// line.
 const LEADER_FROM: f64 = 20.0;
 
-/// Distance, in points, between the sampled points of a line.
+/// Distance between the sample points along a line, in points.
 const OBSTACLE_SPACING: f64 = 5.0;
 
 /// A rectangle: its centre, and half of its width and height.
 type Area = (DVec2, DVec2);
 
-/// Places the requests in order of rank, so that the first ones get the best positions, and adds the labels
-/// and their leader lines to the drawing. Omits a label that fits nowhere near its anchor.
+/// Places the requested labels in order of rank, so that the first ones get the best positions. Adds
+/// the labels and their leader lines to the drawing, and omits labels that fit nowhere near their
+/// anchors.
 pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, size: DVec2) {
     requests.sort_by_key(|request| request.rank);
     let scale = drawing.scale;
@@ -441,26 +447,26 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
     }
 }
 
-/// Returns the leader line from an anchor to its label, if the label is far from the anchor.
+/// Returns the leader line from an anchor to its label; `None` if the label is close to its anchor.
 fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[DVec2; 2]> {
     let end = request.anchor.clamp(center - half, center + half);
     let from = request.anchor.move_towards(end, 0.5 * GAP * f64::from(scale));
     (end.distance(request.anchor) > LEADER_FROM * f64::from(scale)).then_some([from, end])
 }
 
-/// Returns true if a line runs through an area that it does not begin in.
+/// Returns true if a line passes through an area without starting in it.
 fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
     const SAMPLES: usize = 16;
     let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
     !is_in(from) && (1..=SAMPLES).any(|k| is_in(from.lerp(to, k as f64 / SAMPLES as f64)))
 }
 
-/// Returns true if a rectangle overlaps none of the areas.
+/// Returns true if a rectangle does not overlap any of the areas.
 fn is_clear_of(areas: &[Area], center: DVec2, half: DVec2) -> bool {
     areas.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
 }
 
-/// Returns the areas that handles cover.
+/// Returns the areas covered by handles.
 fn handle_areas(drawing: &Drawing) -> Vec<Area> {
     let marks = drawing.marks.iter().filter(|mark| mark.item == Item::Handles);
     let areas = marks.filter_map(|mark| match &mark.shape {
@@ -470,7 +476,7 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
             let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
             Some((0.5 * (least + most), 0.5 * (most - least)))
         }
-        // This is a guide, or the ring of a held handle, and not the area of a handle.
+        // A line is a guide or the ring around a held handle, which labels may cover.
         Shape::Line { .. } => None,
     });
     areas.collect()
@@ -513,7 +519,7 @@ fn best_position(
     best.map(|(_, center)| center)
 }
 
-/// Returns sample points along all lines.
+/// Returns sample points along all lines, and the centres of all discs.
 fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
     let spacing = OBSTACLE_SPACING * f64::from(drawing.scale);
     let mut points = Vec::new();
