@@ -1,4 +1,4 @@
-//! The `pinhole` program: arguments, then the window or a headless command.
+//! The `pinhole` program. Parses the arguments, and opens the window or runs a headless command.
 
 use std::process::ExitCode;
 

@@ -15,7 +15,8 @@ pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads a file of at most `most` bytes, or standard input for `-`. Also returns the file's name for messages.
+/// Reads a file, or standard input for `-`, of at most `most` bytes. Also returns the file's name for
+/// messages.
 pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
     if is_standard(path) {
         let path = Path::new("standard input");

@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     let content = match output {
         Some(output) => Content::for_path(arguments.view, output)
             .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?,
-        // Without an ending that says otherwise.
+        // Standard output has no extension that could choose another format.
         None => Content::Figure(FigureFormat::Svg),
     };
     check_idle(arguments, content)?;

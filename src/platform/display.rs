@@ -1,4 +1,4 @@
-//! Connects to the display. Without a display, this returns an error instead of panicking.
+//! Connects to the display. Returns an error instead of panicking if there is no display.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;

@@ -124,7 +124,7 @@ impl Open {
         open
     }
 
-    /// Ends the app, which can save its state now for the last time.
+    /// Ends the app, which saves its state for the last time.
     pub(super) fn end(mut self) {
         self.ctx.on_exit();
         self.app.on_exit();
@@ -305,7 +305,7 @@ impl Open {
         }
     }
 
-    /// Updates the stored state of the window.
+    /// Updates the stored information about the window.
     fn look_at_window(&mut self, now: Instant) {
         const PATIENCE: Duration = Duration::from_secs(2);
         egui_winit::update_viewport_info(&mut self.info, &self.ctx, &self.window, false);
@@ -404,7 +404,7 @@ impl Open {
             .set_renderer_name(format!("{} (the graphics driver failed: {reason})", self.renderer));
         let why = format!("The graphics driver failed: {reason}");
         self.app.say("The window is drawn on the CPU now".to_owned(), vec![why]);
-        // The app's pass that shows it.
+        // Requests the pass in which the app shows this.
         self.ctx.request_repaint();
         Ok(())
     }

@@ -131,7 +131,7 @@ pub(super) fn surface(
                     "no graphics adapter works: {error}; without one: pinhole --renderer cpu"
                 ));
             }
-            // Open a new window: this one may keep traces of the failed driver.
+            // Opens a new window, because this one may keep traces of the failed driver.
             Err(error) => error,
         }
     };

@@ -78,7 +78,8 @@ impl Handler {
         self.ctx.set_request_repaint_callback(move |info| {
             let when = Instant::now() + info.delay;
             let event = UserEvent::Repaint { when, pass: info.current_cumulative_pass_nr };
-            // Sending fails only at the very end, when nothing needs to be painted.
+            // Sending fails only when the event loop has ended, and nothing needs to be painted any
+            // more.
             let _ = proxy.lock().unwrap_or_else(PoisonError::into_inner).send_event(event);
         });
         let proxy = self.proxy.clone();

@@ -177,7 +177,7 @@ pub enum PlayAction {
     Step(i64),
     /// Increase the speed by this many levels, or decrease it if negative.
     Faster(i32),
-    /// Set whether the animation repeats after its end.
+    /// Toggle whether the animation repeats after its end.
     Loop,
     /// Close the animation and keep the current state.
     Keep,
@@ -202,7 +202,7 @@ pub enum GhostAction {
 pub enum Steer {
     /// Look around.
     Look(i32, i32),
-    /// Orbit the eye around at.
+    /// Orbit the eye around *at*.
     Orbit(i32, i32),
     /// Narrow the field of view.
     Zoom(i32),
@@ -404,9 +404,9 @@ impl Action {
 /// A setting that is either on or off. The comment on each variant says what holds while it is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switch {
-    /// An item of the overlay.
+    /// This item of the overlay is shown.
     Item(Item),
-    /// A part of the derivation.
+    /// This section of the derivation is shown.
     Section(DerivationSection),
     /// The derivation shows short exact forms instead of decimals.
     ExactForms,
@@ -418,7 +418,7 @@ pub enum Switch {
     KeepPixelShape,
     /// Distance, width and height scale together, so that the picture stays the same.
     KeepPicture,
-    /// Up stays fixed while eye or at is dragged.
+    /// *Up* stays fixed while *eye* or *at* is dragged.
     KeepUp,
     /// Transitions are off.
     ReducedMotion,

@@ -16,7 +16,7 @@ pub(crate) struct WorkTimes {
     pub(crate) is_new: bool,
 }
 
-/// A stopwatch that attributes time to kinds of work.
+/// A stopwatch that measures the time for each kind of work separately.
 pub(crate) struct Stopwatch(Mutex<(Instant, WorkTimes)>);
 
 impl Stopwatch {

@@ -29,7 +29,7 @@ use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
 
 impl App {
-    /// One frame.
+    /// Runs one frame.
     fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.waiting.drain(..).for_each(|action| request(&ctx, action));
@@ -107,7 +107,8 @@ impl App {
         self.window.geometry.update(ctx);
     }
 
-    /// Requests the actions of pressed keys, except the keys of the views, which [`views`] handles.
+    /// Requests the actions of the pressed keys. The keys of the views are excepted: [`views`] handles
+    /// them.
     fn keys(&mut self, ctx: &Context) {
         let is_typing = ctx.text_edit_focused();
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
@@ -355,8 +356,8 @@ impl OpenScene {
     }
 }
 
-/// Returns true if the cameras differ at most in eye and orientation, which only the camera's own fields and
-/// the views show.
+/// Returns true if the cameras differ at most in *eye* and orientation, which only the camera's own
+/// fields and the views show. If the cameras differ, both must be valid and given in the same way.
 fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
     let moved = Camera { eye: now.eye, orientation: now.orientation, ..*before };
     let is_same_kind = before.orientation.kind() == now.orientation.kind();

@@ -13,7 +13,8 @@ use crate::ui::action::HistoryAction;
 /// in seconds.
 const PAUSE: f64 = 1.0;
 
-/// The undo steps, and the state with which the document is compared to find the next step.
+/// The undo steps, and the document as it was after the last step. The next step records how the
+/// document differs from it.
 #[derive(Debug)]
 pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,

@@ -109,9 +109,9 @@ impl OpenScene {
         [self.open.has_changes(), self.differs_from_step()]
     }
 
-    /// Frames the whole scene in a world view of this size if there is no observer yet. An observer that the
-    /// user has not moved is fitted again when the size changes, or when eye or at leaves its sight while
-    /// nothing is dragged or played.
+    /// Frames the whole scene in a world view of this size if there is no observer yet. An observer that
+    /// the user has not moved is fitted again in two cases: when the size changes, and when *eye* or
+    /// *at* leaves its sight while nothing is dragged or played.
     pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
         let shown = self.session.observer;
         let own = self.framed.filter(|framed| shown == Some(framed.observer));
@@ -146,7 +146,7 @@ impl OpenScene {
         self.lessons.framed(shown, observer);
     }
 
-    /// Returns true if eye or at has moved out of this observer's sight since it was framed.
+    /// Returns true if *eye* or *at* has moved out of this observer's sight since it was framed.
     fn is_lost_to(&self, framed: &Framed) -> bool {
         let camera = &self.open.document.camera;
         let sees = |camera| framed.observer.sees_eye_and_at(camera, framed.size);

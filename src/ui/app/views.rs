@@ -36,7 +36,7 @@ pub(super) struct Views {
     pub(super) seen_selection: Option<Selection>,
     /// The pointer's position when the selection last changed.
     pub(super) rested_at: Option<Pos2>,
-    /// The work of the last frame, if it is measured.
+    /// The times of the last frame's work, if they are measured.
     pub(super) frame_work: Option<FrameWork>,
     world_size: Option<ViewSize>,
     world: ViewTexture,

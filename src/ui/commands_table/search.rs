@@ -20,7 +20,7 @@ const SYNONYMS: [(&str, &str); 9] = [
 /// The quality of the match between a typed word and a command, from worst to best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Fit {
-    /// The title contains its letters in order.
+    /// The title contains the letters of the typed word in order.
     Scattered,
     /// A word of the title contains the typed word.
     Inside,

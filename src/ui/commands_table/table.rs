@@ -62,7 +62,7 @@ fn plain(when: When, k: Key) -> Keys {
     key(when, Modifiers::NONE, k)
 }
 
-/// Every command that does not depend on what is open.
+/// Returns every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
     let parts = [program, presenting, playing, steps, zooms, objects_and_drags, switches, choices];
     parts.into_iter().flat_map(|part| part()).collect()

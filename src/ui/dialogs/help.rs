@@ -56,7 +56,7 @@ pub(crate) fn ui(ctx: &Context) -> bool {
     is_open && !response.should_close()
 }
 
-/// Scrolls by arrow and page keys if not everything fits.
+/// Scrolls with the arrow and page keys if not everything fits.
 fn scroll(ui: &mut Ui, page: f32) {
     let keys = [
         (Key::ArrowDown, -40.0),

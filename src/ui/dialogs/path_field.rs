@@ -91,8 +91,8 @@ impl PathField {
         field
     }
 
-    /// Lets the user choose the file in the desktop's dialog. That dialog opens at once, or else when
-    /// the button is clicked.
+    /// Lets the user choose the file in the desktop's dialog. If `at_once` is true, that dialog opens
+    /// immediately; otherwise, when the button is clicked.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
         (self.is_desktops, self.request) = (true, None);
         if at_once {
@@ -108,7 +108,7 @@ impl PathField {
         self.request.as_ref()
     }
 
-    /// Takes the path that was chosen in the desktop's dialog.
+    /// Accepts the path that was chosen in the desktop's dialog.
     pub(crate) fn choose(&mut self, path: PathBuf) {
         (self.chosen, self.request) = (Some(path), None);
     }

@@ -161,8 +161,8 @@ fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     ui.end_row();
 }
 
-/// Shows both fields of view in degrees. Editing one of them changes width and height, and keeps the
-/// distance.
+/// Shows both fields of view in degrees. Editing one of them changes the viewport's width and height,
+/// but not its distance.
 fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     if camera.viewport.check().is_err() {
         return;

@@ -63,8 +63,8 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
 }
 
-/// Shows the titles of the lesson and the step, leaving `reserved` points free. If both titles do not fit at
-/// every step of the lesson, the lesson's title is reduced to its number.
+/// Shows the titles of the lesson and the step, and leaves `reserved` points free. If there is a step at
+/// which both titles do not fit, the lesson's title is reduced to its number.
 fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
     let gap = 10.0;
     ui.spacing_mut().item_spacing.x = gap;

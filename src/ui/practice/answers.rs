@@ -1,5 +1,5 @@
-//! A student's answers: the error map next to the camera's picture; below them, the number of right answers,
-//! the worst answer, and the mistake that explains the errors.
+//! A student's answers: the error map next to the camera's picture. Below them are the number of right
+//! answers, the worst answer, and the mistake that explains the errors.
 
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
@@ -56,8 +56,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, h
     });
 }
 
-/// Shows the legend of the map's colours, from right to left. A narrow map has only the colours of given
-/// answers.
+/// Shows the legend of the map's colours, from right to left. On a narrow map, it omits the colour of
+/// missing answers.
 fn legend(ui: &mut Ui, whole: bool) {
     let cells =
         [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];

@@ -89,7 +89,7 @@ pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> O
     })
 }
 
-/// Returns `33 % of the picture differs`.
+/// Returns a text such as `33 % of the picture differs`; `None` if there is no wrong picture.
 fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
     let shares = wrong.compared?;
     Some(format!("{} of the picture differs", percent(shares.differing, shares.pixels)))
@@ -236,7 +236,7 @@ fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     }
 }
 
-/// Returns `2 of 14 checks catch it`.
+/// Returns a text such as `2 of 14 checks catch it`.
 fn summary(wrong: &ComparedCamera) -> String {
     let (all, failing) = (wrong.checks.len(), failing(wrong).count());
     match failing {

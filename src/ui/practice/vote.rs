@@ -137,7 +137,7 @@ fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
     }
 }
 
-/// Shows an option. Returns true if it is voted for.
+/// Shows an option. Returns true if the user votes for it.
 fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let mistake = open.vote.options[index];
     let id = ui.scope_id().with(("option", index));

@@ -376,7 +376,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Draws the vertical line that the user drags, and every curve's f on it.
+    /// Draws the vertical line that the user drags, and a mark on it for each curve's value.
     fn ray_point(&self, words: &mut LabelLayout) {
         let Some((t, values)) = &self.plot.ray_point_t else { return };
         let x = self.t.position(*t);

@@ -1,5 +1,5 @@
-//! The comparison with the ghost: next to the camera view, the ghost's picture or the differences; below
-//! them, the numbers of both cameras.
+//! The comparison with the ghost. Next to the camera view is the ghost's picture or the map of
+//! differences. Below them are the numbers of both cameras.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
@@ -49,7 +49,7 @@ pub(crate) fn why_not(ghost: Option<&Ghost>) -> String {
     }
 }
 
-/// Returns `33 % of the picture shows another object`.
+/// Returns a text such as `33 % of the picture shows another object`.
 fn share_that_differs(against: &AgainstGhost) -> String {
     let shares = &against.seen;
     format!("{} of the picture shows another object", percent(shares.differing, shares.pixels))
@@ -89,7 +89,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     });
 }
 
-/// Shows the menu's commands as a row of buttons.
+/// Shows the ghost's commands as a row of buttons.
 fn buttons(ui: &mut Ui, has_ghost: bool) {
     for (text, name, ghost, needs_one) in [
         ("Freeze (G)", "Freeze the camera as a ghost", GhostAction::Freeze, false),
@@ -183,7 +183,7 @@ fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> [
     ]
 }
 
-/// Returns the lines that compare eye, at, up.
+/// Returns the lines that compare *eye*, *at* and *up*.
 fn moved(
     now: &Camera,
     ghost: &Ghost,

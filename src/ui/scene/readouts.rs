@@ -237,7 +237,8 @@ fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle)
     }
 }
 
-/// Returns the numbers that decide between hit and miss, for each object if there are only a few.
+/// Returns, for each object, the numbers that decide between hit and miss. Returns nothing if there are
+/// too many objects to list.
 fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec<(String, String)> {
     let scene = shown.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
     let inspection = shown.inspection.as_deref().filter(|_| scene.is_some());

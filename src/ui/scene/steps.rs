@@ -133,7 +133,7 @@ impl Dragging {
         if let Some(recent) = self.recent.take_if(is_taken_back) {
             *camera = recent.before;
             if recent.by_keys {
-                // Escape takes the focus away everywhere.
+                // egui removes the focus on Escape, so the view requests it again.
                 response.request_focus();
             }
             return;
@@ -197,8 +197,8 @@ impl RecentSteps {
     }
 }
 
-/// Applies the wheel to the loupe: forwards opens the loupe and enlarges its pixels; backwards shows more
-/// pixels and finally closes the loupe.
+/// Applies the wheel to the loupe. Turning it forwards opens the loupe and enlarges its pixels. Turning
+/// it backwards shows more pixels, and finally closes the loupe.
 fn look_closer(settings: &mut Settings, notches: i32) {
     let (least, most) = LOUPE_PIXELS;
     for _ in 0..notches.unsigned_abs() {

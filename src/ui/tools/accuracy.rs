@@ -1,6 +1,6 @@
-//! The accuracy view: another method's error map next to the camera's picture; below them, the error of every
-//! method against its run time, as a plot and a table. `Measuring` measures them for the current scene, a
-//! small part in each frame, so that the window never stalls.
+//! The accuracy view: another method's error map next to the camera's picture. Below them, the error of
+//! every method is shown against its run time, as a plot and a table. `Measuring` measures them for the
+//! current scene, a small part in each frame, so that the window never stalls.
 
 #[cfg(feature = "report")]
 use std::sync::Arc;
