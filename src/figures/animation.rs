@@ -26,7 +26,7 @@ impl Frames {
     /// Maximum number of frames per second.
     pub const MOST_PER_SECOND: u16 = gif::MOST_PER_SECOND;
 
-    /// Returns the frames of a complete animation of the given kind.
+    /// Returns the number of frames of a complete animation at this frame rate.
     pub fn new(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second }

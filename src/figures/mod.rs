@@ -28,9 +28,9 @@ mod vector;
 /// The file format of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureFormat {
-    /// SVG. Strokes and text are kept as strokes and text.
+    /// SVG. Strokes and text are not converted to outlines.
     Svg,
-    /// PDF. Strokes and text are kept as strokes and text; lengths are in points.
+    /// PDF. Strokes and text are not converted to outlines; lengths are in points.
     Pdf,
     /// PNG.
     Png,

@@ -77,8 +77,7 @@ const CONTENTS: [(&str, Content); 5] = [
 impl Content {
     /// Chooses the content of a file from its extension.
     ///
-    /// # Errors
-    /// Returns an error if the extension is unknown. It is a sentence that lists the known extensions.
+    /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
     pub fn for_path(subject: FigureSubject, path: &Path) -> Result<Content, String> {
         let (contents, formats) = match subject {
             FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),

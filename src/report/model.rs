@@ -82,7 +82,7 @@ pub struct MethodRow {
     pub normal_error_max: Option<f64>,
     /// Run times in nanoseconds per pixel.
     pub ns_per_pixel: Times,
-    /// Number of decisions made by each step of the ladder; `None` for other methods.
+    /// Number of decisions made by each step of the ladder, the exact method; `None` for other methods.
     pub steps: Option<Steps>,
     /// The error in t, in ulps of `f64` whatever the method's precision, for comparing methods. An ulp
     /// of `f32` is 2^29 ulps of `f64`.
@@ -199,8 +199,8 @@ impl Case {
 }
 
 impl MethodRow {
-    /// Returns a sentence that says how many decisions each step of the ladder made; `None` for methods
-    /// without steps.
+    /// Returns a sentence that says how many decisions each step of the ladder made; `None` for other
+    /// methods.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {

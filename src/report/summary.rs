@@ -17,7 +17,7 @@ pub(crate) struct MethodSummary<'a> {
     pub(crate) formula: &'a str,
     pub(crate) digits: Digits,
     pub(crate) outcome: Option<Outcome>,
-    /// Nanoseconds per pixel: the median over the cases, of which each counts with its shortest round.
+    /// The time in nanoseconds per pixel: the median, over the cases, of the shortest round.
     pub(crate) time: Option<f64>,
     /// The shortest and the longest time. For a family, these are taken from the shortest rounds of all
     /// cases; for a scene, they are the shortest round and the upper quartile.
@@ -67,7 +67,8 @@ impl<'a> Summary<'a> {
         }
         let mut methods: Vec<MethodSummary> =
             names.into_iter().map(|name| MethodSummary::new(name, &cases)).collect();
-        // In a scene with planes only, double-double is a precision of the textbook formula.
+        // If there are only planes, double-double is counted as another precision of the textbook
+        // formula.
         let is_double_double = |worst: &MethodSummary| worst.digits == Digits::DoubleDouble;
         if methods.iter().all(|worst| worst.formula != "half-b" || is_double_double(worst)) {
             let alone = methods.iter_mut().filter(|worst| is_double_double(worst));
@@ -151,7 +152,7 @@ impl<'a> MethodSummary<'a> {
 /// the middle two.
 pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     let (low, high) = (sorted.get(sorted.len().saturating_sub(1) / 2)?, sorted[sorted.len() / 2]);
-    // If one of the two is 0, there is no meaningful geometric mean, so the smaller one is returned.
+    // The geometric mean with 0 is not meaningful, so the smaller value is returned.
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
 }
 
@@ -172,21 +173,21 @@ pub(crate) struct Overall<'a> {
     pub(crate) methods: Vec<MethodOverall<'a>>,
     /// The noun for what is summarized: `families` or `scenes`.
     pub(crate) noun: &'static str,
-    /// Number of scenes or families that all methods have in common, apart from the method that only
+    /// Number of scenes or families for which every method has results, apart from the method that only
     /// traces frames.
     pub(crate) in_share: usize,
-    /// Number of scenes or families that all methods have in common.
+    /// Number of scenes or families for which every method has results.
     pub(crate) in_errors: usize,
 }
 
-/// A method over all scenes or families. Shares, errors and times include only the cases that the
-/// methods have in common, since different cases cannot be compared.
+/// A method over all scenes or families. Shares, errors and times include only cases for which every
+/// method has results, since different cases cannot be compared.
 pub(crate) struct MethodOverall<'a> {
     /// The summary of the method in the first scene or family that has it.
     pub(crate) first: &'a MethodSummary<'a>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
-    /// The mean over the cases of the fraction of wrong decisions.
+    /// The fraction of wrong decisions, averaged over the cases.
     pub(crate) share: Option<f64>,
     /// The outcome of each scene or family, in ascending order.
     pub(crate) outcomes: Vec<Outcome>,

@@ -1,6 +1,5 @@
-//! Error maps: compare a method's picture with the ladder's, pixel by pixel, and show the errors as
-//! colours.
-//! This module is pure.
+//! Error maps: compare a method's picture with that of the ladder (the exact method), pixel by pixel,
+//! and show the errors as colours. This module is pure.
 
 use egui::Color32;
 use pinhole_core::methods::Traced;

@@ -138,7 +138,7 @@ impl HandleDrag<'_> {
 
     /// Returns the camera after a drag has set its fields as in `set`; see `Camera::led_to`. A camera
     /// with an up vector is returned as `set` itself in two cases: if the settings keep up fixed, or if
-    /// it would otherwise have no basis, so that the fields show the fault.
+    /// it would otherwise have no basis (the input fields then show the fault).
     fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));

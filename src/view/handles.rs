@@ -259,7 +259,7 @@ const GUIDE_POINTS: f64 = 46.0;
 
 /// Returns the marks that the overlay draws for the handles. The handles of the eye, the target and the
 /// tip of the up vector are always drawn. Other handles are drawn if they are hovered, dragged or
-/// chosen, or if they change one of the concepts in `spoken`.
+/// chosen, or if they change one of the concepts in `spoken`, which a lesson mentions.
 pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());

@@ -22,8 +22,8 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// Maximum width of the numbers to the right of the drawing: in points, and as a fraction of the total
-/// width.
+/// Maximum width of the column of numbers to the right of the drawing: in points, and as a fraction of
+/// the total width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text, with its formulas typeset.
@@ -40,7 +40,7 @@ pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// Returns the area of the plane and the area of the numbers to its right.
+/// Returns the area of the plane, and the area of the numbers to its right.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
@@ -152,9 +152,11 @@ fn verdict(s: &Substitution, digits: usize) -> String {
     }
 }
 
-/// Text sizes in points: coordinates, names, regions.
+/// Text size of coordinates, in points.
 const SMALL: f32 = 15.0;
+/// Text size of names, in points.
 const NAMES: f32 = 19.0;
+/// Text size of the labels of regions, in points.
 const REGIONS: f32 = 23.0;
 
 /// Half the side of the square around a handle that reacts to the pointer, in points.

@@ -1,4 +1,4 @@
-//! Figures in vector formats: SVG and PDF, in which strokes and text are kept as strokes and text.
+//! Figures in vector formats: SVG and PDF. Strokes and text are not converted to outlines.
 //!
 //! This file converts a figure to paths and texts. egui's text becomes runs of positioned letters with
 //! the same font and colour; the font of each letter is the one that egui chose for it. `svg` and `pdf`

@@ -1,5 +1,5 @@
-//! Writes a figure as a PDF with one page. Strokes and text are kept as strokes and text, in embedded
-//! fonts.
+//! Writes a figure as a PDF with one page and embedded fonts. Strokes and text are not converted to
+//! outlines.
 //!
 //! The file is written by the crate krilla, which accepts positioned glyphs, keeps them as text, and
 //! embeds only the letters that occur. The alternative, converting the SVG with `krilla-svg`, would lay

@@ -1,5 +1,5 @@
-//! Writes a figure as SVG. Strokes and text are kept as strokes and text, in embedded fonts that
-//! contain only the letters that occur.
+//! Writes a figure as SVG, with embedded fonts that contain only the letters that occur. Strokes and
+//! text are not converted to outlines.
 
 use std::collections::{BTreeMap, BTreeSet};
 

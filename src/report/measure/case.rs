@@ -1,5 +1,5 @@
-//! Measures one case: lets the reference and every method decide its rays, and times its frames. A
-//! [`Tally`] counts a method's wrong decisions and collects its errors.
+//! Measures one case. The reference and every method trace its rays and decide what they hit first, and
+//! its frames are timed. A [`Tally`] counts a method's wrong decisions and collects its errors.
 
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};

@@ -2,10 +2,10 @@
 //! Differential Equations II", section IV.10; SciML's benchmarks). Time is on the x axis and error on
 //! the y axis, both logarithmic. Each formula has a curve over the precisions in which it is computed.
 //!
-//! Each page has the format 16:9 and fits on a slide. A scene has one page. A report of several scenes
-//! or families starts with a summary, with one line per method; families follow with four on each page.
-//! The time panel of a family shows the worst error over all settings, and a second panel shows the
-//! error against the knob.
+//! Each page has an aspect ratio of 16:9 and fits on a slide. A scene has one page. A report of several
+//! scenes or families starts with a summary, with one line per method; families follow with four on
+//! each page. The time panel of a family shows the worst error over all settings, and a second panel
+//! shows the error against the knob.
 
 pub(crate) mod marker;
 mod panel;

@@ -219,14 +219,15 @@ pub struct Derived {
     pub camera_view: Option<Shown>,
     /// The world view: the scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// Number of decisions that each step of the ladder made for the camera's picture.
+    /// Number of decisions that each step of the ladder, the exact method, made for the camera's
+    /// picture.
     pub steps: Option<Steps>,
-    /// Numbers of objects that the renderer dropped and examined for the camera's picture.
+    /// Numbers of spheres and rows that the renderer could skip in the camera's picture.
     pub counts: Option<Counts>,
     /// The subsampling of the camera's picture and of the observer's picture.
     pub subsampling: [Subsampling; 2],
-    /// The reason why the ladder drew the scene although another method was chosen; `None` if there is
-    /// no such reason.
+    /// The reason why the ladder drew the picture although the user chose another method; `None` if the
+    /// chosen method drew it.
     pub too_many: Option<TooMany>,
     /// The ladder's answers for the shown pixels, if another method is compared with it.
     pub truth: Option<Arc<Frame>>,
@@ -242,7 +243,8 @@ pub struct Derived {
     pub compared: Option<Arc<Compared>>,
     /// The wrong camera and the right one, if the second picture is a wrong camera's.
     pub wrong_camera: Option<Arc<ComparedCamera>>,
-    /// The camera compared with the ghost, if the second picture is the ghost's.
+    /// The edited camera compared with the ghost, the frozen camera, if the second picture is the
+    /// ghost's.
     pub against_ghost: Option<Arc<AgainstGhost>>,
     /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade
     /// them with.

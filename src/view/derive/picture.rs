@@ -1,6 +1,6 @@
-//! The camera's picture: drawn by the ladder, drawn by another method, and the difference between them.
-//! Tracing reports its work to an [`OnWork`] callback, whose owner measures the time, so this module
-//! needs no clock.
+//! The camera's picture: drawn by the ladder (the exact method), drawn by another method, and the
+//! difference between them. Tracing reports its work to an [`OnWork`] callback, whose owner measures
+//! the time, so this module needs no clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -72,7 +72,7 @@ pub(super) struct GoodPicture {
     pub(super) steps: Steps,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
-    /// Numbers of objects that the renderer dropped and examined for the picture.
+    /// Numbers of spheres and rows that the renderer could skip.
     pub(super) counts: Counts,
     /// The answers of other methods.
     pub(super) others: OtherMethods,
@@ -112,8 +112,8 @@ type TraceKey = (ResolvedCamera, u64, Raster);
 /// number of the palette, and a flag that is true if the picture is transparent where no object is hit.
 type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
-/// A picture, the number of decisions at each step of the ladder, and the numbers of dropped and
-/// examined objects.
+/// A picture, the number of decisions at each step of the ladder, and the numbers of skipped spheres
+/// and rows.
 type MadePicture = (Arc<Picture>, Steps, Counts);
 
 /// A cache of the camera's pictures.

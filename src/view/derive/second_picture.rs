@@ -31,7 +31,7 @@ pub enum SecondPicture {
     ErrorMap,
     /// The picture of a camera with a classic mistake, or the map of the pixels that differ.
     WrongCamera,
-    /// The picture of the ghost, or the map of the pixels that differ.
+    /// The picture of the ghost (the frozen camera), or the map of the pixels that differ.
     Ghost,
     /// The map of a student's right and wrong answers.
     Answers,

@@ -94,7 +94,7 @@ fn letter(c: char) -> String {
     }
 }
 
-/// Writes a name: a single letter as a symbol, several letters as a word in this style.
+/// Writes a name: a single letter as it is, several letters inside the LaTeX command `style`.
 fn named(style: &str, name: &str) -> String {
     match name.len() {
         1 => name.to_owned(),

@@ -94,17 +94,23 @@ pub struct Layout {
     pub givens: Vec<GivenBox>,
 }
 
-/// Lengths in ems: the extents of text above and below its baseline; the height of fraction bars, minus
-/// signs and the middle of brackets (`AXIS`); three sizes of gaps; the width of strokes.
+/// Extent of text above its baseline, in ems.
 const ASCENT: f32 = 0.76;
+/// Extent of text below its baseline, in ems.
 const DESCENT: f32 = 0.24;
+/// Height of fraction bars, of minus signs and of the middle of brackets above the baseline, in ems.
 const AXIS: f32 = 0.34;
+/// Width of `Gap::Thin`, in ems.
 const THIN: f32 = 0.17;
+/// Width of `Gap::Medium`, in ems.
 const MEDIUM: f32 = 0.24;
+/// Width of `Gap::Wide`, in ems.
 const WIDE: f32 = 0.34;
+/// Width of strokes, in ems.
 const STROKE: f32 = 0.066;
-/// Sizes of scripts and of the parts of fractions, relative to the surrounding text.
+/// Size of superscripts and subscripts, relative to the surrounding text.
 const SMALL: f32 = 0.72;
+/// Size of numerators and denominators, relative to the surrounding text.
 const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;

@@ -8,8 +8,9 @@ use crate::view::overlay::screen::{PixelRays, unit};
 
 /// A plane with two coordinates, a and b.
 ///
-/// The ray through the dot (x, y) has the direction `d = x*across + y*down + corner`. With the
-/// plane's origin O and normal n it meets the plane at
+/// The ray through the dot (x, y) has the direction `d = x*across + y*down + corner`. With the plane's
+/// origin O, its normal n, and the vectors A and B along which the coordinates are measured, the ray
+/// meets the plane at
 ///
 /// ```text
 /// t = n.(O - eye) / n.d     a = A.(eye - O + t d)     b = B.(eye - O + t d)
@@ -50,9 +51,9 @@ impl Linear {
 }
 
 impl Flat {
-    /// Creates the plane through `origin` in which a increases by 1 along `a` and b by 1 along
-    /// `b`. The axes must be orthogonal. Returns `None` if the numbers leave the range of `f64`,
-    /// or if the observer lies in the plane.
+    /// Creates the plane through `origin` in which the first coordinate increases by 1 along the vector
+    /// `a`, and the second by 1 along the vector `b`. The vectors must be orthogonal. Returns `None` if
+    /// the numbers leave the range of `f64`, or if the observer lies in the plane.
     pub(crate) fn new(rays: &PixelRays, origin: DVec3, a: DVec3, b: DVec3) -> Option<Flat> {
         let (unit_a, unit_b) = (unit(a)?, unit(b)?);
         let normal = unit_a.cross(unit_b);
@@ -114,9 +115,9 @@ impl Flat {
         (from as usize).min(to)..to
     }
 
-    /// Computes a part of a row of dots. For each dot, this is the result of [`Flat::at`] and the
-    /// fraction of the dot that grid lines cover. The loops over `f32` are kept simple so that the
-    /// compiler can vectorize them.
+    /// Computes a part of a row of dots: for each dot, the result of [`Flat::at`] and the fraction of
+    /// the dot that grid lines cover. The loops over `f32` are kept simple so that the compiler can
+    /// vectorize them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
@@ -148,8 +149,8 @@ impl Flat {
         }
     }
 
-    /// Adds the grid lines across one coordinate: raises each dot's coverage to the coverage by these
-    /// lines.
+    /// Adds the grid lines that are perpendicular to one coordinate. Each dot's coverage is raised to
+    /// at least its coverage by these lines.
     fn cover(
         &self,
         line: &mut [f32],

@@ -135,7 +135,7 @@ fn texture(primitive: &ClippedPrimitive) -> Option<TextureId> {
     }
 }
 
-/// The areas in which two frames differ, as far as they have been compared.
+/// The areas in which two frames are known to differ.
 struct ChangedAreas {
     rects: Vec<PixelRect>,
     scale: f32,

@@ -31,8 +31,8 @@ impl Texture {
         &self.image.pixels
     }
 
-    /// Replaces a part of the texture. Ignores an invalid update, which extends beyond the texture or
-    /// has the wrong number of pixels, since the sender's mistake should not end the program.
+    /// Replaces a part of the texture. Ignores an update that extends beyond the texture or has the
+    /// wrong number of pixels: such a mistake by the sender should not end the program.
     pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -117,20 +117,20 @@ impl Texture {
     }
 }
 
-/// One texel as a fixed-point number with 32 binary places. Positions along a row are stepped in this
+/// One texel as a fixed-point number with 32 fractional bits. Positions along a row are stepped in this
 /// format.
 pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
 
 /// A coordinate in a texture, in 1/65536 of a texel.
 ///
-/// Rounding to this grid makes positions on the border between two texels consistent. They fall on the
+/// Rounding to this grid makes positions on the border between two texels consistent: they fall on the
 /// same side whether they were computed from one of a rectangle's two triangles or from the whole
 /// rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Coordinate(i64);
 
 impl Coordinate {
-    /// Converts a fixed-point number with 32 binary places.
+    /// Converts a fixed-point number with 32 fractional bits.
     #[inline(always)]
     pub(super) fn new(stepped: i64) -> Self {
         Self(stepped.wrapping_add(1 << 15) >> 16)

@@ -40,7 +40,8 @@ impl PixelPlane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Returns the value at column 0 of a row and the increment per pixel, both with 32 binary places.
+    /// Returns the value at column 0 of a row and the increment per pixel, both with 32 fractional
+    /// bits.
     ///
     /// The result depends only on the row, not on how the picture is divided into pieces.
     #[inline(always)]

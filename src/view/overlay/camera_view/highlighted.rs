@@ -98,7 +98,8 @@ impl CameraSketch<'_> {
         self.label(pen, text, at, toward, font);
     }
 
-    /// Highlights what the user gives for the camera, its basis, its viewport or the distance.
+    /// Highlights a value that the user gives for the camera, a vector of its basis, its viewport or
+    /// the distance.
     fn highlight_camera(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let (resolved, extent) = (self.view.resolved, self.view.extent());
         let (middle, below) = (0.5 * extent, DVec2::new(0.6, 1.0));

@@ -1,4 +1,4 @@
-//! Draws in the world view what is compared with the edited camera, dashed: the ghost (its eye, basis,
+//! Draws, dashed, what the world view compares with the edited camera: the ghost (its eye, basis,
 //! frustum and viewport, with a prime after each name), and a student's answers.
 
 use egui::Color32;

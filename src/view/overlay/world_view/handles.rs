@@ -1,5 +1,5 @@
 //! Draws the handles, on top of everything else and at a constant size on the screen. A hovered or held
-//! handle is larger. It also shows the line or ring along which it moves.
+//! handle is larger, and the line or ring along which it moves is drawn, too.
 
 use pinhole_core::{DVec2, DVec3};
 

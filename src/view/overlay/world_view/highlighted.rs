@@ -157,7 +157,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights what the user gives for the camera. It exists even if the camera has no basis.
+    /// Highlights a value that the user gives for the camera, such as the eye. These values exist even
+    /// if the camera has no basis.
     fn highlight_given(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let camera = &self.view.camera;
         let eye = camera.eye;
