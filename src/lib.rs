@@ -1,7 +1,7 @@
-//! Pinhole shows what a pinhole camera sees, and why. Apart from `src/main.rs`, the whole program is in
-//! this library, so that tests can drive it. This page is the map of the house.
+//! Pinhole shows what a pinhole camera sees, and why. This library is the program behind `src/main.rs`,
+//! so that tests can drive it. This page is a map of the source code.
 //!
-//! # Floors
+//! # Layers
 //!
 //! Each folder uses only folders below it; in addition, `exchange` uses `lecture`, and `report` uses
 //! `figures`. No two folders use one another. `tests/layout.rs` checks this from the code's own `use`

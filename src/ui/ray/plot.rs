@@ -156,9 +156,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f, in units, at the upper edge: with even heights and with compressed heights.
+/// Value of f at the upper edge, in the units of its curve: on an even scale, and on a compressed scale.
 const TOP: (f64, f64) = (4.4, 45.0);
-/// Value of f, in units, at the lower edge: with planes and without planes.
+/// Value of f at the lower edge, in the units of its curve: with planes, and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap of a curve's line, in points, by the curve's index.

@@ -81,11 +81,12 @@ pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     ui.weak(text).on_hover_text(LEFT_OUT);
 }
 
-/// Explains the text about the steps of the ladder.
+/// Tooltip of the text that [`steps`] returns.
 pub(crate) const STEPS: &str = "The number of decisions on whether a ray hits, by the arithmetic that \
                                 they needed: f64 has 16 digits, double-double 32";
 
-/// Returns the text about the steps of the ladder that were needed for the picture.
+/// Returns a text with the number of decisions between hit and miss in the picture, by the arithmetic
+/// that they needed.
 pub(crate) fn steps(steps: Steps) -> String {
     let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
     if steps.beyond_f64() == 0 {
@@ -94,7 +95,7 @@ pub(crate) fn steps(steps: Steps) -> String {
     format!("Hit or miss: {f64} decisions in f64, {double_double} in double-double, {exact} exact")
 }
 
-/// Explains the text about what the renderer left out.
+/// Tooltip of the text about the spheres and rows that the renderer left out.
 const LEFT_OUT: &str = "The renderer skips spheres that are behind the eye, outside the picture or too \
                         small to reach a pixel, and rows that no object reaches";
 

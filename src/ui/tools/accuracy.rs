@@ -111,8 +111,8 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns a label for a picture that the ladder did not draw, or that the ladder drew in place of the
-/// chosen method. Returns `None` for other pictures.
+/// Returns a label for the camera's picture if another method than the ladder drew it, or if the ladder
+/// drew it in place of the chosen method. Returns `None` for other pictures.
 pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
