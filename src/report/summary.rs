@@ -35,7 +35,7 @@ pub(crate) enum Outcome {
     Error(f64),
     /// An error at least as large as t.
     NoDigit,
-    /// No hit in common with the truth.
+    /// No hit in common with the reference.
     NoHit,
 }
 

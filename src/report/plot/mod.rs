@@ -105,7 +105,7 @@ const SETTINGS: &str = "Left: worst error of all settings, the middle of their t
 const ROUNDS: &str = "Time: the shortest of the rounds, which take the methods in turn; the bar ends at \
     their upper quartile.";
 
-/// Text that explains the terms.
+/// Text that explains the technical terms.
 const WORDS: &str = "Ulp: the spacing of neighbouring numbers; a t off by 1 ulp of f64 has 16 digits right, \
     by 1 ulp of f32 7. Coverage: the share of rays that hit.";
 

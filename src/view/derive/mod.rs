@@ -140,7 +140,7 @@ fn opaque([r, g, b]: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Returns the highlighted concept, if there is one.
+/// Returns the highlighted concept; `None` if no concept is highlighted.
 fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlighted> {
     Some(Highlighted {
         concept: session.highlighted()?,

@@ -37,7 +37,7 @@ pub enum SecondPicture {
     Answers,
 }
 
-/// The edited camera compared with the ghost.
+/// The edited camera compared with the ghost (the frozen camera).
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
     /// The ghost with the image size of the edited camera, so that both can be compared pixel by pixel.

@@ -297,7 +297,7 @@ const PRESENTED_DECIMALS: usize = 3;
 pub(super) struct Derivations(Memo<(Document, DerivationSettings), Arc<Derivation>>);
 
 impl Derivations {
-    /// Returns the derivation, if the layout shows it.
+    /// Returns the derivation; `None` if the layout does not show it.
     pub(super) fn get(
         &mut self,
         Inputs { document, session, sizes, .. }: Inputs<'_>,

@@ -109,7 +109,7 @@ impl Sketch<'_> {
             return;
         }
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
-        // In a low view, the body shrinks in proportion to the view's height.
+        // In a view of small height, the body shrinks in proportion to that height.
         let low = (self.screen.size.min_element() / (LOW * self.screen.scale)).clamp(0.4, 1.0);
         let point = low * self.screen.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);

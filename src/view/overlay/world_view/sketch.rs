@@ -1,5 +1,5 @@
-//! Converts lines, arrows and points of the world into the marks of a [`Drawing`]. They are projected,
-//! clipped, and split into visible and hidden parts. Finally, the labels are placed.
+//! Converts lines, arrows and points of the world into the marks of a [`Drawing`]: they are projected,
+//! clipped, and split into visible and hidden parts. Then places the labels.
 //!
 //! Each label lies inside the picture and near its anchor. It covers no other label, no handle, and as
 //! few lines as possible. If it is far from its anchor, it gets a leader line; if there is no room, it
