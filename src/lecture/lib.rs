@@ -1,5 +1,5 @@
-//! The lecture's calculations: every step with its numbers, the classic mistakes, exercises, and
-//! grading of students' answers. It is independent of windows and files; [`pinhole_core`] computes
+//! The lecture's calculations: every step with its numbers, the classic mistakes, exercises, and the
+//! grading of students' answers. It depends neither on windows nor on files; [`pinhole_core`] computes
 //! the exact answers.
 //!
 //! # What is where
@@ -16,14 +16,15 @@
 //! | exercises | [`exercises`]: questions, their answers, and verdicts on wrong answers |
 //! | students' answers | [`grading`]: a comparison with the truth, and the mistakes that explain them |
 //!
-//! A step that does not exist (u of a camera whose up is parallel to its view) is `None`, and an
-//! error gives the reason. No number is NaN because an answer is missing.
+//! A value that does not exist, such as u of a camera whose up is parallel to its view, is `None`, and
+//! an error gives the reason. No number is NaN because a value is missing.
 //!
 //! # What stays
 //!
-//! The stability rules are those of pinhole-core's changelog. [`Mistake`](mistakes::Mistake),
-//! [`Check`](mistakes::Check) and derivations may grow, and the texts of errors may change. The [`exercises`] with their
-//! verdicts are complete, so that the compiler reports a new one to code that must show them all.
+//! The stability rules are those in pinhole-core's changelog. [`Mistake`](mistakes::Mistake),
+//! [`Check`](mistakes::Check) and the derivations may be extended, and the texts of errors may change.
+//! The [`exercises`] and their verdicts are exhaustive, so that the compiler reports a new one to code
+//! that must show them all.
 
 mod derivation;
 pub mod exercises;
@@ -45,7 +46,7 @@ pub use lines::{ImplicitLine, ParametricLine};
 pub use mistakes::{Mistake, Vote};
 pub use numbers::Rounding;
 
-/// Runs the README's example together with the other examples.
+/// Runs the README's example as a test.
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;

@@ -1,9 +1,9 @@
 //! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the
 //! substitution of the parametric line into the implicit one.
 //!
-//! Every decision that depends on the sign of a number or on whether it is 0 (parallel, coincident,
-//! before or behind `p`, which side of a line) is made exactly on the given numbers. A displayed
-//! value is rounded once.
+//! Every decision that depends on a sign, or on whether a number is 0 (parallel, coincident, before or
+//! behind `p`, which side of a line), is made exactly for the given numbers. A value for display is
+//! rounded once.
 
 use std::cmp::Ordering;
 
@@ -12,7 +12,7 @@ use pinhole_core::{DVec2, shortest};
 
 /// The line `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
 ///
-/// Any values are allowed here; [`ImplicitLine::check`] checks whether they define a line.
+/// The numbers may have any values; [`ImplicitLine::check`] checks whether they define a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitLine {
     /// The factor of x.
@@ -23,14 +23,14 @@ pub struct ImplicitLine {
     pub c: f64,
 }
 
-/// The line `p + t d`: one point for each `t`, ahead of `p` for `t > 0`.
+/// The line `p + t d`, with one point for each `t`. Points with `t > 0` are ahead of `p`.
 ///
-/// Any values are allowed here; [`ParametricLine::check`] checks whether they define a line.
+/// The numbers may have any values; [`ParametricLine::check`] checks whether they define a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParametricLine {
     /// The point at `t = 0`.
     pub p: DVec2,
-    /// The step from the point at `t = 0` to the point at `t = 1`; not normalized.
+    /// The step from the point at `t = 0` to the point at `t = 1`, of any length.
     pub d: DVec2,
 }
 
@@ -46,20 +46,20 @@ pub struct Substitution {
     pub rate: f64,
     /// `a px + b py + c`, rounded once: f at `t = 0`.
     pub offset: f64,
-    /// The point where both lines meet, if there is one.
+    /// The t at which both lines meet, if there is one.
     pub meeting: Meeting,
 }
 
-/// The t at which a parametric line meets an implicit one.
+/// How a parametric line meets an implicit one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting {
     /// The lines do not meet: f is the same nonzero number at every t.
     Parallel,
     /// The lines meet at every t: they are the same line.
     Coincident,
-    /// For one t.
+    /// The lines meet at one t.
     At(Crossing),
-    /// The lines meet at one t, but t, x or y is beyond the range of `f64`.
+    /// The lines meet at one t, but t, x or y is outside the range of `f64`.
     TooFar {
         /// True if `t > 0`.
         ray_hits: bool,
@@ -73,12 +73,12 @@ pub struct Crossing {
     pub t: f64,
     /// `p + t d` for the t before rounding, with each coordinate rounded to the nearest `f64`.
     pub point: DVec2,
-    /// True if the ray from p along d hits: `t > 0`. Otherwise only the whole line meets.
+    /// True if `t > 0`, so that the ray from p along d hits. Otherwise only the whole line does.
     pub ray_hits: bool,
 }
 
 impl ImplicitLine {
-    /// Returns the line through two points, directed from the first to the second, so that f is
+    /// Returns the line through two points. It is directed from the first to the second, so f is
     /// positive on its left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl ImplicitLine {
     }
 
     /// Returns `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. Returns `None` for a vertical
-    /// line, which has no such form, and if a quotient is beyond the range of `f64`.
+    /// line, which has no such form, and if a quotient is outside the range of `f64`.
     pub fn slope_form(&self) -> Option<(f64, f64)> {
         let (m, q) = (-self.a / self.b, -self.c / self.b);
         (m.is_finite() && q.is_finite()).then_some((m + 0.0, q + 0.0))
@@ -142,19 +142,19 @@ impl ImplicitLine {
         [self.a, self.b, self.c].map(Dyadic::from)
     }
 
-    /// Returns `(b, -a)`, the direction along the line for which f is positive on the left.
+    /// Returns `(b, -a)`, the direction along the line with positive f on the left.
     pub fn direction(&self) -> DVec2 {
         DVec2::new(self.b, -self.a)
     }
 
-    /// Returns the line with this [direction](ImplicitLine::direction) through a point: a and b are
+    /// Returns the line in this [direction](ImplicitLine::direction) through a point. a and b are
     /// exact, and c is rounded once.
     pub fn along(direction: DVec2, point: DVec2) -> ImplicitLine {
         let line = ImplicitLine { a: -direction.y + 0.0, b: direction.x, c: 0.0 };
         ImplicitLine { c: -line.f(point) + 0.0, ..line }
     }
 
-    /// Returns the line's nearest point to a given point, up to rounding.
+    /// Returns the point of the line that is nearest to `point`, up to rounding.
     pub fn nearest_to(&self, point: DVec2) -> DVec2 {
         // Scale the numbers so that no square overflows or underflows.
         let size = self.a.abs().max(self.b.abs());
@@ -185,16 +185,16 @@ impl ParametricLine {
         self.p + t * self.d
     }
 
-    /// Returns the t of the line's nearest point to a given point, up to rounding: `((point - p) .
-    /// d) / (d . d)`.
+    /// Returns the t of the line's point that is nearest to `point`, up to rounding:
+    /// `((point - p) . d) / (d . d)`.
     pub fn nearest_t(&self, point: DVec2) -> f64 {
         let size = self.d.abs().max_element();
         let d = self.d / size;
         (point - self.p).dot(d) / d.length_squared() / size
     }
 
-    /// Returns the points at equal steps of t between `first` and `last`, each with its t: the
-    /// multiples of `step` in between, and at most `most` of them.
+    /// Returns points at equal steps of t between `first` and `last`, each with its t. The values of t
+    /// are the multiples of `step` in this range, but at most `most` of them.
     pub fn generated(
         &self,
         step: f64,
@@ -213,10 +213,9 @@ impl ParametricLine {
 }
 
 impl Substitution {
-    /// Puts the parametric line into the implicit one.
+    /// Substitutes the parametric line into the implicit one.
     ///
-    /// # Errors
-    /// Returns an error if either is no line.
+    /// # Errors Returns an error if either of them is not a line.
     ///
     /// ```
     /// use pinhole_core::DVec2;
@@ -240,7 +239,7 @@ impl Substitution {
         })
     }
 
-    /// Returns `f(p + t d)`, rounded once, with its sign before rounding.
+    /// Returns `f(p + t d)`, rounded once, and its exact sign.
     pub fn f(&self, t: f64) -> (f64, Ordering) {
         let (rate, offset) = terms(&self.line, &self.ray);
         let f = &(&rate * &Dyadic::from(t)) + &offset;

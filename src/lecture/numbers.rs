@@ -1,12 +1,12 @@
-//! Writes numbers for readers: few significant digits, no rounding noise, a real minus sign (−),
-//! and no separators between groups of digits. Typed, copied and saved numbers have the keyboard's
-//! minus (-).
+//! Formats numbers for display: with few significant digits, without rounding noise, with a typographic
+//! minus sign (−), and without separators between groups of digits. Numbers that are typed, copied or
+//! saved have an ASCII minus (-).
 
 use pinhole_core::shortest;
 
 use crate::forms::NumberForm;
 
-/// Digits in groups of three: `1,234,567`.
+/// Formats digits in groups of three: `1,234,567`.
 pub fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
@@ -19,10 +19,10 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
-/// Writes a number to this many significant digits, without trailing zeros; never `NaN` or `inf`.
-/// Uses fewer digits if they identify the number uniquely: 0.1 at 17 digits is `0.1`.
+/// Formats a number with this many significant digits, without trailing zeros; never as `NaN` or `inf`.
+/// Uses fewer digits if they identify the number uniquely: 0.1 with 17 digits is `0.1`.
 pub fn significant(value: f64, digits: usize) -> String {
-    // Numbers of 15 digits are always distinct as `f64`.
+    // Different decimals of at most 15 digits are always different as `f64`.
     let fewer = (15..digits).map(|digits| rounded(value, digits));
     let mut telling = fewer.filter(|text| text.parse() == Ok(value));
     telling.next().unwrap_or_else(|| rounded(value, digits))
@@ -46,13 +46,13 @@ fn rounded(value: f64, digits: usize) -> String {
     format!("{}e{exponent}", trimmed(mantissa))
 }
 
-/// Returns a number's text without zeros at the end of its decimals.
+/// Returns the text of a number without the zeros at the end of its decimals.
 fn trimmed(text: &str) -> &str {
     let is_whole = !text.contains('.');
     if is_whole { text } else { text.trim_end_matches('0').trim_end_matches('.') }
 }
 
-/// Writes a number to this many [`significant`] digits, with the real minus sign.
+/// Formats a number with this many [`significant`] digits and a typographic minus sign.
 pub fn written(value: f64, digits: usize) -> String {
     significant(value, digits).replace('-', "−")
 }
@@ -60,28 +60,28 @@ pub fn written(value: f64, digits: usize) -> String {
 /// The text for a number that is not finite.
 const BEYOND: &str = "beyond f64";
 
-/// Writes a number with all its digits, for reading.
+/// Formats a number with all its digits, for display.
 pub fn written_whole(x: f64) -> String {
     if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
 }
 
-/// Maximum number of decimals of a number that is shown whole: −0.00125.
+/// Maximum number of decimals with which a number is shown exactly: −0.00125.
 const WHOLE: usize = 5;
-/// Number of significant digits to which a calculated number has no rounding error.
+/// Number of significant digits to which a calculated number shows no rounding error.
 const TELLING: usize = 12;
 
-/// The rounding of numbers that are shown.
+/// How displayed numbers are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
-    /// This many significant digits.
+    /// To this many significant digits.
     Significant(usize),
-    /// This many decimals; a small number has two significant digits, which may be more decimals. A
-    /// number that ends within five decimals keeps them all.
+    /// To this many decimals. A small number is given two significant digits, which may need more
+    /// decimals. A number with at most five decimals keeps them all.
     Decimals(usize),
 }
 
 impl Rounding {
-    /// Returns the number's text, without trailing zeros.
+    /// Formats the number, without trailing zeros.
     pub fn text(self, x: f64) -> String {
         match self {
             Rounding::Significant(digits) => significant(x, digits),
@@ -99,12 +99,12 @@ impl Rounding {
     }
 }
 
-/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
+/// Formats a number with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
 pub fn short(x: f64) -> String {
     short_plain(x).replace('-', "−")
 }
 
-/// Formats like [`short`] with the keyboard's minus, for the command line and its files.
+/// Does the same as [`short`] with an ASCII minus, for the command line and its files.
 pub fn short_plain(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -122,7 +122,7 @@ pub fn short_plain(x: f64) -> String {
     trimmed(&format!("{x:.decimals$}")).to_owned()
 }
 
-/// Formats a power of ten: `10⁻⁶`, but `1` and `10`.
+/// Formats a power of ten, for example as `10⁻⁶`; but `1` and `10`.
 pub fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0 => "1".to_owned(),
@@ -134,11 +134,11 @@ pub fn power_of_ten(exponent: i32) -> String {
     }
 }
 
-/// The digits as exponents.
+/// The digits as superscripts.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// Returns the share `count` / `all` in per cent: `33 %`, `0.4 %`. A share that is neither none nor
-/// all is never written as 0 % or 100 %.
+/// Formats the fraction `count` / `all` in per cent: `33 %`, `0.4 %`. A fraction other than 0 and 1 is
+/// never written as 0 % or 100 %.
 pub fn percent(count: usize, all: usize) -> String {
     let percent = 100.0 * count as f64 / all.max(1) as f64;
     match percent {
@@ -151,10 +151,10 @@ pub fn percent(count: usize, all: usize) -> String {
     }
 }
 
-/// Maximum number in a fraction or under a root that is still easy to read.
+/// Maximum whole number in a fraction or under a root that is still easy to read.
 const SHORT: u64 = 100;
 
-/// Writes a number for a sentence, in its exact form if that is short.
+/// Formats a number for use in a sentence, in its exact form if that is short.
 pub(crate) fn exact_if_short(x: f64) -> String {
     let is_short = |form: &NumberForm| match form.decimals() {
         Some(decimals) => decimals <= 5,
@@ -163,7 +163,7 @@ pub(crate) fn exact_if_short(x: f64) -> String {
             .all(|n| n <= SHORT),
     };
     match NumberForm::recognise(x).filter(is_short) {
-        // Decimals stay decimals.
+        // A decimal number is not written as a fraction.
         Some(form) if form.decimals().is_some() => written_whole(form.value()),
         Some(form) => form.to_string(),
         None => written(x, 5),

@@ -1,11 +1,11 @@
-//! Students' answers, and the number of digits to which they are written.
+//! Students' answers, and the number of digits with which they are written.
 
 use pinhole_core::{DVec3, Pixel, Rgb};
 
 /// A student's answers, all of one kind.
 ///
-/// Rows and columns count from 0 here. Row H and column W lie outside the image; they stand for the
-/// last row and column of a student who counts from 1 without saying so.
+/// Rows and columns are counted from 0 here. Row H and column W lie outside the image. They occur if a
+/// student counts from 1 without saying so.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answers {
     /// u, v and w.
@@ -31,31 +31,31 @@ pub enum AnswerKind {
     Picture,
 }
 
-/// A number or vector as the student wrote it, to some number of digits.
+/// A number or vector as the student wrote it, possibly rounded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Written<T> {
     /// The value that was read.
     pub value: T,
-    /// Maximum distance of the intended number in each coordinate: half a unit of the last digit.
-    /// It is 0 for numbers with all their digits.
+    /// Maximum error of each coordinate due to rounding: half a unit in the last digit. It is 0 for
+    /// numbers with all their digits.
     pub rounding: f64,
 }
 
 /// A vector as the student wrote it.
 pub type WrittenVector = Written<DVec3>;
 
-/// A pixel's view ray.
+/// The answer for a pixel's view ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayAnswer {
     /// The pixel.
     pub pixel: Pixel,
     /// The ray's origin.
     pub origin: WrittenVector,
-    /// The direction, of any length above 0.
+    /// The direction, of any length greater than 0.
     pub direction: WrittenVector,
 }
 
-/// The first hit of a pixel's view ray.
+/// The answer for the first hit of a pixel's view ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HitAnswer {
     /// The pixel.
@@ -64,19 +64,19 @@ pub struct HitAnswer {
     pub hit: Option<GivenHit>,
 }
 
-/// A hit, with the parts that the student gave.
+/// A hit. The parts that the student did not give are `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenHit {
-    /// The position on the ray.
+    /// The parameter t of the ray.
     pub t: Option<Written<f64>>,
-    /// The position in the world.
+    /// The hit point in the world.
     pub point: Option<WrittenVector>,
     /// The object's index.
     pub object: Option<u32>,
 }
 
 impl<T> Written<T> {
-    /// Creates a value with all its digits.
+    /// Creates a value that was written with all its digits.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
     }
@@ -120,44 +120,43 @@ impl Answers {
         self.len() == 0
     }
 
-    /// Returns true if a program that computes in `f32` may have written the answers: each examined
-    /// number is an `f32` to as many digits as it was written.
+    /// Returns true if the answers may come from a program that computes in `f32`. Each examined number
+    /// is then an `f32`, to as many digits as it was written with.
     pub(super) fn may_be_single(&self) -> bool {
-        /// Number of answers, spread evenly, that are examined: one number in full double precision
-        /// is enough.
+        /// Maximum number of answers that are examined, spread evenly. One number in full double
+        /// precision is enough to rule out `f32`.
         const LOOKED_AT: usize = 2000;
         let step = self.len().div_ceil(LOOKED_AT).max(1);
         let is_single =
             |numbers: &[f64], rounding: &mut f64| numbers.iter().all(|x| is_single(*x, *rounding));
-        // Eight bits are too few to decide.
+        // The eight bits of a picture's channels are too few to decide.
         self.kind() != AnswerKind::Picture && for_each(&mut self.clone(), step, is_single)
     }
 }
 
-/// Returns true if a number, to its written digits, is an `f32` or the shortest decimal of an
-/// `f32`.
+/// Returns true if a number, to the digits with which it was written, is an `f32` or the shortest
+/// decimal of an `f32`.
 fn is_single(value: f64, rounding: f64) -> bool {
     let single = value as f32;
     let off = (f64::from(single) - value).abs();
-    // The margin is slightly above half a unit, because C rounds halves to even.
+    // The margin is slightly above half a unit, because C rounds ties to even.
     off <= rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(value)
 }
 
-/// The number of digits to which some answers are written. Trailing zeros are not written, so the
-/// longest numbers determine it for all.
+/// The number of digits with which the answers are written. Since trailing zeros are often omitted, the
+/// longest numbers determine it for all answers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
-    /// Significant digits.
+    /// The number of significant digits.
     digits: i32,
-    /// Decimals, the digits after the point.
+    /// The number of digits after the decimal point.
     decimals: i32,
 }
 
 impl Precision {
-    /// Returns the precision of these answers; `None` if they have all digits, or contain no
-    /// numbers.
+    /// Returns the precision of these answers; `None` if they have all digits or contain no numbers.
     pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
-        /// Above this many significant digits, a number counts as complete.
+        /// A number with more significant digits than this counts as having all its digits.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
         for_each(&mut answers.clone(), 1, |numbers, _| {
@@ -172,16 +171,16 @@ impl Precision {
         longest.filter(|longest| longest.digits <= MANY)
     }
 
-    /// Returns half a unit of the last digit of a number of this size.
+    /// Returns half a unit in the last digit of a number of this size.
     fn half_unit(self, size: f64) -> f64 {
         let of_decimals = 10f64.powi(-self.decimals);
         let of_digits = exponent(size).map_or(0.0, |e| 10f64.powi(e + 1 - self.digits));
-        // The margin is slightly larger, because both sides are rounded.
+        // The result is slightly larger, because both sides of the comparison are rounded.
         (0.5 + 1e-9) * of_decimals.max(of_digits)
     }
 
-    /// Returns the answers with a rounding of half a unit of the last digit each, and the smallest
-    /// number of digits of any answer.
+    /// Returns the answers with a rounding of half a unit in their last digit, and the number of digits
+    /// of the answer with the fewest.
     pub(super) fn allowed(self, answers: &Answers) -> (Answers, i32) {
         let mut fewest = self.digits;
         let mut allowed = answers.clone();
@@ -197,12 +196,14 @@ impl Precision {
     }
 }
 
-/// Returns the power of ten of a number's first digit; `None` for 0.
+/// Returns the power of ten of a number's first digit; `None` for 0 and for numbers that are not
+/// finite.
 fn exponent(size: f64) -> Option<i32> {
     (size > 0.0 && size.is_finite()).then(|| size.log10().floor() as i32)
 }
 
-/// Returns the number of significant digits and of decimals in the shortest decimal; `None` for 0.
+/// Returns the number of significant digits and the number of decimals of a number's shortest decimal
+/// form; `None` for 0.
 fn written(size: f64) -> Option<(i32, i32)> {
     exponent(size)?;
     let text = format!("{size:e}");
@@ -211,8 +212,8 @@ fn written(size: f64) -> Option<(i32, i32)> {
     Some((digits, digits - 1 - exponent.parse::<i32>().ok()?))
 }
 
-/// Calls `each` with every number, or every vector's numbers, and their rounding, of every `step`th
-/// answer, until it returns false. Returns true if it never does.
+/// Calls `each` for every `step`th answer until it returns false. Its arguments are a number or the
+/// coordinates of a vector, and their rounding. Returns true if it never returns false.
 fn for_each(
     answers: &mut Answers,
     step: usize,

@@ -1,55 +1,56 @@
-//! The mistakes that explain the answers.
+//! Finds the mistakes that explain the answers.
 
 use rayon::prelude::*;
 
 use super::grade::AnswerValue;
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
-/// The mistakes that explain wrong answers.
+/// The mistakes that explain wrong answers, and remarks on them.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnosis {
-    /// The smallest set of known mistakes with which a program gives all of these answers,
-    /// including the right ones. It contains one mistake, or two of [`Mistake::GRADED`]. Of several
-    /// such sets, it is the first in the order of [`Mistake::GRADED`] and [`Mistake::ALONE`]. In
-    /// that order, `v = u x w` is the last graded mistake unless a basis is answered, because rays
-    /// cannot distinguish it from rows that count from the bottom. The set is empty if there is
-    /// none, and if nothing is wrong.
+    /// The smallest set of known mistakes with which a program gives all of these answers, including
+    /// the right ones. It contains one mistake, or two of [`Mistake::GRADED`]. It is empty if there is
+    /// no such set, and if nothing is wrong.
+    ///
+    /// Of several such sets, it is the first in the order of [`Mistake::GRADED`] and
+    /// [`Mistake::ALONE`]. Unless a basis is answered, `v = u x w` counts as the last of the graded
+    /// mistakes, because rays cannot distinguish it from rows that are counted from the bottom.
     pub mistakes: Vec<Mistake>,
-    /// Other sets of the same size that give the same answers, in the same order.
+    /// Other sets of the same size that lead to the same answers, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
-    /// A slip that gives these answers, if no other single mistake does.
+    /// [`Mistake::RayReversed`] or [`Mistake::DistanceAdded`], if it leads to these answers and no other
+    /// single mistake does.
     pub other: Option<Mistake>,
-    /// True if all answers would be right if rows and columns counted from 1.
+    /// True if all answers are right when rows and columns are counted from 1.
     pub counted_from_one: bool,
-    /// True if the answers were read as counting from 1, and all would be right if they counted
-    /// from 0.
+    /// True if the answers were read as counted from 1, and all are right when counted from 0.
     pub counted_from_zero: bool,
-    /// Objects are counted from 1.
+    /// True if objects are counted from 1.
     pub objects_from_one: bool,
-    /// True if there are mistakes, and every wrong answer is a miss or a hit of an object behind
-    /// the right one. A program that does not see the nearer object gives such answers, for
-    /// whatever reason.
+    /// True if mistakes are named, and every wrong answer is a miss or a hit of an object behind the
+    /// right one. Such answers may also come from a program that, for any reason, does not see the
+    /// nearer object.
     pub may_be_unseen: bool,
-    /// The step between the answers that were compared with the named pipeline. It is 1, for all of
-    /// them, unless there are so many answers and spheres that the comparison would take minutes; 0 if
-    /// nothing was compared.
+    /// The step between the answers that were compared with the named pipeline. It is 1 if all were
+    /// compared, and larger if there are so many answers and spheres that comparing all would take
+    /// minutes. It is 0 if nothing was compared.
     pub of_every: usize,
 }
 
-/// What the answers of a kind are compared with, and how exactly.
+/// The data with which answers are compared, and the required precision.
 #[derive(Clone, Copy)]
 pub(super) struct GradingContext<'a> {
     pub(super) given: &'a GivenCamera,
     /// The camera without any mistake.
     pub(super) right: PipelineCamera,
-    /// The maximum relative error, or levels of 255 for a picture.
+    /// Maximum error: relative or, for a picture, in levels of 255.
     pub(super) tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
+    /// The fraction of the rounding error of the written digits that is allowed.
     pub(super) digits: f64,
 }
 
-/// Answers of one kind, compared with the truth and with pipelines.
+/// Answers of one kind, which are compared with the truth and with pipelines.
 pub(super) trait Fits: Sync {
     /// Returns the number of answers.
     fn len(&self) -> usize;
@@ -59,40 +60,41 @@ pub(super) trait Fits: Sync {
         false
     }
 
-    /// Calculates everything that must be known before the first answer is compared.
+    /// Computes the values of the camera that are needed before the first comparison.
     fn prepare(&self, _camera: &mut PipelineCamera) {}
 
-    /// Returns the approximate number of spheres that each answer is tested against.
+    /// Returns the approximate number of spheres against which each answer is tested.
     fn work(&self, _pipeline: &Pipeline) -> usize {
         1
     }
 
-    /// Returns true if the pipeline may have given this answer.
+    /// Returns true if a program with this pipeline may have given the answer.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 
-    /// Returns true if a program that does not see the first object hit may have given this answer.
+    /// Returns true if a program that does not see the object of the first hit may have given the
+    /// answer.
     fn may_be_unseen(&self, _index: usize) -> bool {
         false
     }
 
-    /// Returns what the answers are compared with.
+    /// Returns the data with which the answers are compared.
     fn context(&self) -> &GradingContext<'_>;
 
-    /// Returns this answer's distance from the truth, in the units of the tolerance.
+    /// Returns the error of an answer, in the units of the tolerance.
     fn error(&self, index: usize) -> f64;
 
-    /// Returns the right answer in place of this one.
+    /// Returns the right answer.
     fn right(&self, index: usize) -> AnswerValue;
 }
 
-/// Number of wrong answers, and of right answers, that are compared before all others.
+/// Maximum number of wrong answers, and of right ones, that are compared first.
 const FIRST_LOOKS: usize = 64;
 
-/// Maximum number of sphere tests for a pipeline's rays, which take some seconds.
+/// Maximum number of sphere tests for the rays of a pipeline, which take some seconds.
 const MOST_WORK: usize = 50_000_000;
 
-/// Finds the smallest set of mistakes. `is_right` is true for the answers that need none; at least
-/// one answer is wrong.
+/// Finds the smallest set of mistakes that explains the answers. `is_right` is true for each right
+/// answer; at least one answer is wrong.
 pub(super) fn diagnose(
     given: &GivenCamera,
     answers: &dyn Fits,
@@ -110,8 +112,7 @@ pub(super) fn diagnose(
     let mut known = Mistake::GRADED.to_vec();
     known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
     if !answers.shows_basis() {
-        // Both mistakes turn the picture upside down, so rays cannot distinguish them, but a basis
-        // can.
+        // Both mistakes turn the picture upside down. Rays cannot distinguish them, but a basis can.
         known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
     }
     let alone = known.iter().chain(Mistake::ALONE);
@@ -146,7 +147,7 @@ pub(super) fn diagnose(
     Diagnosis { other, ..named(explaining(given, answers, &looks, &sets)) }
 }
 
-/// Mistakes that appear in rays as two of [`Mistake::GRADED`].
+/// Mistakes that, in rays, look like two of [`Mistake::GRADED`].
 const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Diagnosis {
@@ -158,7 +159,7 @@ impl Diagnosis {
     }
 }
 
-/// Returns the sets of mistakes with a pipeline that gives all the answers, and for each the step
+/// Returns the sets of mistakes for which some pipeline gives all the answers, each with the step
 /// between the compared answers.
 fn explaining(
     given: &GivenCamera,
@@ -188,8 +189,8 @@ fn stride(answers: &dyn Fits, pipeline: &Pipeline) -> usize {
     answers.len().saturating_mul(answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
 }
 
-/// Returns the indices of some wrong answers and some right ones, spread evenly. They quickly rule
-/// out a pipeline that did not give the answers.
+/// Returns the indices of some wrong and some right answers, spread evenly. They quickly rule out most
+/// pipelines.
 fn first_looks(is_right: &[bool]) -> Vec<usize> {
     let some = |wanted: bool| {
         let all: Vec<usize> =

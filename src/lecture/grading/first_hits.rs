@@ -1,26 +1,26 @@
-//! The first hits that are acceptable for a pipeline's ray, given the error bounds of its numbers.
+//! Finds the acceptable first hits of a pipeline's ray, given the error bounds of its numbers.
 //!
-//! An answer is right if it is the exact answer for objects whose size differs by less than the
-//! tolerance allows at that distance. At a sphere's edge, where the slightest change decides
-//! between hit and miss, both are right, and so is the object behind. If a ray grazes an object,
-//! the error of t may be larger than for a head-on hit. With these rules no right program is called
-//! wrong because of rounding, however it rounds.
+//! An answer is right if it is the exact answer for objects whose size is changed by no more than the
+//! tolerance allows at that distance. At a sphere's edge, where the slightest change decides between
+//! hit and miss, both are right, and so is the object behind. If a ray grazes an object, the error of t
+//! may be larger than for a head-on hit. With these rules, a right program is never called wrong
+//! because of rounding, however it rounds.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
 use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, WhichRoot};
 
-/// A point where an answer may say that the ray first meets an object.
+/// A point at which an answer may place the first hit of an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PossibleHit {
     pub(super) object: u32,
-    /// The pipeline's t of the point.
+    /// The t that the pipeline calculates for the point.
     pub(super) t: f64,
-    /// The minimum and maximum acceptable t.
+    /// The smallest and the largest acceptable t.
     pub(super) least: f64,
     pub(super) most: f64,
-    /// True if a pipeline that misses the object is wrong.
+    /// True if a program that misses the object is wrong.
     is_sure: bool,
 }
 
@@ -28,23 +28,23 @@ pub(super) struct PossibleHit {
 #[derive(Clone, Debug, Default)]
 pub(super) struct FirstHits {
     pub(super) hits: Vec<PossibleHit>,
-    /// True if a miss is acceptable.
+    /// True if a miss is acceptable, too.
     pub(super) may_miss: bool,
 }
 
-/// Returns true if a pipeline's rays may meet distant spheres, so that each ray must be tested
-/// against every sphere. This is so for wrong discriminants and for numbers in `f32`.
+/// Returns true if a pipeline's rays may hit spheres that are far from them, so that each ray must be
+/// tested against every sphere. This is the case for wrong discriminants, and for numbers in `f32`.
 fn meets_far_off(pipeline: &Pipeline) -> bool {
     !pipeline.quadratic.meets_what_is_met() || pipeline.single
 }
 
-/// Returns the approximate number of spheres that a pipeline's ray is tested against. It is small
-/// if the index finds the spheres near the ray.
+/// Returns the approximate number of spheres against which a pipeline's ray is tested. It is small if
+/// the scene's index finds the spheres near the ray.
 pub(super) fn work(scene: &Scene, pipeline: &Pipeline) -> usize {
     if meets_far_off(pipeline) { scene.spheres().len() } else { 1 }
 }
 
-/// A ray of a program's camera, with its tolerance.
+/// A ray of a pipeline's camera, with its tolerance.
 struct Sight<'a> {
     camera: &'a PipelineCamera,
     tolerance: f64,
@@ -53,7 +53,7 @@ struct Sight<'a> {
 }
 
 impl FirstHits {
-    /// Finds the acceptable first hits of the ray with this direction.
+    /// Finds the acceptable first hits of the ray in this direction.
     pub(super) fn find(
         scene: &Scene,
         camera: &PipelineCamera,
@@ -67,7 +67,7 @@ impl FirstHits {
     }
 }
 
-/// Finds where the ray with this direction meets each object separately.
+/// Finds the acceptable hits of the ray in this direction with each object by itself.
 pub(super) fn hits_of_each(
     scene: &Scene,
     camera: &PipelineCamera,
@@ -79,7 +79,7 @@ pub(super) fn hits_of_each(
 }
 
 impl<'a> Sight<'a> {
-    /// Returns `None` if the numbers do not form a ray.
+    /// Creates the ray; returns `None` if the numbers do not form one.
     fn new(camera: &'a PipelineCamera, direction: DVec3, tolerance: f64) -> Option<Sight<'a>> {
         let length = length(direction);
         let is_ray = direction.is_finite() && length > 0.0 && camera.eye.is_finite();
@@ -95,7 +95,7 @@ impl<'a> Sight<'a> {
         all
     }
 
-    /// Calls `each` with every sphere that the ray's line may meet within the tolerance.
+    /// Calls `each` for every sphere that the ray's line may hit within the tolerance.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
         match ExactRay::from_ray(&ray) {
@@ -109,8 +109,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Returns the maximum change of an object's size that is allowed at this distance, in world
-    /// units.
+    /// Returns the maximum change of an object's size that is allowed at this distance, in world units.
     fn slack(&self, reach: f64) -> f64 {
         (self.tolerance + self.camera.off) * reach
     }
@@ -119,7 +118,8 @@ impl<'a> Sight<'a> {
         let Sphere { center, radius } = *sphere;
         let offset = self.camera.pipeline.quadratic.offset(self.camera.eye, center);
         let away = length(offset);
-        // Rounding of the given numbers, and of |p - center|^2 - r^2, whose terms partly cancel.
+        // Allow for rounding errors of the given numbers, and of |p - center|^2 - r^2, whose terms
+        // partly cancel.
         let rounding = self.camera.epsilon
             * (16.0 * (length(self.camera.eye) + length(center) + radius + away)
                 + 8.0 * away * (away / radius));
@@ -130,13 +130,13 @@ impl<'a> Sight<'a> {
             let slack = self.slack(t.abs() * self.length) + rounding;
             let wide = quadratic.roots(radius + slack)?;
             let narrow = (radius > slack).then(|| quadratic.roots(radius - slack)).flatten();
-            // If the smaller sphere is missed, it counts as touched: both roots coincide, up to the
-            // rounding of t itself.
+            // If the ray misses the smaller sphere, it counts as touching it: both roots coincide, up
+            // to the rounding of t itself.
             let touched = quadratic.vertex;
             let along = self.slack(touched.abs());
             let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
-            // Without the square root, t depends less on the sphere's size than on the distance, or
-            // not at all.
+            // Without the square root, t depends less on the sphere's size than on its distance, or not
+            // at all.
             let extra = match quadratic.quadratic.square_root {
                 SquareRoot::Right => 0.0,
                 SquareRoot::LeftOut | SquareRoot::NotTaken => slack / self.length,
@@ -173,8 +173,7 @@ impl<'a> Sight<'a> {
             * self.camera.epsilon
             * (length(self.camera.eye) + length(plane.point) + offset.abs());
         let off = (self.slack(reach) + rounding) / rate.abs();
-        // If the ray is nearly parallel to the plane, it meets the plane far away or behind the
-        // eye.
+        // If the ray is nearly parallel to the plane, it meets the plane far away or behind the eye.
         let is_sure = (self.tolerance + self.camera.off) * self.length < 0.5 * rate.abs();
         let most = if is_sure { t + off } else { f64::INFINITY };
         let least = if is_sure { t - off } else { (t.abs() - off).min(t) };
@@ -185,10 +184,10 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Returns the meetings up to the nearest one that the program surely sees.
+    /// Returns the hits up to the nearest one that the program certainly finds.
     fn first_of(&self, mut all: Vec<PossibleHit>) -> FirstHits {
         let pipeline = &self.camera.pipeline;
-        // The range of positions of a hit, in the order in which the program chooses.
+        // The interval in which a hit lies, in the order by which the program chooses.
         let order = |hit: &PossibleHit| {
             let PossibleHit { least, most, .. } = *hit;
             match (pipeline.root, pipeline.sign) {
@@ -208,23 +207,23 @@ impl<'a> Sight<'a> {
 }
 
 impl PossibleHit {
-    /// Returns the part of the hit in front of the eye.
+    /// Returns the part of the hit in front of the eye; `None` if there is none.
     fn in_front(self) -> Option<PossibleHit> {
         let is_sure = self.is_sure && self.least > 0.0;
         (self.most > 0.0).then_some(PossibleHit { is_sure, ..self })
     }
 }
 
-/// A sphere's quadratic, without its radius.
+/// A sphere's quadratic equation, without the radius.
 struct Terms {
     quadratic: Quadratic,
     a: f64,
     b: f64,
     /// `|p - center|^2`
     away_squared: f64,
-    /// The distance of the line from the centre.
+    /// The distance from the centre to the ray's line.
     distance: f64,
-    /// The t at which both roots meet.
+    /// The t at which both roots would coincide.
     vertex: f64,
 }
 
@@ -245,8 +244,7 @@ impl Terms {
 
     fn roots(&self, radius: f64) -> Option<[f64; 2]> {
         if self.quadratic.is_right() {
-            // Calculated from half the chord, so that nothing cancels unless the ray grazes the
-            // sphere.
+            // Calculated from half the chord, so that nothing cancels unless the ray grazes the sphere.
             let squared = (radius - self.distance) * (radius + self.distance);
             let half = (squared / self.a).sqrt();
             return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
@@ -255,7 +253,8 @@ impl Terms {
     }
 }
 
-/// Returns the outward unit normal that a program finds at a point.
+/// Returns the outward unit normal that a program calculates at a point of an object; `None` if there
+/// is no such object.
 pub(super) fn normal_at(scene: &Scene, object: u32, point: DVec3) -> Option<DVec3> {
     Some(match scene.object(object)? {
         Object::Sphere(sphere) => unit(point - sphere.center),

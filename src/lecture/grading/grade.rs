@@ -1,72 +1,73 @@
-//! Grades: which answers are right, how large the worst error is, and which mistakes explain it.
+//! Grades: which answers are right, how large the greatest error is, and which mistakes explain the
+//! wrong ones.
 
 use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
 
-/// Maximum relative error of a number, unless another tolerance is given. It is twice the maximum
-/// rounding error of a number of six significant digits, which is what `%g` and C++ streams print.
-/// It is also 80 times the spacing of `f32`, and a ray tracer loses about ten such units. The
-/// smallest of the known mistakes, half a pixel of 1000, is fifty times as large.
+/// Default maximum relative error of a number. It is twice the maximum rounding error of a number with
+/// six significant digits, which is what `%g` and C++ streams print. It is also 80 times the spacing of
+/// `f32`, of which a ray tracer loses about ten. The smallest error due to a known mistake, half a
+/// pixel of 1000, is fifty times as large.
 pub const RELATIVE_TOLERANCE: f64 = 1e-5;
 
-/// Maximum error of a picture's channels, in levels of 255, unless another tolerance is given. One
-/// level allows for truncation in place of rounding, and one for light that is computed in other
-/// steps.
+/// Default maximum error of a picture's channels, in levels of 255. One level allows for truncation
+/// instead of rounding, and one for light that is computed in a different order.
 pub const LEVELS_TOLERANCE: f64 = 2.0;
 
-/// The truth that answers are graded against.
+/// The camera and the scene for which answers are graded.
 #[derive(Clone, Copy)]
 pub struct Truth<'a> {
     /// The camera.
     pub camera: &'a Camera,
-    /// The scene that the camera looks at.
+    /// The scene at which the camera looks.
     pub scene: &'a Scene,
-    /// Each object's own colour, for pictures.
+    /// Returns an object's own colour, for pictures.
     pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
 }
 
-/// The grade of some answers.
+/// The grade of a student's answers.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Grade {
     /// The kind of answers.
     pub kind: AnswerKind,
-    /// The tolerance: a relative error, or levels of 255 for a picture.
+    /// The tolerance: a relative error or, for a picture, levels of 255.
     pub tolerance: f64,
-    /// The verdict on each answer, in their order.
+    /// For each answer, in order, true if it is right.
     pub is_right: Vec<bool>,
     /// The answer with the largest error; `None` if there is no answer.
     pub worst: Option<Worst>,
-    /// The shading that a picture is assumed to have.
+    /// The shading that a picture is assumed to have; `None` for other answers.
     pub shade: Option<Shade>,
     /// The mistakes that explain the wrong answers.
     pub diagnosis: Diagnosis,
-    /// The number of digits of the answers, if it is below [`Grade::digits_wanted`] and the answers
-    /// are right to these digits, except for the named mistake, if any.
+    /// The number of digits with which the answers are written, if it is below [`Grade::digits_wanted`]
+    /// and the answers are right to these digits. If a mistake is named, they are right apart from this
+    /// mistake.
     pub right_digits: Option<u32>,
-    /// The t that most answers have where a miss would be right, if no hit has it. It then stands
-    /// for a miss, and the diagnosis takes it as one.
+    /// The t that most answers have where a miss would be right, if no hit has it. The diagnosis then
+    /// treats this t as a miss.
     pub sentinel: Option<f64>,
-    /// The number of pixels without an answer, if each of them counts as a wrong one.
+    /// The number of pixels without an answer, if these count as wrong; otherwise 0.
     pub unanswered: usize,
 }
 
-/// The answer with the largest error. It is a wrong one if there is any.
+/// The answer with the largest error. If any answer is wrong, it is one of the wrong ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Worst {
     /// The answer's index, counted from 0.
     pub index: usize,
-    /// The error, in the units of the tolerance. Infinite if one is a hit and the other a miss, or
-    /// if the hits are of different objects.
+    /// The error, in the units of the tolerance. It is infinite if only one of the given and the right
+    /// answer is a hit, or if they hit different objects.
     pub error: f64,
     /// The right answer.
     pub right: AnswerValue,
 }
 
-/// The value of an answer, given or right.
+/// The value of an answer, whether a student's or the right one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnswerValue {
     /// A vector of the basis.
@@ -75,25 +76,25 @@ pub enum AnswerValue {
     Ray(Ray),
     /// A first hit.
     Hit {
-        /// The position on the ray, in units of the direction's length, if it is answered.
+        /// The position on the ray, in multiples of the direction's length; `None` if it was not given.
         t: Option<f64>,
-        /// The position in the world, if it is answered.
+        /// The position in the world; `None` if it was not given.
         point: Option<DVec3>,
-        /// The object's index, if it is answered.
+        /// The object's index; `None` if it was not given.
         object: Option<u32>,
     },
     /// A miss.
     Miss,
     /// A colour.
     Color(Rgb),
-    /// There is no such pixel.
+    /// The image has no such pixel.
     NoPixel,
 }
 
 /// A first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hit {
-    /// The position on the ray, in units of the direction's length.
+    /// The position on the ray, in multiples of the direction's length.
     pub(super) t: f64,
     /// The position in the world.
     pub(super) point: DVec3,
@@ -111,7 +112,7 @@ impl From<Option<Hit>> for AnswerValue {
     }
 }
 
-/// The verdict on one answer.
+/// The verdict on one answer, with its error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Judged {
     pub(super) is_right: bool,
@@ -119,7 +120,7 @@ pub(super) struct Judged {
 }
 
 impl Grade {
-    /// Returns the number of answers, including missing ones that are expected.
+    /// Returns the number of answers, including those that are missing but required.
     pub fn answers(&self) -> usize {
         self.is_right.len() + self.unanswered
     }
@@ -134,14 +135,14 @@ impl Grade {
         self.agree() == self.answers()
     }
 
-    /// The number of significant digits that an answer should have: six, or more for a stricter
+    /// Returns the number of significant digits that an answer should have: six, or more for a stricter
     /// tolerance.
     pub fn digits_wanted(&self) -> u32 {
         digits_wanted(self.tolerance)
     }
 
-    /// Returns the advice. It has a sentence for each mistake; or it says that the digits are too
-    /// few, that no known mistake explains the answers, or that all of them agree.
+    /// Returns the advice for the student. It has a sentence for each mistake. Otherwise it says that
+    /// there are too few digits, that no known mistake explains the answers, or that all of them agree.
     pub fn advice(&self) -> String {
         let all_given_agree = self.agree() == self.is_right.len();
         match (self.right_digits, &self.diagnosis.mistakes[..]) {
@@ -166,8 +167,8 @@ impl Grade {
         }
     }
 
-    /// Returns remarks in addition to each mistake's own sentence: other explanations of the same
-    /// answers, the number of answers that were compared, or too few digits.
+    /// Returns remarks in addition to the sentence for each mistake: other explanations of the same
+    /// answers, the number of answers that were compared, or that there are too few digits.
     pub fn remarks(&self) -> Vec<String> {
         let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
         let is_named = !mistakes.is_empty();
@@ -189,7 +190,7 @@ impl Grade {
         [other, sampled, digits, objects, sentinel].into_iter().flatten().collect()
     }
 
-    /// Returns true if the cause of the wrong answers is known.
+    /// Returns true if the cause of the wrong answers has been found.
     pub(super) fn is_explained(&self) -> bool {
         let Diagnosis { mistakes, other, .. } = &self.diagnosis;
         !mistakes.is_empty() || other.is_some() || self.right_digits.is_some()
@@ -203,7 +204,7 @@ impl Grade {
     }
 }
 
-/// Returns the smallest number of digits for which half a unit of the last digit is within the
+/// Returns the smallest number of digits for which half a unit in the last digit is within the
 /// tolerance.
 pub(super) fn digits_wanted(tolerance: f64) -> u32 {
     let digits = (1.0 - tolerance.max(f64::EPSILON).log10() - 1e-9).ceil();

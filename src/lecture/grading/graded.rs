@@ -1,4 +1,4 @@
-//! Grades in words and as a map, for the command line and the window.
+//! Presents grades in words and as a map, for the command line and the window.
 
 use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel, Ray, Rgb};
 
@@ -15,25 +15,25 @@ pub struct Graded {
     pub answers: Answers,
     /// Their grade.
     pub grade: Grade,
-    /// The image of the graded scene.
+    /// The size of the graded scene's image.
     pub image: ImageSize,
-    /// The number of the first row and column in the answers, 0 or 1.
+    /// The number of the first row and the first column in the answers: 0 or 1.
     pub count_from: u32,
 }
 
-/// A pixel's answer on a map. If a pixel has several answers, the greatest value is shown.
+/// The result for a pixel on the map. If a pixel has several answers, the greatest value is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
-    /// There is no answer.
+    /// The pixel has no answer.
     Unanswered,
-    /// It is right.
+    /// The answer is right.
     Right,
-    /// It is wrong.
+    /// The answer is wrong.
     Wrong,
 }
 
 impl Cell {
-    /// Returns the colour on a map. The colours differ in lightness, too.
+    /// Returns the colour on the map. The colours also differ in lightness.
     pub fn color(self) -> Rgb {
         match self {
             Cell::Unanswered => [0x8a, 0x8f, 0x98],
@@ -43,21 +43,21 @@ impl Cell {
     }
 }
 
-/// Numbers of digits that a reader is shown; the longer ones are used if the given and the right
-/// number would otherwise look alike.
+/// Numbers of digits for display. A larger number is used if the given and the right value would
+/// otherwise look the same.
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
-/// The advice on answers that were read as counting from 1 but are right if they count from 0.
+/// The advice for answers that were read as counted from 1, but are right when counted from 0.
 const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count from 0, and then all agree: leave \
                                out --count-from 1, or clear “The file counts from 1”.";
 
-/// The advice on where counting begins, for answers that were read as counting from 1.
+/// The advice about where counting begins, for answers that were read as counted from 1.
 const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
 impl Graded {
-    /// Returns the result for each pixel, row by row from the top; `None` for a basis, which has no
-    /// position in the image.
+    /// Returns the result for each pixel, row by row from the top; `None` for a basis, whose vectors do
+    /// not belong to pixels.
     pub fn map(&self) -> Option<Vec<Cell>> {
         if self.grade.kind == AnswerKind::Basis {
             return None;
@@ -87,13 +87,14 @@ impl Graded {
         }
     }
 
-    /// Returns the pixel of the worst answer, if it has one in the image.
+    /// Returns the pixel of the worst answer; `None` if it has none in the image.
     pub fn worst_pixel(&self) -> Option<Pixel> {
         let worst = self.grade.worst.as_ref()?;
         self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
     }
 
-    /// Returns, for example, `159999 of 160000 hits agree, within 0.00001 of their distance`.
+    /// Returns the number of right answers as text, for example `159999 of 160000 hits agree, within
+    /// 0.00001 of their distance`.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let (agree, all) = (grade.agree(), grade.answers());
@@ -107,14 +108,16 @@ impl Graded {
         format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
     }
 
-    /// Returns the grade if every pixel must be answered: pixels without an answer count as wrong.
+    /// Returns the grade under the rule that every pixel must be answered: a pixel without an answer
+    /// counts as wrong.
     pub fn complete(self) -> Graded {
         let is_unanswered = |cell: &&Cell| **cell == Cell::Unanswered;
         let unanswered = self.map().map_or(0, |cells| cells.iter().filter(is_unanswered).count());
         Graded { grade: Grade { unanswered, ..self.grade }, ..self }
     }
 
-    /// Returns, for example, `3 pixels are not answered`, if that counts as wrong.
+    /// Returns the number of unanswered pixels as text, for example `3 pixels are not answered`; `None`
+    /// if there are none or they do not count as wrong.
     pub fn unanswered(&self) -> Option<String> {
         match self.grade.unanswered {
             0 => None,
@@ -136,7 +139,8 @@ impl Graded {
         }
     }
 
-    /// Returns, for example, `row 3, column 4: hits object 0 at t = 5; right: t = 4`.
+    /// Describes the worst answer, for example `row 3, column 4: hits object 0 at t = 5; right: t = 4`.
+    /// Returns `None` if there is no answer.
     pub fn worst(&self) -> Option<String> {
         let worst = self.grade.worst.as_ref()?;
         let pixel_label = match (self.pixel(worst.index), worst.index) {
@@ -155,13 +159,13 @@ impl Graded {
         ))
     }
 
-    /// Returns `row 3, column 4`, counted as the answers count.
+    /// Describes a pixel as `row 3, column 4`, counted from the same number as in the answers.
     pub fn pixel_label(&self, pixel: Pixel) -> String {
         let (row, column) = (pixel.row + self.count_from, pixel.column + self.count_from);
         format!("row {row}, column {column}")
     }
 
-    /// Returns the answer with this index, as it was given.
+    /// Returns the answer with this index as the student gave it.
     pub fn given(&self, index: usize) -> AnswerValue {
         match &self.answers {
             Answers::Basis(vectors) => AnswerValue::Vector(vectors[index].value),
@@ -177,8 +181,8 @@ impl Graded {
         }
     }
 
-    /// Returns the right answer, with the parts that were answered; t and the object in place of a
-    /// miss.
+    /// Returns the right answer, with only the parts that the student gave. If the student gave a miss,
+    /// the parts are t and the object.
     fn right(&self, worst: &Worst) -> AnswerValue {
         let AnswerValue::Hit { t, point, object } = worst.right else { return worst.right };
         match self.given(worst.index) {
@@ -193,7 +197,7 @@ impl Graded {
         }
     }
 
-    /// Returns an answer in words, with this number of significant digits.
+    /// Formats an answer in words, with this number of significant digits.
     fn words(&self, value: AnswerValue, digits: usize) -> String {
         let triple = |v: DVec3| {
             let [x, y, z] = v.to_array().map(|x| significant(x, digits));
@@ -221,12 +225,13 @@ impl Graded {
         }
     }
 
-    /// Returns the names of the mistakes, such as `far-root, negative-t`; empty if there are none.
+    /// Returns the names of the mistakes, such as `far-root, negative-t`. It is empty if no mistake was
+    /// found.
     pub fn mistakes(&self) -> String {
         ids(&self.grade.diagnosis.mistakes, ", ")
     }
 
-    /// Returns the advice, and how certain it is.
+    /// Returns the advice, and remarks on how certain it is.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let counting = Mistake::CountedFromOne;
@@ -235,7 +240,7 @@ impl Graded {
         advice.collect::<Vec<_>>().join(" ")
     }
 
-    /// Returns one sentence on what to look at for this mistake of the diagnosis.
+    /// Returns a sentence of advice on one of the diagnosed mistakes.
     pub fn advice_on(&self, mistake: Mistake) -> &'static str {
         match (mistake, self.count_from) {
             (Mistake::CountedFromOne, 1) if self.grade.diagnosis.counted_from_zero => {
@@ -246,7 +251,7 @@ impl Graded {
         }
     }
 
-    /// Returns remarks in addition to each mistake's own sentence.
+    /// Returns remarks in addition to the sentence for each mistake.
     pub fn remarks(&self) -> Vec<String> {
         self.grade.remarks().into_iter().chain(self.further_remarks()).collect()
     }
@@ -260,8 +265,8 @@ impl Graded {
         said.chain(self.alternatives())
     }
 
-    /// Returns a caveat on the diagnosis: misses alone, or hits of objects behind the right one,
-    /// look alike whatever their cause.
+    /// Returns a caveat on the diagnosis, if there is one: wrong misses, and hits of objects behind the
+    /// right one, look the same whatever their cause.
     fn caveat(&self) -> Option<&'static str> {
         let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
         let is_miss = |index: usize| match &self.answers {
@@ -284,8 +289,8 @@ impl Graded {
         }
     }
 
-    /// Returns other sets of mistakes that explain the answers as well: `negative-t; far-root +
-    /// negative-t`.
+    /// Returns a sentence with the other sets of mistakes that explain the answers as well, such as
+    /// `negative-t; far-root + negative-t`. Returns `None` if there are none.
     fn alternatives(&self) -> Option<String> {
         let sets = &self.grade.diagnosis.alternatives;
         let words: Vec<String> = sets.iter().map(|set| ids(set, " + ")).collect();
@@ -296,7 +301,7 @@ impl Graded {
     }
 }
 
-/// Returns the size of an error in words; empty if it is 0 or not finite.
+/// Describes the size of an error; empty if it is 0 or not finite.
 fn off_by(error: f64, kind: AnswerKind) -> String {
     match kind {
         _ if !error.is_finite() || error == 0.0 => String::new(),

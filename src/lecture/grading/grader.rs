@@ -1,4 +1,4 @@
-//! Grading answers of every kind.
+//! Grades answers of every kind.
 
 use std::cmp::Reverse;
 
@@ -14,19 +14,19 @@ use super::hits::{Hits, Rays, Vectors, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera};
 
-/// Minimum number of written digits from which a single mistake is diagnosed if the digits are fewer
-/// than wanted.
+/// If the answers have fewer digits than wanted, a single mistake is diagnosed only if they have at
+/// least this many.
 const ENOUGH_FOR_MISTAKES: u32 = 3;
 
-/// Answers, and everything that grading them needs.
+/// The answers, and everything needed to grade them.
 pub(super) struct Grader<'a> {
     truth: &'a Truth<'a>,
     answers: &'a Answers,
     given: GivenCamera,
     tolerance: f64,
-    /// The share of the unwritten digits' uncertainty that is allowed.
+    /// The fraction of the rounding error of the written digits that is allowed.
     digits: f64,
-    /// True if the answers may come from a program in `f32`.
+    /// True if the answers may come from a program that computes in `f32`.
     may_be_single: bool,
 }
 
@@ -47,7 +47,7 @@ impl<'a> Grader<'a> {
                 "the picture has {pixels} pixels: it must have {w} x {h}, as the image"
             ));
         }
-        // Make the index here, and not within the parallel work that uses it.
+        // Build the scene's index here rather than within the parallel work that uses it.
         truth.scene.make_index();
         let usual = match answers.kind() {
             AnswerKind::Picture => LEVELS_TOLERANCE,
@@ -84,8 +84,8 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// Returns the grade; if one number stands for misses, its diagnosis takes that number as a
-    /// miss.
+    /// Returns the grade. If one number stands for a miss in the answers, the diagnosis treats that
+    /// number as a miss.
     fn with_sentinel(&self, hits: &[HitAnswer], grade: Grade) -> Grade {
         let Some(sentinel) = sentinel(hits, &self.first_of(hits)) else { return grade };
         let taken = hits.iter().map(|answer| {
@@ -106,7 +106,7 @@ impl<'a> Grader<'a> {
             Ok(held) => self.graded(&*held),
             Err(pixels) => return self.picture(pixels),
         };
-        // With few digits, pairs of mistakes fit by chance, and `f32` cannot be recognised.
+        // With few digits, pairs of mistakes may fit by chance, and `f32` cannot be recognised.
         let least = match grade.diagnosis.mistakes[..] {
             _ if grade.all_agree() => return grade,
             [] => 1,
@@ -120,7 +120,7 @@ impl<'a> Grader<'a> {
             return Grade { right_digits, diagnosis: Diagnosis::default(), ..grade };
         }
         if digits >= ENOUGH_FOR_MISTAKES {
-            // The missing digits are not attributed to `f32`.
+            // Missing digits are not attributed to `f32`.
             let diagnosis = diagnose(&self.given, &*held, &grade.is_right, false);
             if diagnosis.mistakes.len() == 1 {
                 return Grade { right_digits, diagnosis, ..grade };
@@ -129,18 +129,17 @@ impl<'a> Grader<'a> {
         grade
     }
 
-    /// Returns the answers with the uncertainty of their digits, and the number of digits; `None`
-    /// if they have as many as wanted.
+    /// Returns the answers with the rounding errors of their digits, and the number of digits; `None`
+    /// if they have as many digits as wanted.
     fn few_digits(&self) -> Option<(Answers, u32)> {
         let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// Returns the answers together with the truth that they are compared with.
+    /// Returns the answers together with the data with which they are compared.
     ///
-    /// # Errors
-    /// Returns the picture's pixels if the answers are a picture, whose shading is not known.
+    /// # Errors If the answers are a picture, whose shading is not known, returns its pixels.
     fn held<'b>(
         &'b self,
         answers: &'b Answers,
@@ -162,14 +161,14 @@ impl<'a> Grader<'a> {
         GradingContext { given: &self.given, right, tolerance: self.tolerance, digits }
     }
 
-    /// Returns the first hits of these answers' rays.
+    /// Returns the true first hits for the pixels of these answers.
     fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
         let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
         truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
-    /// Grades a picture with the shading that fits best: the one with which most pixels agree, or,
-    /// if no single mistake explains the picture with it, the one with the fewest mistakes.
+    /// Grades a picture with the shading that fits best: the one with which most pixels agree. If no
+    /// single mistake explains the picture with that shading, it is the one with the fewest mistakes.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
         let (pictures, right) = right_pictures(self.truth, &self.given);
         let context = self.context(right, self.digits);
@@ -206,8 +205,8 @@ impl<'a> Grader<'a> {
         best
     }
 
-    /// Returns the verdict on each answer. An answer is right if its error is within the tolerance,
-    /// or if a program without mistakes may have given it.
+    /// Returns the verdict on each answer. An answer is right if its error is within the tolerance, or
+    /// if a program without mistakes may have given it.
     fn judged(&self, answers: &dyn Fits) -> Vec<Judged> {
         let judged = |index| {
             let (error, right) = (answers.error(index), &answers.context().right);
@@ -240,8 +239,9 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// Returns the number that stands for a miss. It is at most 0 or beyond all hits, and more than half
-/// of the answers with such a number, among those for which a miss would be right, have this one.
+/// Returns the number that stands for a miss; `None` if there is none. It is at most 0 or larger than
+/// the t of all hits. Of the answers with such a number where a miss would be right, more than half
+/// have this one.
 fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
     let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
@@ -253,8 +253,9 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     (2 * count > given.len()).then_some(known)
 }
 
-/// Returns the index and error of the wrong answer with the largest error, the first among equals;
-/// of the right answer with the largest error if none is wrong.
+/// Returns the index and the error of the wrong answer with the largest error or, if no answer is
+/// wrong, of the right answer with the largest error. Of equal ones, it is the first. Returns `None` if
+/// there are no answers.
 fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
     let candidates = judged.iter().enumerate().filter(|(_, judged)| judged.is_right != any_wrong);

@@ -11,7 +11,7 @@ use crate::mistakes::{Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],
-    /// The true hits in their places.
+    /// The true first hits, in the order of the answers.
     pub(super) first: Vec<Option<Hit>>,
     pub(super) scene: &'a Scene,
     pub(super) context: GradingContext<'a>,
@@ -71,14 +71,14 @@ impl Fits for Hits<'_> {
 }
 
 impl GradingContext<'_> {
-    /// Returns true if the image has this pixel.
+    /// Returns true if the image contains this pixel.
     fn has(&self, pixel: Pixel) -> bool {
         self.given.resolved.image().contains(pixel)
     }
 }
 
 impl Hits<'_> {
-    /// Returns true if the given hit is this one.
+    /// Returns true if the student's hit is acceptable as this one.
     fn is(
         &self,
         camera: &PipelineCamera,
@@ -108,8 +108,8 @@ impl Hits<'_> {
             let off = (self.context.tolerance + camera.off) * reach
                 + self.context.digits * given.rounding
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
-            // There must be a point of the ray, within the allowed range of t, that differs by at
-            // most `off` in each coordinate.
+            // The ray must have a point, within the allowed range of t, that differs by at most `off`
+            // in each coordinate.
             let mut along = [least, most];
             for axis in 0..3 {
                 let ends = [from_eye[axis] - off, from_eye[axis] + off].map(|x| x / step[axis]);
@@ -126,8 +126,8 @@ impl Hits<'_> {
     }
 }
 
-/// Returns the distance of a hit from the true one, relative to the true one's distance. Infinite
-/// if one of them is a miss and the other is not, or if they are hits of different objects.
+/// Returns the distance between the given hit and the true one, relative to the true one's distance
+/// from the eye. It is infinite if only one of them is a hit, or if they hit different objects.
 fn error_of(given: Option<GivenHit>, truth: Option<Hit>, eye: DVec3) -> f64 {
     let (given, truth) = match (given, truth) {
         (None, None) => return 0.0,
@@ -140,19 +140,18 @@ fn error_of(given: Option<GivenHit>, truth: Option<Hit>, eye: DVec3) -> f64 {
     let of_t = given.t.map_or(0.0, |t| (t.value - truth.t).abs() / truth.t);
     let distance = (truth.point - eye).length();
     let of_point = given.point.map_or(0.0, |p| (p.value - truth.point).length() / distance);
-    // An error that is not a number counts as infinite.
+    // An error that is NaN counts as infinite.
     if of_t.is_nan() || of_point.is_nan() { f64::INFINITY } else { of_t.max(of_point) }
 }
 
-/// Returns the first hits of these pixels' rays; `None` for a miss, or for a pixel outside the
-/// image.
+/// Returns the true first hits of the rays through these pixels; `None` for a miss, and for a pixel
+/// outside the image.
 pub(super) fn truth_of(
     truth: &Truth,
     resolved: &ResolvedCamera,
     pixels: &[Pixel],
 ) -> Vec<Option<Hit>> {
-    /// Number of rows that are traced at a time, because a large image does not fit into memory at
-    /// once.
+    /// Number of rows that are traced at a time, because a large image would not fit into memory.
     const ROWS: usize = 256;
     let image = resolved.image();
     let in_image = |pixel: &&Pixel| image.contains(**pixel);
@@ -275,15 +274,15 @@ impl Fits for Rays<'_> {
 }
 
 impl Rays<'_> {
-    /// Returns the length by which an origin's error is divided: the eye's distance from the
-    /// world's origin, or the viewport's distance if that is larger.
+    /// Returns the length relative to which the error of a ray's origin is measured: the eye's distance
+    /// from the world's origin or, if that is larger, the viewport's distance.
     fn size(&self, camera: &PipelineCamera) -> f64 {
         length(camera.eye).max(self.context.given.resolved.viewport().distance)
     }
 }
 
-/// Returns the difference of two directions, whatever their lengths. It is the largest coordinate
-/// of the chord between the two unit vectors, because digits are written by coordinate.
+/// Returns the difference of two directions, regardless of their lengths. It is the largest coordinate
+/// of the difference of their unit vectors, because digits are written for each coordinate.
 fn turned(a: DVec3, b: DVec3) -> f64 {
     (unit(a) - unit(b)).abs().max_element()
 }

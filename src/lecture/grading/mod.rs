@@ -1,32 +1,32 @@
-//! Grades a student's answers against the truth, and finds the mistakes that explain the wrong
-//! ones.
+//! Grades a student's answers by comparing them with the exact ones, and finds the mistakes that
+//! explain the wrong ones.
 //!
-//! [`grade`] takes the output of a student's ray tracer for a scene ([`Answers`]: a basis, rays,
-//! hits, or a whole picture). It decides for each answer whether it is right, and looks for the
-//! smallest set of classic mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program
-//! gives *all* of the answers. It tries each mistake alone, in each of the ways in which it is
-//! made, and then those of [`Mistake::GRADED`](crate::mistakes::Mistake::GRADED) in pairs.
+//! [`grade`] takes the output of a student's ray tracer for a scene ([`Answers`]: a basis, rays, hits,
+//! or a whole picture). It decides for each answer whether it is right, and looks for the smallest set
+//! of classic mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program gives *all* of the
+//! answers. It tries each mistake alone, in all of its variants, and then the mistakes of
+//! [`Mistake::GRADED`](crate::mistakes::Mistake::GRADED) in pairs.
 //!
 //! # What is right
 //!
-//! Answers are rounded, and each program rounds in its own way. An answer is right if it is within
-//! the tolerance ([`RELATIVE_TOLERANCE`] unless another one is given):
+//! Answers are rounded, and each program rounds in its own way. An answer is right if it is within the
+//! tolerance, which is [`RELATIVE_TOLERANCE`] by default:
 //!
-//! - a basis's vector: each coordinate, relative to the vector's length;
+//! - a vector of the basis: each coordinate, relative to the vector's length;
 //! - a ray: its direction *up to a positive factor*, as each coordinate of the unit vector; its
-//!   origin relative to the eye's distance from the world's origin, or to the viewport's distance
-//!   if that is larger;
+//!   origin, relative to the eye's distance from the world's origin or, if that is larger, to the
+//!   viewport's distance;
 //! - a hit: it must be the right one for objects that are larger or smaller by the tolerance times
 //!   their distance from the eye. For a head-on hit, this is the tolerance relative to t. If a ray
-//!   grazes an object, the error of t may be larger, and at a sphere's very edge a hit, a miss, and
-//!   the object behind are all right. The rounding of the textbook's formulas in `f64` is allowed in
-//!   addition, so that no right program is called wrong, even at large distances;
-//! - a picture's pixel: each channel within [`LEVELS_TOLERANCE`] of 255, compared with the shading
-//!   that fits best; at an edge, the colours of both sides.
+//!   grazes an object, the error of t may be larger; at the very edge of a sphere, a hit, a miss, and
+//!   the object behind are all right. The rounding errors of the textbook's formulas in `f64` are also
+//!   allowed, so that no right program is called wrong, even at large distances;
+//! - a pixel of a picture: each channel within [`LEVELS_TOLERANCE`] levels of 255, compared with the
+//!   shading that fits best; at an edge, the colours of both sides are right.
 //!
-//! Numbers that were written to fewer digits are allowed half a unit of their last digit in
-//! addition ([`Written::rounding`]). With a tolerance below the usual one, this allowance shrinks
-//! in proportion, because whoever asks for more digits wants them to be there.
+//! Numbers written with fewer digits are allowed an additional error of half a unit in their last digit
+//! ([`Written::rounding`]). With a tolerance below the default, this allowance shrinks in proportion,
+//! because whoever asks for more precision expects more digits.
 
 mod answers;
 mod diagnosis;
@@ -45,8 +45,8 @@ pub use self::grade::{AnswerValue, Grade, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, 
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 
-/// Grades answers within a tolerance: a relative error, or levels of 255 for a picture. `None`
-/// stands for the usual tolerance of their kind.
+/// Grades answers within a tolerance, which is a relative error or, for a picture, levels of 255. If it
+/// is `None`, the default for the kind of answers is used.
 ///
 /// ```
 /// use pinhole_lecture::grading::*;
@@ -65,9 +65,9 @@ use self::grader::Grader;
 /// ```
 ///
 /// # Errors
-/// Returns the reason if the camera sees nothing, there is no answer, a picture's number of pixels
-/// differs from that of the camera's image, the tolerance is negative or not a number, or the t of a
-/// true hit is too large or too small to have all digits of an `f64`.
+/// Returns the reason if the camera sees nothing, if there is no answer, or if the tolerance is
+/// negative or NaN. Also returns a reason if a picture does not have as many pixels as the camera's
+/// image, or if the t of a true hit is too large or too small to have all digits of an `f64`.
 pub fn grade(truth: &Truth, answers: &Answers, tolerance: Option<f64>) -> Result<Grade, String> {
     Ok(Grader::new(truth, answers, tolerance)?.grade())
 }

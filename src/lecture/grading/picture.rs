@@ -12,21 +12,20 @@ use super::first_hits::{FirstHits, normal_at, work};
 use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
-/// A picture that is assumed to have one of the shadings.
+/// A picture that is assumed to have a certain shading.
 pub(super) struct Picture<'a> {
     pub(super) pixels: &'a [Rgb],
     pub(super) scene: &'a Scene,
     pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     pub(super) shade: Shade,
-    /// The brightest grey pixel, which is the nearest hit in a picture shaded by t.
+    /// Index of the brightest grey pixel, which shows the nearest hit in a picture shaded by t.
     pub(super) brightest: Option<usize>,
     /// The right picture.
     pub(super) right: &'a [Rgb],
     pub(super) context: GradingContext<'a>,
 }
 
-/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the camera that
-/// sees it.
+/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the right camera.
 pub(super) fn right_pictures(
     truth: &Truth,
     given: &GivenCamera,
@@ -40,7 +39,7 @@ pub(super) fn right_pictures(
     (pictures, camera)
 }
 
-/// Returns the brightest grey pixel, the first among equals.
+/// Returns the index of the brightest grey pixel, the first one of equals; `None` if no pixel is grey.
 pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
     let greys = pixels.iter().enumerate().filter(|(_, [r, g, b])| r == g && g == b);
     greys.rev().max_by_key(|(_, color)| color[0]).map(|(index, _)| index)
@@ -71,7 +70,7 @@ impl Fits for Picture<'_> {
         }
         first.hits.iter().any(|hit| {
             let color = |t: f64| self.color(camera, direction, hit.object, t);
-            // On the other side of the eye, the colour is a different one.
+            // Beyond the eye, the colour would be a different one.
             let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
             let around = [same_side(hit.least), hit.t, same_side(hit.most)];
             let [a, b, c] = around.map(color);
@@ -102,7 +101,7 @@ impl Picture<'_> {
         (first, direction)
     }
 
-    /// Returns the colour of a hit, as calculated by [`shade`].
+    /// Returns the colour of a hit, calculated in the same way as by [`shade`].
     fn color(&self, camera: &PipelineCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
         let byte = |x: f64| (x + 0.5) as u8;
         let color = (self.color_of)(object);
@@ -128,7 +127,7 @@ impl Picture<'_> {
     }
 }
 
-/// Returns the difference of two colours in their worst channel, in levels.
+/// Returns the largest difference of two colours in any channel, in levels.
 pub(super) fn off(a: Rgb, b: Rgb) -> f64 {
     let worst = (0..3).map(|k| a[k].abs_diff(b[k])).max().unwrap_or_default();
     f64::from(worst)

@@ -1,15 +1,15 @@
-//! Checks of a camera, and their verdicts on a wrong camera.
+//! Checks that every right camera passes, and their results for a wrong camera.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
 
 use super::wrong_camera::WrongCamera;
 
-/// The table of checks. Each has the number that it examines, as a formula, and its meaning if it
-/// passes.
+/// Defines the checks. Each has the quantity that it examines, as a formula, and the meaning of passing
+/// it.
 macro_rules! checks {
     ($($(#[$doc:meta])* $name:ident: $formula:literal, $meaning:literal;)*) => {
-        /// A property of every right camera.
+        /// A property that every right camera has.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[non_exhaustive]
         pub enum Check {
@@ -20,14 +20,14 @@ macro_rules! checks {
             /// All checks.
             pub const ALL: &'static [Check] = &[$(Check::$name,)*];
 
-            /// Returns the number that the check examines, as a formula.
+            /// Returns the quantity that the check examines, as a formula.
             pub fn formula(self) -> &'static str {
                 match self {
                     $(Check::$name => $formula,)*
                 }
             }
 
-            /// Returns the check's meaning if it passes.
+            /// Returns what it means that the check passes.
             pub fn meaning(self) -> &'static str {
                 match self {
                     $(Check::$name => $meaning,)*
@@ -65,36 +65,36 @@ checks! {
     /// `v . up / |up| > 0`.
     UpIsUp: "𝐯 · up / |up|",
         "𝐯 is on up's side, so up is up in the image";
-    /// `-direction . w = distance` for the middle ray: the viewport is at t = 1.
+    /// `-direction . w = distance` for the middle ray, so that the viewport is at t = 1.
     ViewportAtDistance: "−𝐝 · 𝐰, middle ray",
         "t = 1 is the viewport, at its distance";
-    /// (u, v) of pixel (0, 0): to the left of the middle and above it.
+    /// (u, v) of pixel (0, 0) is to the left of the middle and above it.
     TopLeft: "(𝑢, 𝑣) of pixel (0, 0)",
         "row 0, column 0 is at the top left";
-    /// One column to the right: (u, v) changes by `(width/W, 0)`.
+    /// From one column to the next, (u, v) changes by `(width/W, 0)`.
     StepRight: "next column, step of (𝑢, 𝑣)",
         "columns go right, by width/𝑊";
-    /// One row down: (u, v) changes by `(0, -height/H)`.
+    /// From one row to the next, (u, v) changes by `(0, -height/H)`.
     StepDown: "next row, step of (𝑢, 𝑣)",
         "rows go down, by height/𝐻";
-    /// The four corner pixels lie evenly around the middle: the mean of their (u, v) is (0, 0).
+    /// The mean (u, v) of the four corner pixels is (0, 0): they lie evenly around the middle.
     CornersBalance: "four corners, mean (𝑢, 𝑣)",
         "pixels lie evenly around the middle: their centres are taken";
 }
 
-/// A number that a check examines.
+/// The value of a quantity that a check examines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     /// One number.
     Number(f64),
-    /// A position in the viewport, or a step there.
+    /// A point of the viewport, or a step between two points.
     Uv(DVec2),
 }
 
-/// The value that a right camera has.
+/// The values with which a check passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanted {
-    /// This value, up to rounding.
+    /// This value, up to rounding errors.
     Equal(Value),
     /// Below 0.
     Negative,
@@ -110,21 +110,21 @@ pub enum Wanted {
 pub struct Checked {
     /// The check.
     pub check: Check,
-    /// The camera's value; exactly 0 if it differs from 0 only by rounding.
+    /// The camera's value; exactly 0 if it differs from 0 only by rounding errors.
     pub value: Value,
-    /// The value that a right camera has.
+    /// The values with which the check passes.
     pub wanted: Wanted,
-    /// True if the value is the wanted one.
+    /// True if the check passes.
     pub passes: bool,
 }
 
 impl WrongCamera {
-    /// Returns every check, with this camera's numbers.
+    /// Returns the results of all checks for this camera.
     pub fn checks(&self) -> Vec<Checked> {
         Check::ALL.iter().copied().map(|check| self.check(check)).collect()
     }
 
-    /// Returns one check, with this camera's numbers.
+    /// Returns the result of one check for this camera.
     pub fn check(&self, check: Check) -> Checked {
         let (value, wanted) = self.value_and_wanted(check);
         let size = self.right_camera().viewport().width.max(self.right_camera().viewport().height);
@@ -133,8 +133,8 @@ impl WrongCamera {
                 (x - y).abs() <= ORTHONORMAL_TOLERANCE * y.abs().max(1.0)
             }
             (Value::Uv(x), Wanted::Equal(Value::Uv(y))) => {
-                // A pixel of a large image is small compared with the viewport, so its own size is
-                // the scale.
+                // The tolerance is relative to the size of a pixel, which in a large image is small
+                // compared with the viewport.
                 let pixels = self.image().width().max(self.image().height());
                 (x - y).abs().max_element() <= ORTHONORMAL_TOLERANCE * size / f64::from(pixels)
             }
@@ -188,12 +188,12 @@ fn equal(x: f64) -> Wanted {
     Wanted::Equal(Value::Number(x))
 }
 
-/// Returns `a . b`; 0 if it is only rounding error, however long the vectors are.
+/// Returns `a . b`, or 0 if it is only a rounding error, whatever the lengths of the vectors.
 fn dot(a: DVec3, b: DVec3) -> f64 {
     let cosine = unit(a).dot(unit(b));
     if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }
 }
 
-/// Bound above the rounding error of the cosine between two vectors of a basis, which is a few
+/// Upper bound for the rounding error of the cosine between two vectors of a basis, which is a few
 /// times 1e-16. A mistake that tilts a vector by less than this changes no pixel.
 const ROUNDING: f64 = 1e-12;

@@ -1,5 +1,5 @@
-//! The classic mistakes: each one as a change to a student's pipeline, the camera and the picture
-//! that it produces, and the checks that find it.
+//! The classic mistakes: the wrong camera and picture that result from each, and the checks that
+//! find it. A mistake is a change to the pipeline of a student's program. The right pipeline is
 //!
 //! ```text
 //! w = -view/|view|    u = up x w / |up x w|    v = w x u

@@ -1,87 +1,87 @@
-//! A student's program as a set of choices, and the rays that it generates. A mistake changes one
-//! or more of the choices.
+//! A student's program as a set of choices, and the rays that it generates. A mistake changes one or
+//! more of the choices.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
-/// The choices on the way from eye, view and up to a hit. [`Pipeline::RIGHT`] is the lecture's own
+/// The choices between the numbers of a camera and a hit. [`Pipeline::RIGHT`] is the lecture's own
 /// pipeline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pipeline {
     pub(crate) basis: BasisChoices,
     pub(crate) distance: Distance,
-    /// The direction leads back to the eye.
+    /// True if the direction leads from the viewport back to the eye.
     pub(crate) reversed: bool,
-    /// The viewport's point is used as the direction: the eye is added to it.
+    /// True if the viewport's point itself is used as the direction, so that it contains the eye.
     pub(crate) eye_added: bool,
-    /// The offset that is added to column and row: 0.5 is the pixel's centre.
+    /// The offsets that are added to column and row. 0.5 leads to the pixel's centre.
     pub(crate) in_pixel: [f64; 2],
-    /// Columns and rows are divided by `W - 1` and `H - 1`, so that the first pixel's ray passes
-    /// through one edge and the last pixel's through the other.
+    /// True if columns and rows are divided by `W - 1` and `H - 1`, so that the first pixel's ray
+    /// passes through one edge of the viewport and the last pixel's through the other.
     pub(crate) edge_to_edge: bool,
-    /// Rows and columns count from 1, so that the last ones are H and W.
+    /// True if rows and columns are counted from 1, so that the last ones are H and W.
     pub(crate) from_one: bool,
     pub(crate) rows: Rows,
     pub(crate) swap: Swap,
     pub(crate) extent: Extent,
-    /// Every number in `f32`.
+    /// True if every number is an `f32`.
     pub(crate) single: bool,
     pub(crate) quadratic: Quadratic,
     pub(crate) root: WhichRoot,
     pub(crate) sign: Sign,
     pub(crate) measure: Measure,
-    /// Objects are counted from 1.
+    /// True if objects are counted from 1.
     pub(crate) objects_from_one: bool,
 }
 
-/// One way to make a mistake: a change to the pipeline.
+/// One variant of a mistake, as a change to the pipeline.
 pub(crate) type Way = fn(&mut Pipeline);
 
 /// The choices in the calculation of u, v and w.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BasisChoices {
-    /// w points along the view.
+    /// True if w points along the view direction.
     pub(crate) w_forwards: bool,
-    /// w is not normalized and has the view's length.
+    /// True if w is not normalized, so that it has the view's length.
     pub(crate) w_raw: bool,
-    /// u is not normalized and has the length of `up x w`.
+    /// True if u is not normalized, so that it has the length of `up x w`.
     pub(crate) u_raw: bool,
-    /// v is normalized, whatever w and u are.
+    /// True if v is normalized, whatever the lengths of w and u.
     pub(crate) v_unit: bool,
-    /// u is calculated from `w x up`.
+    /// True if u is calculated from `w x up`.
     pub(crate) u_swapped: bool,
-    /// v is calculated from `u x w`.
+    /// True if v is calculated from `u x w`.
     pub(crate) v_swapped: bool,
     pub(crate) up_as_v: UpAsV,
 }
 
-/// Whether up is used as v.
+/// Whether up is used as v, and in which form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum UpAsV {
     No,
     AsGiven,
-    /// Normalized.
+    /// Up is used after it has been normalized.
     Unit,
 }
 
-/// The number used as the viewport's distance.
+/// The number that is used as the viewport's distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Distance {
     Right,
     One,
     /// The component along w is left out.
     LeftOut,
-    /// The component along w is added.
+    /// The component along w is added instead of subtracted.
     Plus,
 }
 
-/// The end from which rows count.
+/// The end from which rows are counted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rows {
     FromTop,
-    /// v has the opposite sign.
+    /// Counted from the bottom by giving v the opposite sign.
     SignOfV,
-    /// The row is counted as `H - 1 - i`.
+    /// Counted from the bottom by using `H - 1 - i` as the row.
     FromLast,
 }
 
@@ -89,21 +89,21 @@ pub(crate) enum Rows {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Swap {
     No,
-    /// `i / W` and `j / H`.
+    /// `i / W` is used for u, and `j / H` for v.
     Indices,
     /// `i / H` is used for u, and `j / W` for v.
     Shares,
-    /// `j / H` and `i / W`.
+    /// `j / H` is used for u, and `i / W` for v.
     Counts,
 }
 
-/// The numbers used as the viewport's width and height.
+/// The numbers that are used as the viewport's width and height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Extent {
     Right,
     WidthForHeight,
     HeightForWidth,
-    /// Both are 1, if width and height differ.
+    /// Both are 1, if the width and the height differ.
     Ones,
     /// The width is calculated from the height and the image's W / H.
     WidthByImage,
@@ -115,23 +115,23 @@ pub(crate) enum Extent {
     Twice,
 }
 
-/// The solution `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with `b =
-/// d . (p - center)` and `c = |p - center|^2 - r^2`.
+/// The solution `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with `b = d .
+/// (p - center)` and `c = |p - center|^2 - r^2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quadratic {
     numerator: f64,
     square: f64,
     product: f64,
     denominator: f64,
-    /// `a` is assumed to be 1.
+    /// True if `a` is assumed to be 1.
     pub(crate) a_left_out: bool,
     pub(crate) offset: Offset,
-    /// r is used in place of its square.
+    /// True if r is used instead of its square.
     pub(crate) radius_unsquared: bool,
     pub(crate) square_root: SquareRoot,
 }
 
-/// The vector used as `p - center`.
+/// The vector that is used as `p - center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Offset {
     Right,
@@ -141,40 +141,40 @@ pub(crate) enum Offset {
     OriginLeftOut,
 }
 
-/// The number used as the root of the discriminant.
+/// The number that is used as the root of the discriminant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SquareRoot {
     Right,
-    /// 0: both roots meet.
+    /// 0, so that both roots coincide.
     LeftOut,
-    /// The discriminant itself.
+    /// The discriminant itself, without taking its root.
     NotTaken,
 }
 
-/// The root that is an object's hit.
+/// The root that is used as an object's hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum WhichRoot {
     Near,
     Far,
-    /// The largest of all roots of all objects.
+    /// The largest root of all objects.
     Farthest,
-    /// The root of the last object in the scene that is hit at all.
+    /// A root of the last object in the scene that is hit at all.
     Last,
-    /// The root of the object whose hit is the farthest.
+    /// The root of the object whose hit is farthest away.
     FarthestObject,
 }
 
-/// The range of t that counts as a hit.
+/// The values of t that count as hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Sign {
     Positive,
-    /// All, the smallest first.
+    /// All; the smallest is the first hit.
     Any,
-    /// All, the smallest in size first.
+    /// All; the one with the smallest magnitude is the first hit.
     Nearest,
 }
 
-/// The numbers that are reported as t and point.
+/// The numbers that are reported as t and as the hit point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Measure {
     /// t, and `p + t d`.
@@ -198,12 +198,13 @@ impl BasisChoices {
         up_as_v: UpAsV::No,
     };
 
-    /// Skips the normalization of w, u or both. v follows from them, or is normalized.
+    /// Omits the normalization of w, of u, or of both. v is calculated from them and, if `v_unit` is
+    /// true, normalized.
     pub(crate) fn set_raw(&mut self, w: bool, u: bool, v_unit: bool) {
         (self.w_raw, self.u_raw, self.v_unit) = (w, u, v_unit);
     }
 
-    /// Exchanges the factors of both cross products. If it is applied twice, they are right again.
+    /// Exchanges the factors of both cross products. Doing so twice restores them.
     pub(crate) fn swap_both(&mut self) {
         self.u_swapped ^= true;
         self.v_swapped ^= true;
@@ -211,7 +212,7 @@ impl BasisChoices {
 }
 
 impl Distance {
-    /// Returns the number used for this distance.
+    /// Returns the number that is used for this distance.
     pub(crate) fn taken_for(self, distance: f64) -> f64 {
         match self {
             Distance::Right => distance,
@@ -238,19 +239,19 @@ impl Quadratic {
         *self = Quadratic { numerator, square, product, denominator, ..*self };
     }
 
-    /// Returns true if the roots are the right ones.
+    /// Returns true if the roots of this formula are the right ones.
     pub(crate) fn is_right(&self) -> bool {
         *self == Quadratic::RIGHT
     }
 
-    /// Returns true if the discriminant is the right one or a multiple of it, so that a line meets
-    /// the right spheres.
+    /// Returns true if the discriminant is the right one or a multiple of it, so that exactly those
+    /// spheres are hit that the line meets.
     pub(crate) fn meets_what_is_met(&self) -> bool {
         let Quadratic { square, product, a_left_out, offset, radius_unsquared, .. } = *self;
         square == product && !a_left_out && offset == Offset::Right && !radius_unsquared
     }
 
-    /// Returns the vector used as `p - center`.
+    /// Returns the vector that is used as `p - center`.
     pub(crate) fn offset(&self, p: DVec3, center: DVec3) -> DVec3 {
         match self.offset {
             Offset::Right => p - center,
@@ -259,22 +260,22 @@ impl Quadratic {
         }
     }
 
-    /// Returns the number used as `c = |p - center|^2 - r^2`.
+    /// Returns the number that is used as `c = |p - center|^2 - r^2`.
     pub(crate) fn c(&self, away_squared: f64, radius: f64) -> f64 {
         away_squared - if self.radius_unsquared { radius } else { radius * radius }
     }
 
-    /// Returns the number used as `a = d . d`.
+    /// Returns the number that is used as `a = d . d`.
     pub(crate) fn a(&self, a: f64) -> f64 {
         if self.a_left_out { 1.0 } else { a }
     }
 
-    /// Returns the t at which both roots meet. `a` is the result of [`Quadratic::a`].
+    /// Returns the t at which both roots would coincide. `a` is the result of [`Quadratic::a`].
     pub(crate) fn vertex(&self, a: f64, b: f64) -> f64 {
         -self.numerator * b / (self.denominator * a)
     }
 
-    /// Returns the roots, the smaller one first; `None` if the number under the root is negative.
+    /// Returns the roots, the smaller one first; `None` if the discriminant is negative.
     /// `a` is the result of [`Quadratic::a`].
     pub(crate) fn roots(&self, a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
         let discriminant = self.square * b * b - self.product * a * c;
@@ -310,26 +311,26 @@ impl Pipeline {
         objects_from_one: false,
     };
 
-    /// Returns the direction through a (u, v), from these vectors u, v and w and the viewport's
-    /// distance.
+    /// Returns the direction through a point (u, v) of the viewport at this distance, for these vectors
+    /// u, v and w.
     pub(crate) fn direction(&self, [u, v, w]: [DVec3; 3], distance: f64, uv: DVec2) -> DVec3 {
         let direction = uv.x * u + uv.y * v - self.distance.taken_for(distance) * w;
         if self.reversed { -direction } else { direction }
     }
 
-    /// Returns the pipeline with one more mistake.
+    /// Returns the pipeline with one more change.
     pub(crate) fn with(mut self, way: Way) -> Pipeline {
         way(&mut self);
         self
     }
 
-    /// Moves the point of a pixel through which its ray passes, in pixels to the right and down.
+    /// Moves the point at which the rays pass through a pixel, in pixels to the right and down.
     pub(crate) fn move_in_pixel(&mut self, across: f64, down: f64) {
         self.in_pixel[0] += across;
         self.in_pixel[1] += down;
     }
 
-    /// Uses `j - 0.5`: the first row and column are 1, and the last ones are H and W.
+    /// Uses `j - 0.5`, with rows and columns counted from 1, so that the last ones are H and W.
     pub(crate) fn count_pixels_from_one(&mut self) {
         self.move_in_pixel(-1.0, -1.0);
         self.from_one = true;
@@ -347,22 +348,22 @@ impl Pipeline {
     }
 }
 
-/// A right camera, with the values from which the cameras of wrong pipelines are calculated.
+/// A right camera, with the values from which wrong pipelines calculate their cameras.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GivenCamera {
     pub(crate) resolved: ResolvedCamera,
     pub(crate) view: DVec3,
     pub(crate) up: DVec3,
-    /// `|up/|up| x w|` for the right w. It does not depend on the length of up.
+    /// `|up/|up| x w|` for the right w, which does not depend on the length of up.
     sine: f64,
-    /// True if u, v and w are given, so that no mistake is possible in their calculation.
+    /// True if u, v and w are set by hand, so that no mistake is possible in calculating them.
     pub(crate) by_hand: bool,
-    /// Number of roundings that bound the relative error of a direction.
+    /// Bound on the relative error of a direction, as a number of roundings.
     roundings: f64,
 }
 
-/// Number far above the count of roundings between a camera's numbers and a ray's. Each of them is
-/// at most one unit in the last place.
+/// A number far above that of the roundings between the numbers of a camera and those of a ray, each of
+/// which is at most one unit in the last place.
 const ROUNDINGS: f64 = 16.0;
 
 impl GivenCamera {
@@ -385,7 +386,7 @@ impl GivenCamera {
         })
     }
 
-    /// Returns a pipeline's camera.
+    /// Returns the camera that a pipeline calculates.
     pub(crate) fn camera_of(&self, pipeline: Pipeline) -> PipelineCamera {
         let Basis { u, v, w } = *self.resolved.basis();
         let factors = self.factors(&pipeline);
@@ -412,8 +413,8 @@ impl GivenCamera {
         }
     }
 
-    /// Returns u, v and w as multiples of the right vectors, so that none loses digits if up is
-    /// close to the view.
+    /// Returns the factors by which u, v and w are multiples of the right vectors. Calculated in this
+    /// way, no digits are lost if up is close to the view.
     fn factors(&self, pipeline: &Pipeline) -> DVec3 {
         if self.by_hand {
             return DVec3::ONE;
@@ -445,7 +446,7 @@ impl GivenCamera {
     }
 }
 
-/// A pipeline's camera.
+/// The camera that a pipeline calculates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PipelineCamera {
     pub(crate) pipeline: Pipeline,
@@ -453,33 +454,33 @@ pub(crate) struct PipelineCamera {
     pub(crate) u: DVec3,
     pub(crate) v: DVec3,
     pub(crate) w: DVec3,
-    /// u, v and w as multiples of the right vectors.
+    /// The factors by which u, v and w are multiples of the right vectors.
     pub(crate) factors: DVec3,
-    /// v, if up is used as v.
+    /// The vector v if up is used as v; otherwise `None`.
     pub(crate) up_as_v: Option<DVec3>,
     /// The viewport's distance.
     distance: f64,
-    /// Width and height.
+    /// The width and the height of the viewport, as the pipeline uses them.
     pub(crate) extent: [f64; 2],
-    /// W and H.
+    /// W and H, the image's size in pixels.
     count: [f64; 2],
-    /// The spacing at 1 of the pipeline's number format.
+    /// The spacing of the pipeline's number format at 1.
     pub(crate) epsilon: f64,
-    /// Relative error bound of a direction due to rounding.
+    /// Bound on the relative error of a direction that is due to rounding.
     pub(crate) off: f64,
-    /// The t that is white in a picture shaded by t.
+    /// The t that is white in a picture shaded by t, if it is known.
     pub(crate) nearest: Option<f64>,
 }
 
 impl PipelineCamera {
-    /// Returns true if the pipeline has a pixel with this row and column number.
+    /// Returns true if the pipeline has a pixel with these row and column numbers.
     pub(crate) fn answers_for(&self, pixel: Pixel) -> bool {
         let [w, h] = self.count;
         let is_inside = f64::from(pixel.column) < w && f64::from(pixel.row) < h;
         is_inside || self.pipeline.from_one
     }
 
-    /// Returns the (u, v) that the pipeline calculates from this row and column number.
+    /// Returns the (u, v) that the pipeline calculates from these row and column numbers.
     pub(crate) fn uv(&self, row: f64, column: f64) -> DVec2 {
         let Pipeline { rows, swap, in_pixel, edge_to_edge, .. } = self.pipeline;
         let [w, h] = self.count;
@@ -502,18 +503,18 @@ impl PipelineCamera {
         )
     }
 
-    /// Returns the distance that the rays use.
+    /// Returns the viewport's distance that the rays use.
     pub(crate) fn distance_taken(&self) -> f64 {
         self.pipeline.distance.taken_for(self.distance)
     }
 
-    /// Returns the pipeline's direction through a (u, v).
+    /// Returns the pipeline's direction through a point (u, v).
     pub(crate) fn direction_at(&self, uv: DVec2) -> DVec3 {
         let direction = self.pipeline.direction([self.u, self.v, self.w], self.distance, uv);
         if self.pipeline.eye_added { self.eye + direction } else { direction }
     }
 
-    /// Returns the direction that the pipeline calculates from this row and column number.
+    /// Returns the direction that the pipeline calculates from these row and column numbers.
     pub(crate) fn direction(&self, row: f64, column: f64) -> DVec3 {
         self.direction_at(self.uv(row, column))
     }

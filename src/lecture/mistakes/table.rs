@@ -1,4 +1,4 @@
-//! The table of mistakes: the name of each, its texts, and the ways in which it is made.
+//! The table of mistakes: the name of each, the texts about it, and its variants.
 
 use std::fmt;
 
@@ -7,15 +7,15 @@ use super::pipeline::{
     WhichRoot,
 };
 
-/// Defines one line of the table, with the texts about a mistake. A text that is never needed is
-/// empty.
+/// Defines the structure of an entry in the table, with the texts about a mistake. A text that is not
+/// needed is empty.
 macro_rules! entry {
     ($($(#[$doc:meta])* $field:ident,)*) => {
         struct Entry {
             id: &'static str,
             $($field: &'static str,)*
-            /// The ways to make the mistake on the way from eye, view and up to a hit, the usual
-            /// one first.
+            /// The variants of the mistake between the numbers of a camera and a hit, the most common
+            /// first.
             ways: &'static [Way],
         }
 
@@ -37,13 +37,14 @@ entry! {
     name,
     /// The wrong formula and the right one, for the gallery.
     formula,
-    /// The mistake's effect on the picture, for the gallery.
+    /// The effect of the mistake on the picture, for the gallery.
     shows,
-    /// For the gallery, a change that makes the mistake visible if it has no effect.
+    /// A change to the scene that makes the mistake visible, for the gallery to suggest when it is not.
     hint,
-    /// One sentence on what to look at in a program that makes the mistake.
+    /// One sentence that says where to look in a program that makes the mistake.
     advice,
-    /// One sentence on an exercise's answer that comes from the mistake, and on what to look at.
+    /// One sentence that says what is wrong with an exercise's answer due to the mistake, and where to
+    /// look.
     exercise_feedback,
 }
 
@@ -55,9 +56,10 @@ macro_rules! mistakes {
         {$($(#[$doc:meta])* $name:ident $id:literal { $($field:ident: $value:expr,)* })*}
         {$($answer_name:ident $answer_id:literal: $feedback:literal,)*}
     ) => {
-        /// A classic mistake, from the basis to the hit.
+        /// A classic mistake in the calculation of a ray, at any stage from the camera's basis to the
+        /// hit.
         ///
-        /// The order of the mistakes is the order in which a graded program is checked for them.
+        /// The order is that in which a graded program is checked for the mistakes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Mistake {
@@ -71,8 +73,8 @@ macro_rules! mistakes {
             pub const ALL: &'static [Mistake] =
                 &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$answer_name,)*];
 
-            /// The mistakes that a graded program is checked for, in the order in which they are
-            /// checked and named.
+            /// The mistakes for which a graded program is checked, alone and in pairs, in the order in
+            /// which they are checked and named.
             pub const GRADED: &'static [Mistake] = &[$(Mistake::$graded,)*];
 
             #[expect(clippy::needless_update, reason = "one mistake has all of an entry")]
@@ -96,7 +98,7 @@ macro_rules! mistakes {
 mistakes! {
 // A graded program is checked for these mistakes.
 {
-    /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
+    /// `w = normalize(view)`, as the lecture prints it, or `normalize(at - eye)`.
     WAsPrinted "w-as-printed" {
         name: "𝐰 without the minus",
         formula: "𝐰 ← normalize(view). Right: 𝐰 ← −normalize(view).",
@@ -121,7 +123,7 @@ mistakes! {
         ways: &[|p| p.basis.v_swapped ^= true],
     }
 
-    /// w, u or both are not normalized; or `a = d . d` is assumed to be 1.
+    /// w, u or both are not normalized, or `a = d . d` is assumed to be 1.
     NotNormalized "not-normalized" {
         name: "𝐮 and 𝐯 not normalized",
         formula: "𝐮 ← up × 𝐰, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐮 ← normalize(up × 𝐰).",
@@ -167,8 +169,8 @@ mistakes! {
         ways: &[|p| p.distance = Distance::One, |p| p.distance = Distance::LeftOut],
     }
 
-    /// The ray passes through the pixel's corner instead of its centre; or the centres are spread
-    /// from edge to edge.
+    /// The ray passes through the pixel's corner instead of its centre, or the centres are spread from
+    /// edge to edge.
     PixelCorner "pixel-corner" {
         name: "corner instead of centre",
         formula: "𝑢 ← width (𝑗/𝑊 − ½), 𝑣 ← height (½ − 𝑖/𝐻). Right: 𝑗 + ½ and 𝑖 + ½.",
@@ -211,7 +213,7 @@ mistakes! {
         ],
     }
 
-    /// Rows and columns, or objects, are counted from 1, although they count from 0.
+    /// Rows and columns, or objects, are counted from 1 instead of from 0.
     CountedFromOne "counted-from-one" {
         name: "counted from 1",
         formula: "𝑢 ← width ((𝑗 − ½)/𝑊 − ½) with 𝑗 from 0, and 𝑣 likewise. Right: 𝑗 + ½, or count \
@@ -258,7 +260,7 @@ mistakes! {
         ways: &[|p| p.basis.swap_both(), |p| p.basis.u_swapped ^= true],
     }
 
-    /// The numbers are computed in `f32`, which is not precise enough here.
+    /// The numbers are computed in `f32`, which is not precise enough for the scene.
     SinglePrecision "single-precision" {
         advice: "Look at the type of your numbers: this scene needs double precision (f64), and \
                  these are off by as much as single (f32) may be.",
@@ -282,7 +284,7 @@ mistakes! {
         ],
     }
 
-    /// The larger root is used in place of the smaller.
+    /// The larger root is used instead of the smaller one.
     FarRoot "far-root" {
         advice: "Look at which root is taken: the smallest t above 0 is the hit, of one object and \
                  among all.",
@@ -290,7 +292,7 @@ mistakes! {
         ways: &[|p| p.root = WhichRoot::Far, |p| p.root = WhichRoot::Farthest],
     }
 
-    /// A hit behind the eye is accepted as a hit.
+    /// A hit behind the eye is accepted.
     NegativeT "negative-t" {
         advice: "Look for a test that is missing: only t > 0 is in front of the eye.",
         ways: &[|p| p.sign = Sign::Any, |p| p.sign = Sign::Nearest],
@@ -309,7 +311,8 @@ mistakes! {
         ],
     }
 
-    /// The last object is used as the first: the last in the scene, or the farthest along the ray.
+    /// The last object is used instead of the first: the last one in the scene, or the farthest along
+    /// the ray.
     LastObject "last-object" {
         advice: "Look at how the hits of several objects are compared: the smallest t is the first \
                  hit, and a later object replaces it only where its t is smaller.",
@@ -317,10 +320,10 @@ mistakes! {
     }
 }
 
-// These mistakes appear in the gallery or in an answer. A graded program is checked for a few of
-// them, each alone.
+// These mistakes occur in the gallery or in an answer. A graded program is checked for some of them,
+// each alone.
 {
-    /// `w = normalize(at - eye)`: like [`Mistake::WAsPrinted`], for a camera given by points.
+    /// `w = normalize(at - eye)`: the same as [`Mistake::WAsPrinted`], for a camera given by points.
     WIsAtMinusEye "w-is-at-minus-eye" {
         name: "𝐰 from at − eye",
         formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
@@ -330,7 +333,7 @@ mistakes! {
         ways: &[|p| p.basis.w_forwards = true],
     }
 
-    /// `w = -view` is not normalized, and therefore v is not, either.
+    /// `w = -view` is not normalized; therefore v is not either.
     WNotNormalized "w-not-normalized" {
         name: "𝐰 not normalized",
         formula: "𝐰 ← −view, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐰 ← −normalize(view).",
@@ -351,7 +354,7 @@ mistakes! {
         ways: &[|p| p.basis.u_swapped ^= true],
     }
 
-    /// `direction = eye - point`: every ray leads back to the eye.
+    /// `direction = eye - point`: every ray leads from the viewport back to the eye.
     RayReversed "ray-reversed" {
         advice: "Look at the direction's sign: every ray leads back to the eye, and it is d = \
                  point - eye.",
@@ -372,7 +375,7 @@ mistakes! {
         ways: &[|p| p.distance = Distance::LeftOut],
     }
 
-    /// w is the view itself, neither reversed nor normalized.
+    /// `w = view`, neither reversed nor normalized.
     WIsView "w-is-view" {
         exercise_feedback: "𝐰 is view itself: 𝐰 points the other way, and is of length 1: 𝐰 = \
             −view/|view|.",
@@ -388,7 +391,7 @@ mistakes! {
         ways: &[|p| p.basis.set_raw(true, true, false)],
     }
 
-    /// `b` is used in place of `-b`.
+    /// `b` is used instead of `-b`.
     SignOfB "sign-of-b" {
         advice: "Look at the sign of b: b = d . (p - center), and t begins with -b; with center - p \
                  for p - center, b has the other sign.",
@@ -396,20 +399,20 @@ mistakes! {
         ways: &[|p| p.quadratic.set(-1.0, 1.0, 1.0, 1.0)],
     }
 
-    /// Half of `b` is used in the D of the full quadratic.
+    /// Half of `b` is used in the discriminant of the full quadratic formula.
     HalfBForB "half-b-for-b" {
         exercise_feedback: "𝑏 lacks a factor 2: where 𝐷 is 𝑏² − 4𝑎𝑐, 𝑏 = 2 𝐝 · (𝐩 − centre).",
         ways: &[|p| p.quadratic.set(1.0, 1.0, 4.0, 2.0)],
     }
 
-    /// `a` is used in place of `2a` in the denominator of the full quadratic's root.
+    /// `a` is used instead of `2a` in the denominator of the full quadratic formula.
     DividedByA "divided-by-a" {
         exercise_feedback: "This is twice what it should be: where 𝑏 = 2 𝐝 · (𝐩 − centre), divide \
             by 2𝑎, not by 𝑎.",
         ways: &[|p| p.quadratic.set(2.0, 4.0, 4.0, 1.0)],
     }
 
-    /// `2a` is used in place of `a` in the denominator of the halved quadratic's root.
+    /// `2a` is used instead of `a` in the denominator of the halved quadratic formula.
     DividedBy2A "divided-by-2a" {
         exercise_feedback: "This is half of what it should be: where 𝑏 = 𝐝 · (𝐩 − centre), without \
             a 2, divide by 𝑎, not by 2𝑎.",
@@ -422,20 +425,20 @@ mistakes! {
         ways: &[|p| p.quadratic.a_left_out = true],
     }
 
-    /// p for `p - center`.
+    /// p is used instead of `p - center`.
     CenterLeftOut "center-left-out" {
         advice: "Look at p - center in the quadratic's b and c: the sphere's center is left out.",
         ways: &[|p| p.quadratic.offset = Offset::CenterLeftOut],
     }
 
-    /// `-center` is used in place of `p - center`; or `t d` in place of `p + t d`.
+    /// `-center` is used instead of `p - center`, or `t d` instead of `p + t d`.
     OriginLeftOut "origin-left-out" {
         advice: "Look at p - center in the quadratic's b and c: p, which is the eye, is left out.",
         exercise_feedback: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
         ways: &[|p| p.quadratic.offset = Offset::OriginLeftOut],
     }
 
-    /// `r` for `r^2`.
+    /// `r` is used instead of `r^2`.
     RadiusNotSquared "radius-not-squared" {
         advice: "Look at c in the quadratic formula: the radius must be squared, c = |p - center|^2 \
                  - r^2.",
@@ -443,7 +446,7 @@ mistakes! {
         ways: &[|p| p.quadratic.radius_unsquared = true],
     }
 
-    /// `-b/a`, or the discriminant for its root.
+    /// `-b/a` is used as t, or the discriminant is used instead of its root.
     RootLeftOut "root-left-out" {
         advice: "Look for a square root that is missing: t = (-b - sqrt(D))/a, with D = b^2 - ac.",
         exercise_feedback: "The root of 𝐷 is left out: this is where the ray is closest to the \
@@ -461,14 +464,14 @@ mistakes! {
         ways: &[|p| p.extent = Extent::Swapped],
     }
 
-    /// Half the viewport, or twice.
+    /// Half or twice the viewport's width and height are used.
     ViewportScaled "viewport-scaled" {
         advice: "Look at a factor 2 in u and v: across the viewport, u goes from -width/2 to width/2, \
                  and v from height/2 to -height/2. Or the distance is twice or half of what it is.",
         ways: &[|p| p.extent = Extent::Half, |p| p.extent = Extent::Twice],
     }
 
-    /// `direction = point`: the eye is added to it.
+    /// `direction = point`, so that the direction contains the eye.
     EyeInDirection "eye-in-direction" {
         advice: "Look at the direction: it leads from the eye to the point on the viewport, d = \
                  point - eye, and here the eye is in it.",
@@ -476,7 +479,7 @@ mistakes! {
     }
 }
 
-// These mistakes are made by hand in an answer, and by no graded program.
+// These mistakes occur only in answers that are calculated by hand, not in graded programs.
 {
     ViewportForEye "viewport-for-eye":
         "Every view ray starts at the eye. (𝑢, 𝑣) is where it passes the viewport.",
@@ -538,7 +541,7 @@ mistakes! {
 }
 
 impl Mistake {
-    /// The mistakes whose wrong camera is shown, in the order of the gallery.
+    /// The mistakes whose wrong camera can be shown, in the order of the gallery.
     pub const GALLERY: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::WIsAtMinusEye,
@@ -556,7 +559,7 @@ impl Mistake {
         Mistake::AspectDropped,
     ];
 
-    /// The mistakes that a graded program is checked for after those of [`Mistake::GRADED`], each
+    /// The mistakes for which a graded program is checked after those of [`Mistake::GRADED`], each
     /// alone.
     pub const ALONE: &'static [Mistake] = &[
         Mistake::SignOfB,
@@ -569,34 +572,34 @@ impl Mistake {
         Mistake::EyeInDirection,
     ];
 
-    /// Returns the name in files and commands, such as `w-as-printed`.
+    /// Returns the mistake's name in files and commands, such as `w-as-printed`.
     pub fn id(self) -> &'static str {
         self.entry().id
     }
 
-    /// Returns true if the mistake has a wrong camera to show, that is, if it is one of
+    /// Returns true if the mistake's wrong camera can be shown, which is the case for those of
     /// [`Mistake::GALLERY`].
     pub fn is_in_gallery(self) -> bool {
         Mistake::GALLERY.contains(&self)
     }
 
-    /// Returns the right pipeline with this mistake made in the usual way.
+    /// Returns the right pipeline with the most common variant of this mistake.
     pub(crate) fn usual(self) -> Pipeline {
         self.pipelines().next().unwrap_or(Pipeline::RIGHT)
     }
 
-    /// Returns the right pipeline with this mistake made in each of its ways, the usual one first.
+    /// Returns the right pipeline with each variant of this mistake, the most common first.
     pub(crate) fn pipelines(self) -> impl Iterator<Item = Pipeline> {
         self.pipelines_from(Pipeline::RIGHT)
     }
 
-    /// Returns another pipeline with this mistake made in each of its ways, the usual one first.
+    /// Returns a given pipeline with each variant of this mistake, the most common first.
     pub(crate) fn pipelines_from(self, pipeline: Pipeline) -> impl Iterator<Item = Pipeline> {
         self.entry().ways.iter().map(move |way| pipeline.with(*way))
     }
 
-    /// Returns true if the other mistake includes this one and another, or if the other is an
-    /// effect of this one, whose text covers it.
+    /// Returns true if the text about `other` covers this mistake: either `other` includes it, or
+    /// `other` is an effect of it.
     pub fn is_part_of(self, other: Mistake) -> bool {
         matches!(
             (self, other),

@@ -1,4 +1,4 @@
-//! The camera that results from a mistake in a right camera.
+//! The camera that results from making a mistake in a right camera.
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{
@@ -15,18 +15,18 @@ pub struct WrongCamera {
     pub(super) made: PipelineCamera,
 }
 
-/// Minimum relative difference of a wrong camera's numbers from the right ones. A mistake in a sign
-/// or an order changes the numbers by about their own size. A length that differs from 1 only by
-/// rounding is within 1e-15 of it, and a difference below this minimum changes no pixel of any
+/// Minimum relative difference between the numbers of a wrong camera and the right ones. A mistake in a
+/// sign or an order changes the numbers by about their own size. A length that differs from 1 only by
+/// rounding does so by at most 1e-15, and a difference below this minimum changes no pixel of any
 /// image.
 const DIFFERENT: f64 = 1e-12;
 
 impl WrongCamera {
-    /// Creates the camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
+    /// Creates a copy of `camera` that makes `mistake`, one of [`Mistake::GALLERY`], in its most common
+    /// variant.
     ///
-    /// # Errors
-    /// Returns the reason, as a sentence, if the camera sees nothing, or if the mistake cannot be
-    /// made with it or changes nothing.
+    /// # Errors Returns the reason, as a sentence, if the camera sees nothing, or if the mistake does
+    /// not apply to it or has no effect.
     pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, String> {
         let right = WrongCamera::right(camera).map_err(|error| error.to_string())?;
         let pipeline = mistake.usual();
@@ -50,7 +50,7 @@ impl WrongCamera {
         Ok(wrong)
     }
 
-    /// Creates the camera without any mistake, so that it can be checked like the wrong cameras.
+    /// Creates a camera without mistakes, so that it can be checked in the same way as a wrong one.
     ///
     /// # Errors
     /// Returns an error if the camera sees nothing.
@@ -64,30 +64,30 @@ impl WrongCamera {
         &self.given.resolved
     }
 
-    /// Returns the wrong u, which may not have length 1.
+    /// Returns the u of the wrong camera, which need not have length 1.
     pub fn u(&self) -> DVec3 {
         self.made.u
     }
 
-    /// Returns the wrong v, which may not have length 1 or be perpendicular to w.
+    /// Returns the v of the wrong camera, which need not have length 1 or be perpendicular to w.
     pub fn v(&self) -> DVec3 {
         self.made.v
     }
 
-    /// Returns the wrong w, which may not have length 1 or point backwards.
+    /// Returns the w of the wrong camera, which need not have length 1 or point backwards.
     pub fn w(&self) -> DVec3 {
         self.made.w
     }
 
-    /// Returns, for each of u, v and w, true if it differs from the right vector by more than
-    /// rounding.
+    /// Returns true for each of u, v and w that differs from the right vector by more than rounding
+    /// errors.
     pub fn wrong_vectors(&self) -> [bool; 3] {
         let right = self.given.resolved.basis();
         let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
         [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
     }
 
-    /// Returns the distance that the rays use.
+    /// Returns the viewport's distance that the rays use.
     pub fn distance(&self) -> f64 {
         self.made.distance_taken()
     }
@@ -102,13 +102,13 @@ impl WrongCamera {
         self.made.uv(f64::from(pixel.row), f64::from(pixel.column))
     }
 
-    /// Returns `u*U + v*V - distance*W` with the wrong vectors.
+    /// Returns `u*U + v*V - distance*W` with the vectors of the wrong camera.
     pub fn direction_at(&self, uv: DVec2) -> DVec3 {
         self.made.direction_at(uv)
     }
 
-    /// Returns the directions through the image's corners, clockwise in the image from pixel (0,
-    /// 0).
+    /// Returns the directions through the image's corners. They are clockwise in the image and begin at
+    /// pixel (0, 0).
     pub fn corner_directions(&self) -> [DVec3; 4] {
         let (height, width) = (f64::from(self.image().height()), f64::from(self.image().width()));
         [(0.0, 0.0), (0.0, width), (height, width), (height, 0.0)]
@@ -118,15 +118,15 @@ impl WrongCamera {
     /// Returns the ray that the wrong camera generates for a pixel.
     ///
     /// # Errors
-    /// Returns an error if its numbers are beyond the range of `f64`.
+    /// Returns an error if the ray's numbers are outside the range of `f64`.
     pub fn ray(&self, pixel: Pixel) -> Result<Ray, RayError> {
         self.ray_at(self.uv_of_pixel(pixel))
     }
 
-    /// Returns the ray that the wrong camera generates for a (u, v).
+    /// Returns the ray that the wrong camera generates for a point (u, v).
     ///
     /// # Errors
-    /// Returns an error if its numbers are beyond the range of `f64`.
+    /// Returns an error if the ray's numbers are outside the range of `f64`.
     pub fn ray_at(&self, uv: DVec2) -> Result<Ray, RayError> {
         Ray::new(self.given.resolved.eye(), self.direction_at(uv))
     }
@@ -135,7 +135,7 @@ impl WrongCamera {
         corners(self.image()).into_iter().all(|pixel| self.ray(pixel).is_ok())
     }
 
-    /// Returns true if basis and rays differ from the right ones only by rounding.
+    /// Returns true if the basis and the rays differ from the right ones only by rounding errors.
     fn is_right(&self) -> bool {
         self.wrong_vectors() == [false; 3]
             && corners(self.image()).into_iter().all(|pixel| {
@@ -149,8 +149,8 @@ fn is_near(a: DVec3, b: DVec3) -> bool {
     (a - b).length() <= DIFFERENT * length(b)
 }
 
-/// Returns the corner pixels. Directions are linear in row and column, so the corners determine all
-/// of them.
+/// Returns the corner pixels. Since directions are linear in row and column, they determine the
+/// directions of all pixels.
 fn corners(image: ImageSize) -> [Pixel; 4] {
     let (last_row, last_column) = (image.height() - 1, image.width() - 1);
     [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]

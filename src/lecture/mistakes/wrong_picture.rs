@@ -1,8 +1,8 @@
-//! The pictures of wrong cameras, and votes on which mistake made a picture.
+//! The pictures of wrong cameras, and votes on which mistake was made in a picture.
 //!
-//! A wrong camera's rays are also the rays of a right camera whose viewport is mirrored, scaled,
-//! shifted by a part of a pixel, or facing backwards. The tracer therefore draws its picture as
-//! fast as any other. If up is used as v, this holds for each row separately.
+//! The rays of a wrong camera are also those of a right camera whose viewport is mirrored, scaled,
+//! shifted by a fraction of a pixel, or facing backwards. With this stand-in camera, the tracer draws
+//! the picture as fast as any other. If up is used as v, each row has its own stand-in.
 
 use pinhole_core::{
     BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageSize, NO_OBJECT,
@@ -16,7 +16,7 @@ use crate::mistakes::pipeline::{Rows, Swap};
 use crate::mistakes::table::Mistake;
 use crate::mistakes::wrong_camera::WrongCamera;
 
-/// The first hits of a wrong camera's rays.
+/// The first hits of the rays of a wrong camera.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct WrongPicture {
@@ -25,29 +25,29 @@ pub struct WrongPicture {
     pub raster: Raster,
     /// The `t` of the first hit of every pixel of the raster, row by row; infinite for a miss.
     pub t: Vec<f32>,
-    /// The object hit, or [`NO_OBJECT`].
+    /// The index of the object hit in every pixel, or [`NO_OBJECT`].
     pub object: Vec<u32>,
 }
 
-/// The positions of the wrong camera's columns (or rows) in a stand-in camera's image.
+/// The positions of a wrong camera's columns (or rows) in the image of the stand-in camera.
 struct StandInAxis {
-    /// Number of the stand-in's pixels, so large that all positions lie in it. If rows are used as
-    /// columns, it can be almost three times the image's number.
+    /// Number of the stand-in's pixels along this axis, chosen so that it contains all positions. If
+    /// rows are used as columns, it can be almost three times the image's number.
     count: u32,
-    /// The stand-in's extent, with pixels of the same size.
+    /// Size of the stand-in's viewport along this axis, with pixels of the same size.
     extent: f64,
-    /// Ascending, without repetition.
+    /// The positions, ascending and without repetition.
     sorted: Vec<u32>,
     is_reversed: bool,
 }
 
 impl StandInAxis {
-    /// Creates the axis. `indices` are the wrong camera's pixels, ascending; `pixels` is the number
-    /// by which the right camera's extent is divided; `half` is the offset that is added to an
+    /// Creates the axis. `indices` are the wrong camera's pixels, ascending. `pixels` is the number of
+    /// pixels into which the right camera divides `extent`. `half` is the offset that is added to an
     /// index.
     fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> StandInAxis {
-        // The shift is one pixel for an offset of zero; `beyond` leaves space for indices after the
-        // last.
+        // The shift is one pixel for an offset of zero. `beyond` leaves space for indices beyond the
+        // last pixel.
         let shift = (2.0 * (0.5 - half)) as u32;
         let last = indices.last().copied().unwrap_or_default();
         let beyond = (last + 1).saturating_sub(pixels);
@@ -61,17 +61,17 @@ impl StandInAxis {
         StandInAxis { count, extent, sorted, is_reversed }
     }
 
-    /// Returns the position of the `k`th index.
+    /// Returns the position of the index number `k` in `sorted`.
     fn at(&self, k: usize) -> usize {
         if self.is_reversed { self.sorted.len() - 1 - k } else { k }
     }
 }
 
 impl WrongPicture {
-    /// Traces the pixels of `raster`, which belongs to the camera's image.
+    /// Traces the pixels of `raster`, which must be a raster of the camera's image.
     ///
     /// # Errors
-    /// Returns an error if the wrong camera's numbers do not form a camera at all.
+    /// Returns an error if the wrong camera's numbers do not form a camera.
     pub fn trace(
         scene: &Scene,
         camera: &WrongCamera,
@@ -119,8 +119,8 @@ impl WrongPicture {
         Ok(picture)
     }
 
-    /// Copies a frame's pixels to their positions in the wrong camera's picture, for the lines `ks`
-    /// along v. Line k is row `row_of(k)` of the frame.
+    /// Copies the pixels of a frame to their positions in the wrong camera's picture, for the lines
+    /// `ks` along v. Line k is row `row_of(k)` of the frame.
     fn take(
         &mut self,
         frame: &Frame<f32>,
@@ -140,7 +140,7 @@ impl WrongPicture {
         }
     }
 
-    /// Returns the colours, row by row, calculated as for a right camera's picture.
+    /// Returns the colours, row by row, calculated in the same way as for a right camera.
     pub fn shaded<P: Clone + Send + Sync>(
         &self,
         scene: &Scene,
@@ -169,7 +169,7 @@ impl WrongPicture {
 }
 
 impl WrongCamera {
-    /// Returns the right camera that has the same rays as this camera, in other pixels.
+    /// Returns the right camera whose rays are those of this camera, but in other pixels.
     fn stand_in(
         &self,
         columns: &StandInAxis,
@@ -186,8 +186,8 @@ impl WrongCamera {
         self.resolve(basis, viewport, [columns.count, rows.count])
     }
 
-    /// Returns the right camera that has the same rays as this camera in one row, where `upward` is
-    /// the row's `v*V`.
+    /// Returns the right camera whose rays are those of one row of this camera. `upward` is `v*V` of
+    /// that row.
     fn row_camera(
         &self,
         upward: DVec3,
@@ -195,7 +195,7 @@ impl WrongCamera {
     ) -> Result<ResolvedCamera, CameraError> {
         let facing = self.made.factors.z.signum();
         let forward = upward - self.distance() * self.w();
-        // u is perpendicular to up and w, up to rounding.
+        // u is perpendicular to up and w, except for rounding errors.
         let u = facing * self.right_camera().basis().u;
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
@@ -219,53 +219,52 @@ fn traced(scene: &Scene, camera: &ResolvedCamera, rows: Vec<u32>, columns: Vec<u
     trace_as(scene, camera, &Raster::from_cells(rows, columns), Outputs::default())
 }
 
-/// Returns the objects that the right camera sees, pixel by pixel.
+/// Returns the object that the right camera sees in each pixel.
 pub(super) fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
     let outputs = Outputs { object: true, ..Outputs::NONE };
     trace_as::<f32>(scene, resolved, raster, outputs).object
 }
 
-/// A wrong camera, compared with the right one.
+/// A wrong camera and its comparison with the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedCamera {
     /// The mistake that was made.
     pub mistake: Mistake,
     /// The camera that results from the mistake, or the reason why there is none.
     pub camera: Result<WrongCamera, String>,
-    /// Every check of the right camera.
+    /// The results of all checks for the right camera.
     pub right_checks: Vec<Checked>,
-    /// Every check of the wrong camera; empty if there is no wrong camera.
+    /// The results of all checks for the wrong camera; empty if there is none.
     pub checks: Vec<Checked>,
-    /// The number of compared pixels, and of those that differ.
+    /// The numbers of compared and of differing pixels; `None` if no pictures were compared.
     pub compared: Option<ComparedPixels>,
-    /// The reason why there is no wrong picture.
+    /// The reason why there is no wrong picture; `None` if there is one.
     pub why_not: Option<String>,
 }
 
-/// The pixels of both pictures, compared.
+/// The result of comparing the pixels of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparedPixels {
     /// The number of pixels that are compared.
     pub pixels: usize,
-    /// The number of pixels that see another object, including those where only one camera sees an
+    /// The number of pixels that show different objects, including those where only one camera sees an
     /// object.
     pub differing: usize,
 }
 
-/// A wrong camera's picture, and the objects that both cameras see in each pixel.
+/// A wrong camera's picture, and the objects that the two cameras see in each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedPicture<P> {
     /// The colours of the wrong picture, row by row.
     pub pixels: Vec<P>,
-    /// The objects that the wrong camera sees.
+    /// The object that the wrong camera sees in each pixel.
     pub wrong: Vec<u32>,
-    /// The objects that the right camera sees.
+    /// The object that the right camera sees in each pixel.
     pub right: Vec<u32>,
 }
 
 impl ComparedCamera {
-    /// Compares the wrong camera, with its numbers and its picture, if it has one, with the right
-    /// camera.
+    /// Compares a wrong camera with the right one: its numbers and, if it has a picture, its picture.
     pub fn new<P: Clone + Send + Sync>(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -302,28 +301,28 @@ impl ComparedCamera {
     }
 }
 
-/// Number of rows and columns that are compared to decide whether two pictures differ.
+/// Number of rows and of columns that are compared to decide whether two pictures differ.
 const SAMPLES: u32 = 72;
 
-/// Two pictures differ if at least one in this many pixels sees another object.
+/// Two pictures differ if at least one in this many pixels shows another object.
 const DIFFERS_FROM: usize = 100;
 
-/// The most options of a vote.
+/// Maximum number of options in a vote.
 const OPTIONS: usize = 4;
 
-/// A question that shows a wrong picture and asks which mistake made it.
+/// A question that shows a wrong picture and asks which mistake was made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vote {
-    /// At least two mistakes, whose pictures all differ from each other.
+    /// The mistakes to choose from: at least two, whose pictures all differ from each other.
     pub options: Vec<Mistake>,
-    /// Index of the mistake that made the picture.
+    /// Index of the mistake that was made.
     pub right: usize,
 }
 
 impl Vote {
-    /// Creates the vote of this seed. The same camera, scene and seed give the same vote, and votes
-    /// of neighbouring seeds are about different mistakes. Returns `None` if fewer than two
-    /// mistakes can be distinguished.
+    /// Creates the vote for this seed. The same camera, scene and seed give the same vote, and
+    /// consecutive seeds give different mistakes. Returns `None` if the scene does not show two
+    /// mistakes that can be distinguished.
     pub fn new(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -332,7 +331,7 @@ impl Vote {
     ) -> Option<Vote> {
         let pictures = different_pictures(camera, resolved, scene);
         let mut order: Vec<usize> = (0..pictures.len()).collect();
-        // All seeds use one order, so that no mistake follows itself.
+        // All seeds use the same order, so that consecutive seeds never choose the same mistake.
         shuffle(&mut order, 0);
         let right = *order.get((seed % pictures.len().max(1) as u64) as usize)?;
         shuffle(&mut order, seed.wrapping_add(1));
@@ -351,13 +350,14 @@ impl Vote {
         Some(Vote { options, right: chosen.iter().position(|index| *index == right)? })
     }
 
-    /// Returns the mistake that made the picture.
+    /// Returns the mistake that was made in the picture.
     pub fn mistake(&self) -> Mistake {
         self.options[self.right]
     }
 }
 
-/// Returns the mistakes whose picture differs from the right one, with the objects that it shows.
+/// Returns the mistakes whose pictures differ from the right one, each with the objects that its
+/// picture shows.
 fn different_pictures(
     camera: &Camera,
     resolved: &ResolvedCamera,
@@ -378,14 +378,14 @@ fn differ(a: &[u32], b: &[u32]) -> bool {
     count_differing(a, b) * DIFFERS_FROM >= a.len().max(1)
 }
 
-/// Counts the pixels whose objects differ, including pixels where only one of the two is
+/// Counts the pixels with different objects, including those where only one of the two is
 /// [`NO_OBJECT`].
 fn count_differing(a: &[u32], b: &[u32]) -> usize {
     a.iter().zip(b).filter(|(a, b)| a != b).count()
 }
 
-/// The random number generator SplitMix64, with its state: Steele, Lea, Flood, "Fast splittable
-/// pseudorandom number generators", OOPSLA 2014.
+/// The random number generator SplitMix64, which consists of its state: Steele, Lea, Flood, "Fast
+/// splittable pseudorandom number generators", OOPSLA 2014.
 pub(crate) struct SplitMix64(pub(crate) u64);
 
 impl SplitMix64 {
@@ -398,7 +398,7 @@ impl SplitMix64 {
     }
 }
 
-/// Shuffles the items (Fisher and Yates) in an order that depends only on the seed.
+/// Shuffles the items (Fisher and Yates). The order depends only on the seed.
 fn shuffle<T>(items: &mut [T], seed: u64) {
     let mut random = SplitMix64(seed);
     for k in (1..items.len()).rev() {
