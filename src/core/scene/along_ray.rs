@@ -47,15 +47,15 @@ pub struct ParabolaVertex {
     pub value: f64,
 }
 
-/// Maximum relative error of a value, 2^-60: below it, the rounded value is within half an ulp and 2^-7
-/// of an ulp.
+/// Maximum relative error of a value, 2^-60, with which the rounded value is within half an ulp plus
+/// 2^-7 of an ulp.
 const ENOUGH: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// Scaled values of `t` for which double-double neither overflows nor loses digits to underflow.
+/// Range of scaled `t` in which double-double neither overflows nor loses digits to underflow.
 const PLAIN_TIMES: std::ops::Range<f64> = 1e-90..1e90;
 
 impl<'a> AlongRay<'a> {
-    /// Makes the function of one object along one ray.
+    /// Creates the function of one object along one ray.
     ///
     /// # Errors
     /// Returns an error if the object is invalid, see [`Object::check`].
@@ -64,13 +64,13 @@ impl<'a> AlongRay<'a> {
         Ok(AlongRay { seen: ObjectFromOrigin::new(object, ray.origin()), ray })
     }
 
-    /// Returns f(t), also next to a root, where the formulas cancel: within half an ulp and 2^-7 of an
-    /// ulp of the exact value for the ray's own inputs. The sign is exact, and the value is 0 only where
+    /// Returns f(t), within half an ulp plus 2^-7 of an ulp of the exact value for the ray's inputs,
+    /// even next to a root, where the formulas cancel. The sign is exact, and the value is 0 only where
     /// f is. For a sphere it is in squared world units, for a plane in world units times the normal's
-    /// length; infinite where it overflows. For an infinite t it is the limit; for NaN it is NaN.
+    /// length. The value is infinite if it overflows. An infinite t gives the limit; NaN gives NaN.
     ///
-    /// The value comes from double-double with a bound of its error and, where that does not suffice
-    /// (within about 1e-13 of a root), from exact numbers (some 40 microseconds).
+    /// The value is computed in double-double with an error bound. Where that does not suffice (within
+    /// about 1e-13 of a root), it is computed in exact numbers, which takes some 40 microseconds.
     pub fn value(&self, t: f64) -> f64 {
         if !t.is_finite() {
             return self.limit(t);
@@ -86,8 +86,8 @@ impl<'a> AlongRay<'a> {
         value.to_f64()
     }
 
-    /// Returns f'(t): `2 (a t + b)` for a sphere, `n . d` at every t for a plane. The value is rounded
-    /// from more digits; infinite where it overflows. For an infinite t it is the limit; for NaN it is
+    /// Returns f'(t): `2 (a t + b)` for a sphere, the constant `n . d` for a plane. It is computed with
+    /// more digits, then rounded; infinite if it overflows. An infinite t gives the limit; NaN gives
     /// NaN.
     pub fn slope(&self, t: f64) -> f64 {
         let seen = match &self.seen {
@@ -111,7 +111,7 @@ impl<'a> AlongRay<'a> {
         let (d, q) = (self.ray.fine.d, seen.fine.q);
         let (a, b) = (dot(d, d), dot(q, d));
         let t = (b / a).times(self.ray.stretch).hi;
-        // The discriminant with its exact sign; a and D share the direction's units.
+        // The discriminant has its exact sign; a and D are in the same units of the direction.
         let (.., discriminant) = seen.quadratic(&self.ray);
         Some(ParabolaVertex {
             t: ldexp(t, seen.scale - self.ray.scale) + 0.0,
@@ -123,8 +123,8 @@ impl<'a> AlongRay<'a> {
         DoubleDouble::from(self.ray.stretch)
     }
 
-    /// Returns `p + t d - center` in units of `2^(scale of the sphere)`, and its error bound; `None`
-    /// where it would overflow or underflow.
+    /// Returns `p + t d - center` in units of `2^(scale of the sphere)`, and its error bound. Returns
+    /// `None` if it would overflow or underflow.
     fn offset_from_center(
         &self,
         seen: &SphereFromOrigin,
@@ -134,13 +134,13 @@ impl<'a> AlongRay<'a> {
         let (ray, q) = (&self.ray, seen.fine.q);
         let t = self.scaled_time(t, ray.scale - seen.scale)?;
         let reach = t.hi.abs() * ray.fine.length;
-        // t d is off by d's own doubt, a quotient and a product; the difference by a sum.
+        // The error of t d is d's own, a quotient's and a product's; that of the difference is a sum's.
         let share = ray.fine.doubt + T::QUOTIENT + T::PRODUCT + T::SUM;
         let doubt = 1.05 * (reach * share + seen.fine.distance * (seen.fine.q_doubt + T::SUM));
         Some((std::array::from_fn(|i| ray.fine.d[i] * t - q[i]), doubt))
     }
 
-    /// Returns `t 2^k / stretch`, or `None` if it is neither an ordinary number nor 0.
+    /// Returns `t 2^k / stretch`, or `None` if it is neither 0 nor in [`PLAIN_TIMES`].
     fn scaled_time(&self, t: f64, k: i32) -> Option<DoubleDouble> {
         if t == 0.0 {
             return Some(DoubleDouble::default());
@@ -196,7 +196,7 @@ impl<'a> AlongRay<'a> {
     }
 }
 
-/// Returns whether a value's error is small enough, and its size such that nothing has underflowed.
+/// Returns whether a value's error is small enough, and the value so large that nothing has underflowed.
 fn is_sure(value: DoubleDouble, doubt: f64) -> bool {
     let magnitude = value.hi.abs();
     magnitude > 1e-200 && magnitude < 1e250 && doubt <= ENOUGH * magnitude

@@ -32,7 +32,7 @@ impl BigRay {
         self.dot(&exact3(plane.normal)).sign(&self.radicands)
     }
 
-    /// Returns the root of a plane that is not parallel.
+    /// Returns the root of a plane that is not parallel to the ray.
     pub(crate) fn plane_root(&self, plane: &Plane) -> BigRoot {
         let normal = exact3(plane.normal);
         let offset = Surd::from(big_offset(plane, &self.origin));
@@ -45,9 +45,9 @@ impl BigRay {
         BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
     }
 
-    /// Returns `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
+    /// Returns `|origin + t direction - center|^2 - r^2`, by [`BigRay::value`].
     pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> Precise {
-        // Times the scale's square: t and the direction are free of it.
+        // Multiplied by the square of the scale, which t and the direction do not contain.
         let (c, t) = (big_c(sphere, &self.origin), Dyadic::from(t));
         let b = self.dot(&self.to_center(sphere));
         let square = self.scale.square(&self.radicands);
@@ -56,14 +56,14 @@ impl BigRay {
         self.value(&value, &square)
     }
 
-    /// Returns `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
+    /// Returns `2 direction . (origin + t direction - center)`, by [`BigRay::value`].
     pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> Precise {
         let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.radicands);
         let half = &self.a.scaled(&Dyadic::from(t)) - &b;
         self.value(&(&half + &half), &self.scale.square(&self.radicands))
     }
 
-    /// Returns `normal . (origin + t direction - point)`, as [`BigRay::value`].
+    /// Returns `normal . (origin + t direction - point)`, by [`BigRay::value`].
     pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> Precise {
         let normal = exact3(plane.normal);
         let offset = big_offset(plane, &self.origin);
@@ -71,8 +71,8 @@ impl BigRay {
         self.value(&value, &self.scale)
     }
 
-    /// Returns the outward unit normal `(origin + t direction - center) / r` at a root: each coordinate
-    /// is off by its rounding to `f64`, and at most `2^-60` more.
+    /// Returns the outward unit normal `(origin + t direction - center) / r` at a root. The error of
+    /// each coordinate is that of rounding it to `f64`, plus at most `2^-60`.
     pub(crate) fn sphere_normal(&self, sphere: &Sphere, root: &BigRoot) -> DVec3 {
         let q = self.to_center(sphere);
         let mut places = 200 - self.a.log2_bound(&self.radicands) / 2;
@@ -86,7 +86,7 @@ impl BigRay {
             let offsets = std::array::from_fn::<_, 3, _>(|i| {
                 shifted(&(&numerator * &d[i]), places) - &a * &q[i]
             });
-            // Off by 8 in the numerator, 4 in d, 4 in a, 1 in q and in the shift.
+            // Errors: 8 in the numerator, 4 in d, 4 in a, 1 in q and 1 in the shift.
             let bits =
                 |v: &[BigInt; 3]| v.iter().map(BigInt::bits).max().unwrap_or_default() as i32;
             let product_off = bits(&d).max(numerator.bits() as i32) + 5 + places;

@@ -1,12 +1,13 @@
 //! The certainty with which a ray's first hit is decided: the step of the ladder that was needed, and
 //! the margin in bits.
 //!
-//! Every decision is the sign of a number that is known within a bound. A pixel's answer rests on one
-//! statement for each object: the first object *is hit*, and each other object is *not hit before it*. A
-//! statement that needs several decisions is as certain as the least certain of them; a statement that
-//! follows in several ways is as certain as the most certain of them. A sphere is hit if the line meets
-//! it and it is ahead of the eye; it is not hit first if the line misses it, or it is behind the eye, or
-//! its root comes later. A pixel's answer is as certain as its least certain statement.
+//! Every decision is the sign of a number that is known within an error bound. A pixel's answer rests on
+//! one statement for each object: the first object *is hit*, and each other object is *not hit before
+//! it*. A statement that needs several decisions is as certain as the least certain of them; a statement
+//! that can be shown in several ways is as certain as the most certain of them. A sphere is hit if the
+//! line meets it and it is ahead of the eye; it is not hit before the first object if the line misses
+//! it, if it is behind the eye, or if its root comes later. A pixel's answer is as certain as its least
+//! certain statement.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -32,22 +33,23 @@ use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 /// The certainty with which a ray's first hit is decided; for a miss, the certainty that there is
 /// no hit.
 ///
-/// A decision is the sign of a value that the step computed within a bound of its error. Its margin
-/// is
+/// A decision is the sign of a value that a step of [the ladder](crate#the-ladder) computed with an
+/// error bound. Its margin is
 ///
 /// ```text
 /// margin = log2(|value| / bound)      so that     |exact value| >= (2^margin - 1) * bound
 /// ```
 ///
-/// in bits: the error could have been larger by this many bits without changing the decision. It is never
-/// below 0. A decision that needs integers, because double-double does not suffice, has a margin of 0.
+/// in bits: the error could have been larger by this many bits without changing the decision. It is
+/// never below 0. A decision for which double-double does not suffice, and which is made in integers,
+/// has a margin of 0.
 ///
-/// A certificate reports what a single ray needs. A frame may need less: for example, it distinguishes
-/// nearly equal spheres in `f64`, by their difference.
+/// A certificate describes the decisions for a single ray. A frame may manage with lower steps: for
+/// example, it distinguishes nearly equal spheres in `f64`, by their difference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
-    /// The highest step that a decision needed.
+    /// The highest step that any of the decisions needed.
     pub step: Step,
     /// The least margin of the decisions made at that step, in bits: 0 at [`Step::Exact`], and at most
     /// [`Certificate::MOST`].
@@ -76,11 +78,11 @@ pub enum Question {
     /// Whether the eye is inside a sphere: `(|q|^2 - r^2) / (|q|^2 + r^2)`; or on which side of a
     /// plane: `n.p / (|n| |p|)`.
     Side,
-    /// Whether the line meets a sphere: `D / (|d|^2 |q|^2)`, the sine squared of its angular radius
-    /// less that of the angle between the ray and its centre.
+    /// Whether the line meets a sphere: `D / (|d|^2 |q|^2)`, the squared sine of the sphere's angular
+    /// radius minus the squared sine of the angle between the ray and the sphere's centre.
     Meets,
-    /// Whether a sphere's centre is ahead: `q.d / (|q| |d|)`; or whether the ray looks along a
-    /// plane's normal or against it: `n.d / (|n| |d|)`.
+    /// Whether a sphere's centre is ahead: `q.d / (|q| |d|)`; or whether the ray goes along a plane's
+    /// normal or against it: `n.d / (|n| |d|)`.
     Ahead,
     /// Whether the object is hit after the first one: the difference of the two `t`, divided by their
     /// sum.
@@ -96,15 +98,15 @@ struct Bounded {
 }
 
 impl Certificate {
-    /// The largest margin reported, in bits; also the margin where there is nothing to decide. An error
-    /// ten trillion times as large would change no decision.
+    /// The largest margin reported, in bits; also the margin if there is nothing to decide. With this
+    /// margin, even an error ten trillion times as large would change no decision.
     pub const MOST: f64 = 44.0;
 
     const SURE: Certificate =
         Certificate { step: Step::F64, margin: Certificate::MOST, hardest: None };
 
-    /// Returns the certificate of a decision by a value's sign, or `None` if the value is within its
-    /// error bound.
+    /// Returns the certificate of a decision made by a value's sign, or `None` if the value is within
+    /// its error bound.
     fn decided(step: Step, object: u32, bounded: &Bounded) -> Option<Certificate> {
         let Bounded { question, value, bound, unit } = *bounded;
         (value.abs() > bound).then(|| {
@@ -123,24 +125,25 @@ impl Certificate {
         Certificate { step: Step::Exact, margin: 0.0, hardest }
     }
 
-    /// Compares the certainty of two certificates: a lower step is more certain and, at the same step, a
-    /// larger margin.
+    /// Compares the certainty of two certificates. A lower step is more certain; at equal steps, a
+    /// larger margin is.
     fn compare(&self, other: &Certificate) -> Ordering {
         self.step.cmp(&other.step).then(other.margin.total_cmp(&self.margin))
     }
 
-    /// Returns the weaker of two certificates: both statements must hold.
+    /// Returns the weaker of two certificates, for a conclusion that needs both statements.
     fn and(self, other: Certificate) -> Certificate {
         if other.compare(&self) == Ordering::Greater { other } else { self }
     }
 
-    /// Returns the stronger of two certificates: one of the statements suffices.
+    /// Returns the stronger of two certificates, for a conclusion for which one of the statements
+    /// suffices.
     fn or(self, other: Certificate) -> Certificate {
         if other.compare(&self) == Ordering::Less { other } else { self }
     }
 }
 
-/// Returns the strongest of the certificates that are known, or `None` if none is.
+/// Returns the strongest of the given certificates, or `None` if all are `None`.
 fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate> {
     ways.into_iter().flatten().reduce(Certificate::or)
 }
@@ -154,8 +157,8 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
 impl Scene {
-    /// Returns the certainty with which [`Scene::first_hit_of`] is decided. The answer does not depend on
-    /// the order in which objects are examined.
+    /// Returns the certainty of the decision of [`Scene::first_hit_of`]. The certificate does not depend
+    /// on the order in which objects are examined.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -174,8 +177,8 @@ impl Scene {
         certificate(&ObjectsFromOrigin::for_one_ray(self, ray), ray)
     }
 
-    /// Returns [`Scene::certificate_of`] for a camera's pixels in these rows and columns, row by row,
-    /// computed in parallel. `done` is called with the number of rows just finished.
+    /// Returns [`Scene::certificate_of`] for a camera's pixels in these rows and columns, row by row.
+    /// The rows are computed in parallel; `done` is called with the number of rows just finished.
     pub fn certificates(
         &self,
         camera: &ResolvedCamera,
@@ -217,7 +220,7 @@ fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     found
 }
 
-/// Returns the certainty that a hit is the first one among the given spheres and all planes.
+/// Returns the certainty that `first` is the first hit among the given spheres and all planes.
 pub(crate) fn certificate_among(
     objects: &ObjectsFromOrigin,
     ray: &ExactRay,
@@ -242,14 +245,14 @@ pub(crate) fn certificate_among(
     all
 }
 
-/// Returns whether `f64` alone decides that the ray misses the sphere, with at least the certainty
-/// `than`. The test settles most spheres for most rays, at a tenth of the cost of the others.
+/// Returns whether `f64` alone decides, at least as certainly as `than`, that the ray misses the sphere.
+/// This settles most spheres for most rays, at a tenth of the cost of a full decision.
 fn is_missed(sphere: &Sphere, ray: &ExactRay, than: &Certificate) -> bool {
     let Some(parts) = SphereFromOrigin::rough_terms(sphere, ray.origin()) else { return false };
     let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } =
         Quadratic::new(&parts, &ray.rough);
     let factor = if than.step > Step::F64 { 1.0 } else { than.margin.exp2() };
-    // An eye this far away is outside with more than the largest margin that is reported.
+    // An eye this far away is certainly outside, by more than the largest margin reported.
     discriminant < -factor * discriminant_doubt || b < -factor * b_doubt
 }
 
@@ -258,8 +261,8 @@ fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
     let index = hit.index;
     let side = side_of(index, &hit.object);
     match hit.object.as_ref() {
-        // From inside, every ray hits the sphere. If the eye is on it, the side is the hardest
-        // decision.
+        // If the eye is inside, every ray hits the sphere. If the eye is on the sphere, its side is the
+        // hardest decision.
         ObjectFromOrigin::Sphere(sphere) if sphere.side != Ordering::Greater => side,
         ObjectFromOrigin::Sphere(sphere) => {
             let rough = Signs::new(&Quadratic::new(&sphere.rough, &ray.rough), &sphere.rough);
@@ -306,8 +309,8 @@ fn is_not_first(
     }
 }
 
-/// Returns the certificate of the statement that a sphere is not hit before the ray's first hit.
-/// `later` is the certificate that its hit comes later, if `f64` can decide that.
+/// Returns the certificate of the statement that a sphere is not hit before the ray's first hit. `later`
+/// is the certificate that its hit comes later, or `None` if `f64` cannot decide that.
 fn sphere_is_not_first(
     hit: &Hit,
     sphere: &SphereFromOrigin,
@@ -381,8 +384,8 @@ fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
     decided.unwrap_or_else(|| Certificate::exact(question, index, fine))
 }
 
-/// Returns the certificate of the decision whether the ray goes along a plane's normal or against
-/// it, and the sign if a step with an error bound decides it.
+/// Returns the certificate of the decision whether the ray goes along a plane's normal or against it.
+/// Also returns the sign, or `None` if only exact numbers decide it.
 fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate, Option<Ordering>) {
     fn bounded<T: Number>(
         plane: &PlaneFromOrigin,
@@ -404,8 +407,8 @@ fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate,
     }
 }
 
-/// Returns the certificate of the statement that the line meets the object after the first hit or
-/// not at all; `None` if `f64` cannot decide it.
+/// Returns the certificate of the statement that the line meets the object after the first hit or not at
+/// all. Returns `None` if `f64` cannot decide that.
 fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     let (t, share) = rough_t(hit, ray)?;
     let (first_t, first_share) = rough_t(first, ray)?;
@@ -415,8 +418,8 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
     Certificate::decided(Step::F64, hit.index, &bounded).filter(|_| t > first_t)
 }
 
-/// Returns `t` in `f64` and its relative error; `None` if it is out of range. If `f64` cannot
-/// decide whether the line meets a sphere, the roots, if they exist, are near `b / a`:
+/// Returns `t` in `f64` and its relative error, or `None` if it is out of range. If `f64` cannot decide
+/// whether the line meets a sphere, `b / a` is taken, because any roots are near it:
 ///
 /// ```text
 /// |t - b / a| <= sqrt(D + bound of D) / a

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::exact::scale::{shortest, triple};
 
-/// The fault of an invalid object.
+/// The reason why an object is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ObjectError {
@@ -28,7 +28,7 @@ pub enum ObjectError {
     NormalIsZero,
 }
 
-/// An invalid object of a scene, and its fault.
+/// An invalid object of a scene, and the reason why it is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("{kind} {index}: {error}")]
 pub struct SceneError {
@@ -36,6 +36,6 @@ pub struct SceneError {
     pub kind: &'static str,
     /// The object's index among all objects: spheres first.
     pub index: usize,
-    /// The object's fault.
+    /// The reason why the object is invalid.
     pub error: ObjectError,
 }

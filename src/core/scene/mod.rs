@@ -1,4 +1,4 @@
-//! A scene: spheres, then planes, and the roots and hits of rays with them.
+//! A scene of spheres and planes, and the roots and hits of rays with them.
 
 pub(crate) mod along_ray;
 pub(crate) mod big_roots;
@@ -31,8 +31,8 @@ use crate::scene::sphere_predicates::RootSide;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 ///
-/// The first frame of a scene with many spheres makes an index, which is kept. Clones share the spheres and
-/// the index, so that a clone copies only the planes.
+/// The first frame of a scene with many spheres makes an index over them, which the scene keeps. Clones
+/// share the spheres and the index, so cloning copies only the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     spheres: Arc<Spheres>,
@@ -40,11 +40,11 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Makes a scene of these objects.
+    /// Creates a scene of these objects.
     ///
     /// # Errors
-    /// Returns the first invalid object: a centre, point or normal that is not finite, a radius that
-    /// is not positive, a normal of zero.
+    /// Returns an error that names the first invalid object: one with a centre, point or normal that is
+    /// not finite, a radius that is not positive and finite, or a normal of zero.
     pub fn new(spheres: Vec<Sphere>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
         let objects = spheres.iter().copied().map(Object::Sphere);
         let objects = objects.chain(planes.iter().copied().map(Object::Plane));
@@ -54,7 +54,7 @@ impl Scene {
         Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
     }
 
-    /// Returns the spheres without any plane. They are shared, not copied.
+    /// Returns the scene without its planes. The spheres are shared, not copied.
     #[must_use]
     pub fn without_planes(&self) -> Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
@@ -63,14 +63,14 @@ impl Scene {
     /// Replaces the object of this index by another one of the same kind.
     ///
     /// This takes about a microsecond, however many spheres there are: an existing index is kept and
-    /// updated. But if clones of this scene are alive when a sphere is replaced, all spheres and their
-    /// index are copied first (80 bytes a sphere), so that the clones do not change.
+    /// updated. But if clones of this scene exist when a sphere is replaced, all spheres and their index
+    /// are copied first (80 bytes per sphere), so that the clones do not change.
     ///
     /// # Errors
     /// Returns an error if the new object is invalid; the scene is then unchanged.
     ///
     /// # Panics
-    /// Panics if the scene has no object of that kind at the index.
+    /// Panics if the scene has no object of this kind at the index.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -97,15 +97,15 @@ impl Scene {
     }
 
     /// Returns the index over the spheres, or `None` if there are fewer than
-    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes the index, in
-    /// parallel, and must not come from within parallel work: a thread that takes other work while it
-    /// waits could call this function again.
+    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes the index in
+    /// parallel. It must not be made from within parallel work: while a thread waits, it may take other
+    /// work, and could then call this function again.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         self.spheres.index()
     }
 
-    /// Returns the spheres that strictly contain a point, in ascending order. The decisions are
-    /// exact. If there is an index, only spheres near the point are examined.
+    /// Returns the indices of the spheres that strictly contain a point, in ascending order. The
+    /// decisions are exact. If there is an index, only spheres near the point are examined.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
         let position = point.to_array();
         // Rounding keeps order: if a rounded difference is above `half`, so is the exact one.
@@ -116,9 +116,9 @@ impl Scene {
         around
     }
 
-    /// Returns the spheres near the ray's line, in ascending order, possibly with a few others. A sphere
-    /// is near if its distance from the line is less than `share` times the sum of the coordinates of
-    /// the ray's origin, of the vector to the sphere, and of the radius.
+    /// Returns the spheres near the ray's line, in ascending order of their indices, possibly with a few
+    /// others. A sphere is near if its distance from the line is less than `share` times the sum of the
+    /// coordinates of the ray's origin, of the vector to the sphere, and of the radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
         let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {
@@ -128,14 +128,14 @@ impl Scene {
         })
     }
 
-    /// Makes the index over many spheres, which the first query would otherwise make. Call this function
-    /// before parallel work whose parts query the index: a thread that waits for the index could
-    /// otherwise start another part, and query the index again.
+    /// Makes the index over the spheres, if there are many; otherwise the first query makes it. Call
+    /// this function before parallel work whose parts query the index: a thread that waits for the index
+    /// could otherwise start another part, and query the index again.
     pub fn make_index(&self) {
         let _ = self.index();
     }
 
-    /// Returns the planes, the objects after the spheres.
+    /// Returns the planes, whose indices follow those of the spheres.
     pub fn planes(&self) -> &[Plane] {
         &self.planes
     }
@@ -165,9 +165,10 @@ impl Scene {
         spheres.chain(self.planes.iter().copied().map(Object::Plane))
     }
 
-    /// Returns every root of every object along the ray's line, including negative ones, by ascending
-    /// `t`, each with its rank and its distance; roots at equal `t` are in the order of the objects. A
-    /// tangent's double root is listed once. Order and ties are exact for the numbers as given.
+    /// Returns every root of every object along the ray's line, even behind the origin, each with its
+    /// rank and its distance. The roots are in ascending order of `t`; roots at equal `t` are in the
+    /// order of the objects. A tangent's double root is listed once. Order and ties are exact for the
+    /// numbers as given.
     pub fn ranked_roots_of(&self, ray: &ExactRay) -> Vec<RankedRoot> {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
@@ -193,9 +194,9 @@ impl Scene {
         ranked
     }
 
-    /// Returns the first hit: the root with the smallest `t > 0`; among equal ones, that of the
-    /// object listed first. The decision is exact for the numbers as given. A ray that does not
-    /// pass [`Ray::check`] hits nothing.
+    /// Returns the first hit: the root with the smallest `t > 0`; if several have this `t`, that of the
+    /// object listed first. Returns `None` if nothing is hit. The decision is exact for the numbers as
+    /// given. A ray that does not pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
         self.first_hit_of(&ExactRay::from_ray(ray).ok()?)
     }
@@ -212,9 +213,9 @@ impl Scene {
         Some(objects.first_hit(ray, steps)?.root(ray))
     }
 
-    /// Returns the object that is hit first and its `t`, without point and normal; `None` if
-    /// nothing is hit. Adds the decisions made to `steps`, and the step that computed `t` to
-    /// `steps_of_t`.
+    /// Returns the object that is hit first and its `t`, without point and normal, or `None` if nothing
+    /// is hit. Adds the decisions made to `steps`, and one to the count in `steps_of_t` of the step that
+    /// computed `t`.
     pub fn first_t_counting(
         &self,
         ray: &ExactRay,
@@ -226,9 +227,9 @@ impl Scene {
         Some((index, object.rounded_t(ray, root, steps_of_t)))
     }
 
-    /// Returns the spheres for which `may` is true, in ascending order. `may` is given the centre and
-    /// the half extents of a sphere's box; if it is true of a sphere, it must be true of any box around
-    /// it.
+    /// Returns the indices of the spheres for which `may` is true, in ascending order. `may` is called
+    /// with the centre and the half extents of a box. If it is true for a sphere's box, it must be true
+    /// for any box around that.
     fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         if let Some(index) = self.index() {
             return index.spheres_where(may);

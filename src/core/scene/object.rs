@@ -22,7 +22,7 @@ pub enum Object {
 pub struct Root {
     /// The object's index in the scene.
     pub object: u32,
-    /// Position on the ray, in units of the direction's length; may be negative or 0.
+    /// Position on the ray, in units of the direction's length. It may be negative or 0.
     pub t: f64,
     /// The root's position in world coordinates.
     pub point: DVec3,
@@ -35,8 +35,9 @@ pub struct Root {
 pub struct RankedRoot {
     /// The root.
     pub root: Root,
-    /// The root's position in the order of ascending `t`, counted from 0; roots at exactly the same `t`
-    /// share a rank. Roots at different `t` have different ranks, even if the rounded `t` are equal.
+    /// The root's position when all roots are sorted by ascending `t`, counted from 0; roots at exactly
+    /// equal `t` share a rank. Roots at different `t` have different ranks, even if the rounded `t` are
+    /// equal.
     pub rank: u32,
     /// `t |d|`, rounded once: the distance of the root from the ray's origin, in world units; negative
     /// behind the origin.
@@ -52,12 +53,12 @@ pub struct LineRoots {
     pub side: Ordering,
     /// The points at which the line meets the object, by ascending `t`. A tangent's root is listed once.
     pub roots: [Option<Root>; 2],
-    /// The hit: the index in `roots` of the smallest `t > 0`, or `None` if there is none.
+    /// The index in `roots` of the hit, the smallest `t > 0`; `None` if there is none.
     pub first: Option<usize>,
 }
 
 impl Object {
-    /// Checks the object as [`Scene::new`](crate::Scene::new) does.
+    /// Checks the object like [`Scene::new`](crate::Scene::new).
     ///
     /// # Errors
     /// Returns an error if the object is invalid.
@@ -68,7 +69,7 @@ impl Object {
         }
     }
 
-    /// Checks the object, which has this index among all objects of a scene.
+    /// Checks the object. `index` is its index among all objects of a scene.
     ///
     /// # Errors
     /// Returns an error that names the object if it is invalid.
@@ -87,14 +88,14 @@ impl Object {
     }
 }
 
-/// The roots of a ray's line with a surface, in ascending order. A `t` too large for `f64` (a direction
-/// of 1e-300 and a sphere at 1e10) is infinite, with its sign; one too small is the smallest positive
-/// `f64`, with its sign.
+/// The roots of a ray's line with a surface, in ascending order. A `t` too large for `f64` (for example,
+/// with a direction of length 1e-300 and a sphere at distance 1e10) becomes infinite, with its sign. A
+/// `t` too small for `f64` becomes the smallest positive `f64`, with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Roots {
     /// The line misses the surface.
     None,
-    /// One root: a tangent, or a plane.
+    /// One root: the line touches a sphere, or crosses a plane.
     One(f64),
     /// Two roots.
     Two(f64, f64),

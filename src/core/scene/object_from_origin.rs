@@ -1,4 +1,4 @@
-//! Objects with the numbers that all rays from one origin share, and the order in which a ray meets
+//! Objects with the values precomputed for all rays from one origin, and the order in which a ray meets
 //! the objects.
 
 use std::borrow::Cow;
@@ -23,7 +23,7 @@ use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 
-/// An object with the numbers that all rays from one origin share.
+/// An object with the values precomputed for all rays from one origin.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromOrigin {
     Sphere(SphereFromOrigin),
@@ -56,8 +56,8 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns the root at which every ray that hits the object hits it first; it depends only on
-    /// the origin.
+    /// Returns the root at which any ray that hits the object hits it first. It depends only on the
+    /// origin.
     pub(crate) fn root_of_hit(&self) -> RootSide {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.root_of_hit(),
@@ -65,7 +65,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Finds where the ray's line meets the object, by ascending `t`.
+    /// Returns the roots of the ray's line with the object, in ascending order of `t`.
     pub(crate) fn root_sides(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [RootSide] {
         match self {
             ObjectFromOrigin::Sphere(seen) => match seen.meets(ray, steps) {
@@ -129,7 +129,7 @@ impl ObjectFromOrigin {
         (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
     }
 
-    /// Returns every `t`, in ascending order.
+    /// Returns the `t` of all roots, in ascending order.
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
         let steps = &mut Steps::default();
         match *self.root_sides(ray, steps) {
@@ -164,9 +164,9 @@ impl ObjectFromOrigin {
 
     /// Returns the root with its point and normal.
     ///
-    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where a
-    /// coordinate of the direction is 0, the point has the origin's coordinate; where the terms cancel
-    /// up to the rounding of t, the coordinate is 0.
+    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. If a
+    /// coordinate of the direction is 0, the point has the origin's coordinate. If the terms of a
+    /// coordinate cancel up to the rounding of t, the coordinate is 0.
     pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
         let t = self.t(ray, root);
         let (point, normal) = match self {
@@ -191,7 +191,7 @@ impl ObjectFromOrigin {
 /// Returns `origin + t direction`, each coordinate rounded once.
 fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
     let coordinate = |i: usize| {
-        // A given coordinate is scaled by itself, so that it loses no digit.
+        // A given coordinate has its own scale, so that it loses no digit.
         let (d, k) = match ray.given_direction() {
             Some(direction) if direction[i] != 0.0 => {
                 let k = exponent(direction[i]);
@@ -275,31 +275,32 @@ impl Hit<'_> {
 }
 
 impl Sphere {
-    /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given. Each `t`
-    /// is the exact one, rounded. A ray that does not pass [`Ray::check`], or a sphere that does not
-    /// pass [`Sphere::check`], has no roots.
+    /// Returns the `t` at which the ray's line meets the sphere. The decisions are exact for the numbers
+    /// as given, and each `t` is the exact one, rounded. A ray that does not pass [`Ray::check`], or a
+    /// sphere that does not pass [`Sphere::check`], has no roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Sphere(*self).roots(ray)
     }
 }
 
 impl Plane {
-    /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: at one `t`,
-    /// which is the exact one, rounded, or nowhere if the line is parallel (even inside the plane). A
-    /// ray that does not pass [`Ray::check`], or a plane that does not pass [`Plane::check`], has no
-    /// roots.
+    /// Returns the `t` at which the ray's line meets the plane: the exact one, rounded. A line parallel
+    /// to the plane has no root, even if it lies in the plane. The decisions are exact for the numbers
+    /// as given. A ray that does not pass [`Ray::check`], or a plane that does not pass
+    /// [`Plane::check`], has no roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Plane(*self).roots(ray)
     }
 }
 
 impl Object {
-    /// Finds where the ray's line meets the object, see [`Sphere::roots`] and [`Plane::roots`].
+    /// Returns the `t` at which the ray's line meets the object, see [`Sphere::roots`] and
+    /// [`Plane::roots`].
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
-    /// Finds where the line of an exact ray meets the object, see [`Object::roots`].
+    /// Returns the `t` at which the line of an exact ray meets the object, see [`Object::roots`].
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
         if self.check().is_err() {
             return Roots::None;
@@ -307,8 +308,9 @@ impl Object {
         ObjectFromOrigin::new(self, ray.origin()).roots(ray)
     }
 
-    /// Returns the first hit of the ray with this object alone, which is given `index`; `None` if the
-    /// ray misses it or the object does not pass [`Object::check`].
+    /// Returns the first hit of the ray with this object alone. The returned root has `index` as its
+    /// object. Returns `None` if the ray misses the object, or if the object does not pass
+    /// [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
         self.check().ok()?;
         let seen = ObjectFromOrigin::new(self, ray.origin());
@@ -316,8 +318,8 @@ impl Object {
         Some(seen.root(index, ray, root))
     }
 
-    /// Returns the roots of the ray's line with the object, which is given `index` in them; decided
-    /// exactly.
+    /// Returns the roots of the ray's line with the object. The decisions are exact. The returned roots
+    /// have `index` as their object.
     ///
     /// # Errors
     /// Returns an error if the object is invalid, see [`Object::check`].

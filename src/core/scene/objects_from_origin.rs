@@ -1,5 +1,6 @@
-//! A scene's objects with the numbers that all rays from one origin share, and the first object
-//! that a ray hits. Objects whose boxes the ray's line surely misses are skipped.
+//! A scene's objects with the values precomputed for all rays from one origin, and the search for the
+//! first object that a ray hits. The search skips objects whose bounding boxes the ray's line certainly
+//! misses.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -14,16 +15,16 @@ use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// A scene's objects with the numbers that all rays from one origin share. The numbers of an object
-/// are computed when they are needed or, if there are many rays, once in advance.
+/// A scene's objects with the values that all rays from one origin share. The values of an object are
+/// computed when they are needed or, for many rays, once in advance.
 pub(crate) struct ObjectsFromOrigin<'a> {
     pub(crate) scene: &'a Scene,
     origin: DVec3,
-    /// The first objects of the scene, whose numbers were computed in advance.
+    /// The first objects of the scene, with the values computed in advance; empty for a single ray.
     made: Vec<ObjectFromOrigin>,
 }
 
-/// Maximum number of objects whose numbers are computed in advance; they take some megabytes.
+/// Maximum number of objects whose values are computed in advance; so many take some megabytes.
 const MOST_MADE: usize = 10_000;
 
 impl<'a> ObjectsFromOrigin<'a> {
@@ -49,12 +50,12 @@ impl<'a> ObjectsFromOrigin<'a> {
         Some(Cow::Owned(ObjectFromOrigin::new(&object, self.origin)))
     }
 
-    /// Finds the hit with the smallest `t > 0`; among equal ones, that of the object listed first.
-    /// Adds the decisions made to `steps`. Returns `None` if nothing is hit.
+    /// Finds the hit with the smallest `t > 0`; if several have this `t`, that of the object listed
+    /// first. Adds the decisions made to `steps`. Returns `None` if nothing is hit.
     pub(crate) fn first_hit(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Hit<'_>> {
         let scene = self.scene;
         let mut first: Option<Hit> = None;
-        // An upper bound of the first hit's t so far.
+        // An upper bound of the t of the first hit found so far.
         let mut nearest = f64::INFINITY;
         let line = Line::from_ray(ray);
         let near = scene.index().map(|index| index.spheres_where(|m, h| line.may_meet(m, h)));
@@ -91,10 +92,10 @@ impl<'a> ObjectsFromOrigin<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     origin: [f64; 3],
-    /// The direction, scaled to a length near neither 0 nor infinity.
+    /// The direction, scaled to a length that is far from 0 and from infinity.
     direction: Vector<f64>,
-    /// Error bound of the cross product of the direction and another vector, relative to the size
-    /// of that vector.
+    /// Error bound of the cross product of the direction with another vector, relative to the size of
+    /// that vector.
     doubt: f64,
 }
 
@@ -105,10 +106,11 @@ impl Line {
         Line { origin: ray.origin().to_array(), direction: rough.d, doubt }
     }
 
-    /// Returns false if the line surely misses the box `middle +- half`, otherwise true.
+    /// Returns false if the line certainly misses the box `middle +- half`, otherwise true.
     ///
-    /// With q from the line's origin to the middle, the box seen along the line is a hexagon whose
-    /// sides have the normals `e_i x d`. It lies to one side of the line where, on one of them,
+    /// Let q be the vector from the line's origin to the middle. Seen along the line, the box is a
+    /// hexagon whose sides have the normals `e_i x d`. It lies to one side of the line if, for one of
+    /// them,
     ///
     /// ```text
     /// |(q x d)_i| > h_j |d_k| + h_k |d_j|
@@ -116,8 +118,8 @@ impl Line {
     ///
     /// Each side is off by less than 16 u of `|d| (|q|_1 + |h|_1)`, for two products and a sum, and q
     /// rounded once; and by the relative error of d. [`Line::DOUBT`] is far more than 16 u, because a
-    /// box that is nearly met costs no more than one that is met. What underflows is below the smallest
-    /// normal number; an overflow decides nothing.
+    /// box that is nearly met costs no more than one that is met. Underflow changes a value by less than
+    /// the smallest normal number; a side whose value overflows decides nothing.
     pub(crate) fn may_meet(&self, middle: [f64; 3], half: [f64; 3]) -> bool {
         let d = self.direction;
         let q: [f64; 3] = std::array::from_fn(|i| middle[i] - self.origin[i]);

@@ -1,4 +1,4 @@
-//! Planes, and the parts of their intersection with a ray.
+//! Planes, and the terms of their intersection with a ray.
 
 use glam::DVec3;
 
@@ -13,19 +13,19 @@ pub struct Plane {
     pub normal: DVec3,
 }
 
-/// The parts of a ray-plane intersection: `t = offset / rate`.
+/// The terms of a ray-plane intersection: `t = offset / rate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneTerms {
     /// `normal . d`, the rate at which the ray approaches the plane; 0 if the ray is parallel.
     pub rate: f64,
-    /// `normal . (point - p)`, the distance from the ray's origin p to the plane, in lengths of the
-    /// normal.
+    /// `normal . (point - p)`, the distance from the ray's origin p to the plane along the normal, times
+    /// the normal's length.
     pub offset: f64,
 }
 
 impl Plane {
-    /// Makes a checked plane through a point, at right angles to a normal of any length. The arguments
-    /// may be of any type that converts into [`DVec3`].
+    /// Creates a plane through a point, at right angles to a normal of any length, and checks it. The
+    /// arguments may be of any type that converts into [`DVec3`].
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the normal is zero.

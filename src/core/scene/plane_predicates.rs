@@ -1,4 +1,4 @@
-//! A plane with the numbers that all rays from one origin share: the ladder's decisions, the root,
+//! A plane with the values precomputed for all rays from one origin: the ladder's decisions, the root,
 //! and which of two planes a ray hits first.
 
 use std::cmp::Ordering;
@@ -17,8 +17,8 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
-/// The numbers of a plane that all rays from one origin share. For each ray, `t = offset / (normal
-/// . direction)`.
+/// A plane with the values precomputed for all rays from one origin. For each ray,
+/// `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneFromOrigin {
     pub(crate) plane: Plane,
@@ -96,7 +96,7 @@ impl PlaneFromOrigin {
         if seen.offset.hi.abs() <= rough * reach {
             seen.side_step = Step::DoubleDouble;
         }
-        /// The relative error above which the offset would cost t digits.
+        /// The relative error of the offset above which t would lose digits.
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
         if !is_sure {
@@ -105,7 +105,7 @@ impl PlaneFromOrigin {
         seen
     }
 
-    /// Recomputes the offset in exact numbers, because double-double has lost its digits.
+    /// Recomputes the offset in exact numbers, for use when double-double has lost its digits.
     fn set_exact(&mut self) {
         let exact = big_offset(&self.plane, &exact3(self.origin));
         self.side = exact.sign();
@@ -141,7 +141,7 @@ impl PlaneFromOrigin {
         Rate::new(&self.normal, self.normal_length, direction)
     }
 
-    /// Returns whether the line meets the plane, that is, whether it is not parallel to it.
+    /// Returns whether the line meets the plane, that is, is not parallel to it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) != Ordering::Equal
     }
@@ -215,8 +215,8 @@ impl Plane {
         0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
-    /// Returns the intersection's parts for display, each rounded once from more digits. They may
-    /// overflow or underflow where `t` does not; for an invalid plane, they are NaN.
+    /// Returns the terms of the intersection for display, each rounded once from more digits. They may
+    /// overflow or underflow even if `t` does not. For an invalid plane, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
         if self.check().is_err() {
             return PlaneTerms { rate: f64::NAN, offset: f64::NAN };
@@ -226,13 +226,13 @@ impl Plane {
     }
 
     /// Returns whether two planes are the same set of points, exactly: the normals are parallel, and
-    /// each plane's point lies in the other plane. False if either plane does not pass [`Plane::check`].
+    /// each plane's point lies in the other plane. Returns false if either plane does not pass
+    /// [`Plane::check`].
     pub fn is_same(&self, other: &Plane) -> bool {
         if self.check().is_err() || other.check().is_err() {
             return false;
         }
-        // Most planes differ by far more than rounding errors; only for the others, exact numbers
-        // are needed.
+        // Most planes differ by far more than rounding errors. Only the others need exact numbers.
         let (n, m) = (unit(self.normal), unit(other.normal));
         if n.cross(m).length_squared() > 1e-20 {
             return false;
@@ -252,7 +252,7 @@ impl Plane {
 /// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n)
 /// ```
 ///
-/// where s and s' are the signs of o and o', which n.d and n'.d have, too, at a hit. e is computed
+/// where s and s' are the signs of o and o'. At a hit, n.d and n'.d have these signs, too. e is computed
 /// exactly and then rounded, so that even planes that nearly coincide are distinguished.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaneOrder {
@@ -274,10 +274,10 @@ impl PlaneOrder {
         PlaneOrder { e, length: length(e) }
     }
 
-    /// Compares the `t` of a ray that hits both planes; returns `None` if rounding could change the
+    /// Compares the `t` at which a ray hits the two planes; returns `None` if rounding could change the
     /// order.
     pub(crate) fn compare(&self, direction: &DirectionTerms<f64>) -> Option<Ordering> {
-        // e is off by its rounding, and by a coordinate that is so small that it is rounded to 0.
+        // The error of e is its rounding, and a coordinate so small that it is rounded to 0.
         let direction = DirectionTerms { doubt: direction.doubt + 2.0 * UNIT, ..*direction };
         Rate::new(&self.e, self.length, &direction).sign()
     }

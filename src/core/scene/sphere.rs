@@ -1,4 +1,4 @@
-//! Spheres, and the quadratic that a ray makes of one.
+//! Spheres, and the quadratic equation of a ray and a sphere.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// The quadratic `a t^2 + 2 b t + c = 0` that a ray makes of a sphere's equation, with
+/// The quadratic equation `a t^2 + 2 b t + c = 0` of a ray and a sphere, with
 ///
 /// ```text
 /// a = d.d     b = d.(p - center)     c = |p - center|^2 - r^2     D = b^2 - a c
@@ -29,16 +29,17 @@ pub struct SphereQuadratic {
     pub b: f64,
     /// `|p - center|^2 - r^2`: negative inside the sphere, 0 on it.
     pub c: f64,
-    /// `b^2 - a c`, with its exact sign. From farther away than `sqrt(2) r` it is computed as `r^2 a -
+    /// `b^2 - a c`, with its exact sign. If p is farther from the centre than `sqrt(2) r`, it is
+    /// computed as `r^2 a -
     /// |(p - center) x d|^2`, which is equal (Lagrange's identity).
     pub discriminant: f64,
 }
 
 impl Sphere {
-    /// Makes a checked sphere. The centre may be of any type that converts into [`DVec3`].
+    /// Creates a sphere and checks it. The centre may be of any type that converts into [`DVec3`].
     ///
     /// # Errors
-    /// Returns an error if the centre is not finite or the radius not positive and finite.
+    /// Returns an error if the centre is not finite, or if the radius is not positive and finite.
     ///
     /// ```
     /// use pinhole_core::*;

@@ -1,6 +1,6 @@
-//! A scene's spheres and the index over them: spheres of about one size that are close together are
-//! stored together, in boxes, so that a camera finds the visible ones without looking at every sphere.
-//! The index depends on the spheres alone, not on a camera, and is kept until they change.
+//! A scene's spheres, and the index over them. The index stores spheres of similar size that are close
+//! together in common boxes, so that the visible ones are found without examining every sphere. The
+//! index depends on the spheres alone, not on a camera, and is kept until they change.
 
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -14,19 +14,19 @@ use crate::scene::sphere::Sphere;
 /// The id of an empty slot.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
-/// Several spheres as columns for SIMD: x, y and z of the centres, and the radii.
+/// Several spheres as a structure of arrays for SIMD: x, y and z of the centres, and the radii.
 pub(crate) type SphereSlots<'a> = [&'a [f64]; 4];
 
 fn columns_of(sphere: &Sphere) -> [f64; 4] {
     [sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius]
 }
 
-/// Spheres in slots, slots in blocks of [`BLOCK`], blocks in groups of up to [`GROUP`], each with a
-/// box around it.
+/// The index over a scene's spheres. Each sphere has a slot; [`BLOCK`] slots form a block, and up to
+/// [`GROUP`] blocks form a group. Each block and each group has a box around its spheres.
 ///
-/// Spheres of one block, and of one group, have radii of the same power of 4 and lie together, until
-/// [one is replaced](SphereIndex::replace). Empty slots at the end of a block repeat the block's first
-/// sphere; their id is [`NO_SPHERE`], and the bounds of block and group do not count them.
+/// The spheres of a group have radii between the same two powers of 4 and lie close together, until [one
+/// is replaced](SphereIndex::replace). Empty slots at the end of a block repeat the block's first
+/// sphere; their id is [`NO_SPHERE`], and the bounds of the block and the group do not count them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SphereIndex {
     /// x, y and z of the centres and the radii, slot by slot.
@@ -42,8 +42,8 @@ pub(crate) struct SphereIndex {
 }
 
 impl SphereIndex {
-    /// Makes the index of n spheres, each of which passes [`Sphere::check`], in O(n log n), in
-    /// parallel. The result is the same for any number of threads.
+    /// Makes the index of n spheres in O(n log n), in parallel. Each sphere must pass [`Sphere::check`].
+    /// The result is the same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
         let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
@@ -73,7 +73,7 @@ impl SphereIndex {
         index
     }
 
-    /// Replaces a sphere by another one anywhere in space, in O([`BLOCK`] + [`GROUP`]).
+    /// Replaces a sphere by another one, which may lie anywhere, in O([`BLOCK`] + [`GROUP`]).
     pub(crate) fn replace(&mut self, index: u32, sphere: &Sphere) {
         let slot = self.slot_of[index as usize] as usize;
         self.put(slot, sphere);
@@ -111,8 +111,8 @@ impl SphereIndex {
         block * BLOCK..(block + 1) * BLOCK
     }
 
-    /// Returns the spheres for which `may` is true of the sphere, its block and its group, in ascending
-    /// order. `may` is given the centre and the half extents of a box.
+    /// Returns, in ascending order, the indices of the spheres for which `may` is true, and true for
+    /// their block and their group. `may` is called with the centre and the half extents of a box.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
         let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
@@ -163,10 +163,9 @@ impl SphereIndex {
 
 /// A box around spheres, with totals of the spheres inside.
 ///
-/// On each axis the box is `middle - half ..= middle + half`, in real numbers and in rounded ones:
-/// whatever is inside lies between the ends whichever way the ends are computed. A half extent is
-/// infinite where it is beyond the range of `f64`. Apart from half extents only the sum of squares may
-/// be infinite, and nothing is NaN.
+/// On each axis the box is `middle - half ..= middle + half`. It contains the spheres whether its ends
+/// are computed exactly or in rounded arithmetic. A half extent beyond the range of `f64` is infinite.
+/// Of the other fields, only the sum of squares may be infinite; none is NaN.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Bound {
     pub(crate) middle: [f64; 3],
@@ -180,8 +179,8 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    /// Returns the box of a sphere, not rounded outward, from which [`Bound::around`] makes a
-    /// larger one.
+    /// Returns the box of a sphere, not yet rounded outward; [`Bound::around`] does so for the box of
+    /// several.
     pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
         let Sphere { center, radius } = *sphere;
         let (middle, half) = (center.to_array(), [radius; 3]);
@@ -203,7 +202,7 @@ impl Bound {
         }
         if all.count > 0 {
             for axis in 0..3 {
-                // Each end was rounded once, so the next number beyond it lies outside.
+                // Each end was rounded once, so the next `f64` beyond it is outside the spheres.
                 let ends = (low[axis].next_down(), high[axis].next_up());
                 (all.middle[axis], all.half[axis]) = middle_and_half(ends);
             }
@@ -214,16 +213,17 @@ impl Bound {
 
 /// Returns `(middle, half)` with `middle - half <= low` and `high <= middle + half`.
 fn middle_and_half((low, high): (f64, f64)) -> (f64, f64) {
-    // Halved before the sum, which then cannot overflow.
+    // The ends are halved first, so that their sum cannot overflow.
     let middle = 0.5 * low.max(f64::MIN) + 0.5 * high.min(f64::MAX);
     (middle, (high - middle).max(middle - low).next_up())
 }
 
-/// Minimum number of spheres that get an index. Fewer spheres are examined one by one as fast.
+/// Minimum number of spheres for which an index is made. Fewer spheres are examined one by one just as
+/// fast.
 pub(crate) const INDEX_FROM: usize = 256;
 
-/// Checked spheres, with an index that is made when first needed and kept. The index is derived from the
-/// spheres alone.
+/// Checked spheres, with an index that is made when it is first needed, and then kept. The index depends
+/// on the spheres alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spheres {
     pub(crate) list: Vec<Sphere>,
@@ -240,8 +240,9 @@ impl Spheres {
         if self.list.len() < INDEX_FROM {
             return None;
         }
-        // The index is made before the cell is entered: a thread that waits for the cell while the waiting
-        // threads make the index could wait for ever. At worst two are made, and one is used.
+        // The index is made outside the cell's initialisation, which would block other threads: if they
+        // are needed to make the index, all would wait for ever. At worst two threads make an index
+        // each, and one is used.
         if self.index.get().is_none() {
             let _ = self.index.set(SphereIndex::new(&self.list));
         }
@@ -276,7 +277,7 @@ pub(crate) struct Key {
     pub(crate) id: u32,
 }
 
-/// Number of spheres from which the two halves of a split may be ordered by two threads.
+/// Minimum number of spheres for which two threads may order the two halves of a split.
 const SHARED_FROM: usize = 8192;
 
 /// Number of size classes, for radii from 2^-1074 to 2^1024.
@@ -287,12 +288,12 @@ fn class_of(radius: f64) -> usize {
     ((exponent(radius) + 1074) / 2) as usize
 }
 
-/// Returns all spheres in the order of the index, and the ranges of the size classes.
+/// Returns all spheres in the order of the index, and the range of each size class.
 ///
-/// Each class is halved at the median along the axis on which its centres are spread the widest,
-/// and so is each half. Cuts lie at whole numbers of groups, and within a group at whole numbers of
-/// blocks, so that only the last block of a class may not be full. The order depends on the spheres
-/// alone, not on the number of threads.
+/// Each class is halved at the median along the axis along which its centres are spread the widest, and
+/// each half likewise. Cuts lie between groups or, within a group, between blocks, so that only the last
+/// block of a class may be partly empty. The order depends on the spheres alone, not on the number of
+/// threads.
 pub(crate) fn ordered(spheres: &[Sphere]) -> (Vec<Key>, Vec<Range<usize>>) {
     let mut counts = [0; CLASSES];
     for sphere in spheres {

@@ -1,4 +1,4 @@
-//! A sphere with the numbers that all rays from one origin share: the ladder's decisions and roots,
+//! A sphere with the values precomputed for all rays from one origin: the ladder's decisions and roots,
 //! and the power of the origin, `|q|^2 - r^2`, with its exact sign.
 
 use std::cmp::Ordering;
@@ -36,7 +36,7 @@ impl RootSide {
     }
 }
 
-/// The numbers of a sphere that all rays from one origin share. Lengths are in units of `2^scale`.
+/// A sphere with the values precomputed for all rays from one origin. Lengths are in units of `2^scale`.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereFromOrigin {
     pub(crate) sphere: Sphere,
@@ -85,12 +85,12 @@ impl SphereFromOrigin {
         SphereFromOrigin { sphere: *sphere, fine, rough, tiny_c: c.tiny, scale, side, side_step }
     }
 
-    /// Returns the terms in `f64` of a sphere for an origin well outside, if all lengths are
-    /// ordinary; otherwise `None`.
+    /// Returns the sphere's terms in `f64`. Returns `None` unless the origin is well outside the sphere
+    /// and all lengths are ordinary.
     pub(crate) fn rough_terms(sphere: &Sphere, origin: DVec3) -> Option<SphereTerms<f64>> {
         let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
-        // A nearer sphere's c loses more than three digits.
+        // If the sphere were nearer, c would lose more than three digits.
         let is_plain = qq > 2.0 * rr && PLAIN.contains(&radius) && qq < PLAIN.end * PLAIN.end;
         is_plain.then(|| SphereTerms {
             q: q.to_array(),
@@ -103,8 +103,8 @@ impl SphereFromOrigin {
         })
     }
 
-    /// Returns whether `f64` alone decides that the ray misses the sphere, or hits it after `nearest`. This
-    /// settles most spheres of a scene for most rays, at a tenth of the cost of the rest.
+    /// Returns whether `f64` alone decides that the ray misses the sphere or hits it after `nearest`.
+    /// This settles most spheres for most rays, at a tenth of the cost of a full decision.
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// Maximum relative error of a `t` that may be compared with `nearest`.
         const SHARE: f64 = 1e-6;
@@ -121,8 +121,8 @@ impl SphereFromOrigin {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Returns the sign of D: `Less` where the ray's line misses the sphere, `Equal` where it touches
-    /// it, `Greater` where it crosses it.
+    /// Returns the sign of D: `Less` if the ray's line misses the sphere, `Equal` if it touches it,
+    /// `Greater` if it crosses it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -159,7 +159,7 @@ impl SphereFromOrigin {
         big.quadratic(&self.sphere).b.sign(&big.radicands)
     }
 
-    /// Finds the root that the ray hits first: the smallest `t > 0`. Returns `None` if there is none.
+    /// Finds the ray's first hit, the root with the smallest `t > 0`. Returns `None` if there is none.
     pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -170,8 +170,8 @@ impl SphereFromOrigin {
         is_hit.then(|| self.root_of_hit())
     }
 
-    /// Returns the root at which every ray that hits the sphere hits it first: the far one from inside
-    /// and from the sphere itself.
+    /// Returns the root at which any ray that hits the sphere hits it first: the far one if the origin
+    /// is inside or on the sphere, otherwise the near one.
     pub(crate) fn root_of_hit(&self) -> RootSide {
         if self.side == Ordering::Greater { RootSide::Near } else { RootSide::Far }
     }
@@ -189,8 +189,8 @@ impl SphereFromOrigin {
         (ray.big().t(&self.big_root(ray, root)), Step::Exact)
     }
 
-    /// Returns `t` at a root of a line that meets the sphere, rounded to the nearest `f64`; `None` if
-    /// double-double does not suffice to find which one that is.
+    /// Returns `t` at a root of a line that meets the sphere, rounded to the nearest `f64`. Returns
+    /// `None` if double-double does not suffice to decide which `f64` that is.
     pub(crate) fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> Option<f64> {
         if self.side == Ordering::Equal {
             return None;
@@ -214,14 +214,15 @@ impl SphereFromOrigin {
     }
 
     /// Returns `t` in double-double, in units of `2^(scale of the sphere - scale of the ray) / stretch`;
-    /// `None` where its relative error is above `doubt`.
+    /// `None` if its relative error is above `doubt`.
     fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<Precise> {
         let (t, off) = self.fine_root(ray, root)?;
         (off <= doubt).then_some(t)
     }
 
     /// Returns `t` in double-double and its relative error, in the units of
-    /// [`SphereFromOrigin::fine_t`]; `None` where D may be 0, or t loses digits to its range.
+    /// [`SphereFromOrigin::fine_t`]; `None` if D may be 0, or if t is so small or large that it loses
+    /// digits.
     fn fine_root(&self, ray: &ExactRay, root: RootSide) -> Option<(Precise, f64)> {
         let (quadratic, is_far) = (Quadratic::new(&self.fine, &ray.fine), root == RootSide::Far);
         let (t, off, scale) = match self.tiny_c {
@@ -254,8 +255,8 @@ impl SphereFromOrigin {
     /// Returns the outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16
     /// rad.
     pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
-        // This is the error of t d, relative to its length, about |q|. If the radius is small
-        // compared with that length, the error must be smaller.
+        // The error of t d is relative to its length, which is about |q|. The smaller the radius is
+        // compared with that length, the smaller the error must be.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
             (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
@@ -276,7 +277,7 @@ impl SphereFromOrigin {
     }
 
     /// Returns the quadratic's coefficients, rounded, in units of the ray's and the sphere's scales. D
-    /// has its exact sign; it is 0 only where it is exactly 0.
+    /// has its exact sign, and is 0 only if it is exactly 0.
     pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
         let fine = Quadratic::new(&self.fine, &ray.fine);
         let discriminant = match self.meets(ray, &mut Steps::default()) {
@@ -288,14 +289,14 @@ impl SphereFromOrigin {
     }
 }
 
-/// Returns the sign of D, or `None` where D's error leaves it in doubt.
+/// Returns the sign of D, or `None` if D's error leaves it in doubt.
 fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     let discriminant = quadratic.discriminant.near();
     (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
 }
 
-/// Scales q and r by a common power of two; returns them in units of `2^k`, and k, which is 0
-/// unless lengths are extreme.
+/// Scales q and r by a common power of two. Returns them in units of `2^k`, and k, which is 0 unless the
+/// lengths are extreme.
 fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) {
     let largest = q.iter().map(|x| x.hi.abs()).fold(radius, f64::max);
     if PLAIN.contains(&largest) {
@@ -310,8 +311,8 @@ fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) 
 
 impl Sphere {
     /// Returns the implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside;
-    /// its sign is exact. In squared world units; infinite where it overflows, NaN where a number is not
-    /// finite or the radius not positive.
+    /// its sign is exact. It is in squared world units. It is infinite if it overflows, and NaN if a
+    /// number is not finite or the radius is not positive.
     pub fn implicit(&self, q: DVec3) -> f64 {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;
@@ -321,7 +322,7 @@ impl Sphere {
     }
 
     /// Returns the quadratic's coefficients for display, each rounded once from more digits. They may
-    /// overflow or underflow where the roots do not; for an invalid sphere, they are NaN.
+    /// overflow or underflow even if the roots do not. For an invalid sphere, they are NaN.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
         if self.check().is_err() {
             let none = f64::NAN;
@@ -342,7 +343,7 @@ impl Sphere {
     }
 }
 
-/// Error of c in `f64`, relative to `|q|^2 + r^2`: 6 roundings, and one of q itself, twice.
+/// Error of c in `f64`, relative to `|q|^2 + r^2`: 6 roundings, plus twice the rounding of q itself.
 pub(crate) const ROUGH_SHARE: f64 = 8.0 * UNIT;
 
 /// Error of c in double-double, relative to `|q|^2 + r^2`; r^2 is exact.
@@ -362,9 +363,9 @@ pub(crate) struct PointPower {
 }
 
 impl PointPower {
-    /// Computes the power from q and r in units of `2^scale`: in double-double where that keeps enough
-    /// digits, otherwise from the exact number, because close to the sphere c is a small difference of
-    /// large squares.
+    /// Computes the power from q and r in units of `2^scale`: in double-double if that keeps enough
+    /// digits, otherwise in exact numbers. Close to the sphere, c is a small difference of large
+    /// squares.
     pub(crate) fn new(
         sphere: &Sphere,
         origin: DVec3,
@@ -374,7 +375,7 @@ impl PointPower {
     ) -> PointPower {
         /// The relative error of c above which t would lose digits.
         const PLENTY: f64 = 256.0 * U2;
-        /// The size above which no value loses digits to underflow.
+        /// The size above which a value loses no digits to underflow.
         const TINY: f64 = 1e-200;
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
@@ -402,7 +403,7 @@ impl PointPower {
         if sign == Ordering::Equal || value.hi.abs() > TINY {
             return PointPower { value, doubt: 2.0 * U2, tiny: None, sign, step };
         }
-        // D is accurate enough even if c has an error of its own size.
+        // D is accurate enough even with an error in c as large as c itself.
         PointPower { value, doubt: 1.0, tiny: Some(Precise::new(mantissa, k)), sign, step }
     }
 }
