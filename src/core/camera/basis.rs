@@ -1,5 +1,5 @@
-//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand, or from
-//! a quaternion.
+//! The camera's basis u, v, w: computed from view and up, from eye, at and up, or from a quaternion, or
+//! given by hand.
 
 use glam::{DMat3, DQuat, DVec3};
 use thiserror::Error;
@@ -7,35 +7,36 @@ use thiserror::Error;
 use crate::exact::dyadic::{Dyadic, dot, exact3};
 use crate::exact::scale::{length, shortest, triple, unit};
 
-/// Maximum deviation of a basis given by hand from orthonormal: the maximum of `| |a| - 1 |` and
-/// `|a . b|` of its vectors.
+/// How far a basis given by hand may be from orthonormal: the maximum of `| |a| - 1 |` and `|a . b|` for
+/// its vectors a and b.
 ///
-/// Wide enough for values printed with ten digits, far too narrow for a typed `0.7071`.
+/// This accepts values printed with ten digits, and rejects a typed `0.7071`.
 pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
 
 /// The camera's coordinate frame in the world: right, up in the image, and *backwards*.
 ///
-/// Orthonormal and right-handed: `u x v = w`. In these coordinates the camera is canonical.
+/// The basis is orthonormal and right-handed: `u x v = w`. In its coordinates, the camera is the
+/// canonical one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basis {
     /// Right in the image.
     pub u: DVec3,
     /// Points up in the image.
     pub v: DVec3,
-    /// Backwards: away from what the camera looks at.
+    /// Backwards: opposite to the view direction.
     pub w: DVec3,
 }
 
 /// The angle between up and the view direction, and the conditioning of the basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpAngle {
-    /// Angle between up and view in radians, between 0 and pi. It is 0 or pi only by rounding.
+    /// Angle between up and view in radians, between 0 and pi. Only rounding can make it 0 or pi.
     pub angle: f64,
     /// `1 / sin(angle)`: degrees of roll for each degree that up is tipped sideways.
     pub conditioning: f64,
 }
 
-/// Reason why a camera has no basis. Each case carries the invalid numbers.
+/// The reason why a camera has no basis, with the invalid numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BasisError {
@@ -47,19 +48,19 @@ pub enum BasisError {
         /// The invalid vector.
         value: DVec3,
     },
-    /// `at - eye` is zero, so there is no view direction.
+    /// `at` equals `eye`, so there is no view direction.
     #[error("eye and at are the same point {}: move one of them", triple(*.point))]
     EyeIsAt {
-        /// The point where both eye and at are.
+        /// The position of both eye and at.
         point: DVec3,
     },
-    /// The view direction given is `(0, 0, 0)`.
+    /// The given view direction is `(0, 0, 0)`.
     #[error("view is (0, 0, 0): it must point somewhere")]
     ViewIsZero,
-    /// The up vector given is `(0, 0, 0)`.
+    /// The given up vector is `(0, 0, 0)`.
     #[error("up is (0, 0, 0): it must point somewhere")]
     UpIsZero,
-    /// `up x view` is zero, so up cannot keep the camera level.
+    /// Up is parallel to the view (`up x view` is zero), so it cannot keep the camera level.
     #[error(
         "up {} is parallel to the view direction {}: turn one of them",
         triple(*.up),
@@ -71,7 +72,7 @@ pub enum BasisError {
         /// The view direction.
         view: DVec3,
     },
-    /// A vector of a basis given by hand is not of length 1.
+    /// A vector of a basis given by hand does not have length 1.
     #[error("{vector} has length {}: it must be 1 within {ORTHONORMAL_TOLERANCE:e}", shortest(*.length))]
     NotUnit {
         /// The name of the vector: `u`, `v` or `w`.
@@ -106,12 +107,12 @@ impl Basis {
     /// The canonical camera's basis: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 
-    /// Makes a basis of vectors given by hand, which are not changed. They must be of length 1 and
-    /// orthogonal within [`ORTHONORMAL_TOLERANCE`], and right-handed.
+    /// Creates a basis of vectors given by hand, which are used unchanged. They must have length 1 and
+    /// be orthogonal, both within [`ORTHONORMAL_TOLERANCE`], and be right-handed.
     ///
     /// # Errors
-    /// Returns an error that names the vector that is not finite or not of length 1, or the two vectors
-    /// that are not orthogonal, or that says that the basis is left-handed.
+    /// Returns an error that names a vector that is not finite or does not have length 1, or two vectors
+    /// that are not orthogonal; or an error if the basis is left-handed.
     pub fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
         for (field, value) in [("basis.u", u), ("basis.v", v), ("basis.w", w)] {
             check_finite(field, value)?;
@@ -132,18 +133,18 @@ impl Basis {
         Ok(Basis { u, v, w })
     }
 
-    /// Returns `x*u + y*v + z*w`: the world's direction for coordinates in this basis.
+    /// Converts a direction from coordinates in this basis to world coordinates: `x*u + y*v + z*w`.
     pub fn to_world_from_camera(&self, direction: DVec3) -> DVec3 {
         direction.x * self.u + direction.y * self.v + direction.z * self.w
     }
 
-    /// Returns `(p.u, p.v, p.w)`: the coordinates in this basis of a direction in the world.
+    /// Converts a direction p from world coordinates to coordinates in this basis: `(p.u, p.v, p.w)`.
     pub fn to_camera_from_world(&self, direction: DVec3) -> DVec3 {
         DVec3::new(direction.dot(self.u), direction.dot(self.v), direction.dot(self.w))
     }
 
-    /// Returns the basis into which a quaternion `[w, x, y, z]` of any length turns the world's
-    /// axes. Returns `None` if the quaternion is zero or not finite.
+    /// Returns the basis to which a quaternion `[w, x, y, z]` of any length rotates the world's axes.
+    /// Returns `None` if the quaternion is zero or not finite.
     pub fn of_quaternion([w, x, y, z]: [f64; 4]) -> Option<Basis> {
         let q = DQuat::from_xyzw(x, y, z, w);
         let length = q.length();
@@ -162,8 +163,8 @@ impl Basis {
         lengths.into_iter().chain(angles).fold(0.0, f64::max)
     }
 
-    /// Returns whether three vectors, unit or not, are left-handed. The picture of a camera with such
-    /// vectors for right, up and backwards is a mirror image.
+    /// Returns whether three vectors, unit or not, are left-handed. A camera with such vectors for
+    /// right, up and backwards would show a mirror image.
     pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
         let vectors = [u, v, w];
         if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {
@@ -178,11 +179,11 @@ pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), Basi
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 
-/// Allowance for rounding, far more than the error of a length or a dot product of vectors of about
-/// length 1.
+/// Allowance for rounding: far more than the error of a length or a dot product of vectors whose lengths
+/// are about 1.
 const ROUNDING: f64 = 1e-15;
 
-/// Returns whether `| |v| - 1 |` is at most [`ORTHONORMAL_TOLERANCE`]. The decision is exact: where
+/// Returns whether `| |v| - 1 |` is at most [`ORTHONORMAL_TOLERANCE`]. The decision is exact: if
 /// rounding could change it, `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2` is decided in exact
 /// numbers.
 pub fn is_unit(v: DVec3) -> bool {

@@ -1,5 +1,5 @@
-//! The difference between two cameras: the distance of their eyes, the turn and roll from one to the other,
-//! and the differences of their viewports.
+//! The difference between two cameras: the vector between their eyes, the turn and roll from one to the
+//! other, and the differences between their viewports.
 
 use glam::DVec3;
 
@@ -7,7 +7,7 @@ use crate::camera::basis::{Basis, BasisError};
 use crate::camera::{Camera, Orientation};
 use crate::exact::scale::{angle_between, unit};
 
-/// The difference of one camera from another; lengths are in world units, angles in degrees.
+/// The difference between a camera and another one. Lengths are in world units, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CameraDifference {
@@ -15,15 +15,15 @@ pub struct CameraDifference {
     pub eye: DVec3,
     /// Vector from the other camera's at to this camera's at; `None` unless both cameras have one.
     pub at: Option<DVec3>,
-    /// Angle between the ups of the two cameras.
+    /// Angle between the two cameras' up vectors.
     pub up: f64,
-    /// Angles between the two cameras' u, v and w.
+    /// Angles between the two cameras' u, between their v, and between their w.
     pub basis: [f64; 3],
     /// Angle of the rotation about a single axis that takes one basis to the other (L. Euler 1775).
     pub turn: f64,
-    /// Angle, in (-180, 180], by which this camera is rolled about its view, as by [`Camera::swung`],
-    /// from the camera that looks the same way and is held level by the other's up. `None` where the
-    /// other's up is parallel to this view.
+    /// The roll of this camera about its view ([`Camera::swung`]), in (-180, 180], relative to a camera
+    /// that looks in the same direction but is held level by the other camera's up. `None` if the other
+    /// camera's up is parallel to this view.
     pub roll: Option<f64>,
     /// This viewport's distance minus the other's.
     pub distance: f64,
@@ -32,18 +32,18 @@ pub struct CameraDifference {
 }
 
 impl Camera {
-    /// Returns the difference of this camera from another one.
+    /// Returns the difference between this camera and another one.
     ///
     /// ```text
     /// turn = atan2(|u' x u + v' x v + w' x w|, u' . u + v' . v + w' . w - 1)
     /// roll = atan2(-v . u'', v . v'')       u'', v'': this view with the other's up
     /// ```
     ///
-    /// The arguments of the first `atan2` are `2 sin(turn)` and `2 cos(turn)` of the rotation's matrix,
-    /// which keep the digits of small turns and of turns near 180 degrees.
+    /// The arguments of the first `atan2` are `2 sin(turn)` and `2 cos(turn)`, taken from the rotation's
+    /// matrix. They are accurate even for small turns and for turns near 180 degrees.
     ///
     /// # Errors
-    /// Returns an error if one of the two has no basis.
+    /// Returns an error if either camera has no basis.
     pub fn difference_from(&self, other: &Camera) -> Result<CameraDifference, BasisError> {
         let (here, there) = (self.basis()?, other.basis()?);
         let pairs = [(here.u, there.u), (here.v, there.v), (here.w, there.w)];

@@ -1,4 +1,4 @@
-//! A camera's basis in double-double, with a bound of its error, and in exact numbers.
+//! A camera's basis in double-double, with an error bound, and in exact numbers.
 
 use glam::DVec3;
 
@@ -19,7 +19,7 @@ pub(crate) struct FineBasis {
     pub(crate) doubt: f64,
 }
 
-/// A view direction in the form in which it was given, because `at - eye` may have more digits than
+/// A view direction as it was given. The form is kept because `at - eye` may have more digits than
 /// `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewGiven {
@@ -39,7 +39,7 @@ impl ViewGiven {
         (std::array::from_fn(|i| DoubleDouble { hi: view[i], lo: rest[i] }), k)
     }
 
-    /// Returns the direction rounded to `f64`, or a quarter of it if the direction overflows.
+    /// Returns the direction rounded to `f64`, or a quarter of it if the whole would overflow.
     pub(crate) fn rounded(&self) -> DVec3 {
         DVec3::from_array(self.fine().0.map(DoubleDouble::near))
     }
@@ -52,7 +52,7 @@ impl ViewGiven {
     }
 }
 
-/// The exact parts of a basis from view and up: with `f` the view and `R = f x up`,
+/// The exact parts of a basis computed from view and up. With `f` the view and `R = f x up`,
 /// `w = -f / sqrt A`, `u = R / sqrt B` and `v = w x u = (R x f) / sqrt(A B)`, where `A = |f|^2` and
 /// `B = |R|^2`.
 #[derive(Clone, Debug)]
@@ -74,17 +74,17 @@ impl BigBasis {
     }
 }
 
-/// The sine of the smallest angle between view and up at which double-double suffices: 2^-20, about
-/// 1e-6 rad. At that angle, `R = f x up` still has 9 digits more than rounding it to `f64` needs.
-/// Exact numbers take microseconds.
+/// The sine of the smallest angle between view and up for which double-double suffices: 2^-20, about
+/// 1e-6 rad. At that angle, `R = f x up` still has 9 digits more than are needed to round it to `f64`.
+/// Below it, exact numbers are used, which takes microseconds.
 const LEAST_SINE: f64 = 1.0 / (1 << 20) as f64;
 
 impl FineBasis {
     /// Computes the basis from a view direction and up, neither of which is zero. Returns `None` if
     /// up is exactly parallel to the view.
     ///
-    /// With f the view, `R = f x up` in double-double has an error of up to `CROSS |f| |up|`. If R
-    /// is much shorter than `|f| |up|`, exact numbers are used instead, so that the result is as
+    /// With f the view, `R = f x up` in double-double has an error of up to `CROSS |f| |up|`. If R is
+    /// much shorter than `|f| |up|`, exact numbers are used instead, so that the result is equally
     /// accurate at every angle.
     pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let (f, _) = scaled(view.fine().0);
@@ -100,8 +100,8 @@ impl FineBasis {
             v.map(|x| x / length)
         };
         let (u, w) = (fine_unit(right), fine_unit(f).map(|x| -x));
-        // u and w have half a dot product's error, a root's and a quotient's; u R's besides; v has
-        // both and a cross product's.
+        // The errors of u and w are half a dot product's, a root's and a quotient's; u also has R's; v
+        // has those of u and w, and a cross product's.
         type T = DoubleDouble;
         let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
         let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);
@@ -140,14 +140,14 @@ impl FineBasis {
     /// Returns the basis in `f64`. Each coordinate is rounded once, so the error of a vector is at
     /// most 1e-16.
     pub(crate) fn rounded(&self) -> Basis {
-        // Added to 0, a negative zero is 0, which readers expect to see.
+        // Adding 0 turns a negative zero into 0, which readers expect to see.
         let near = |v: Vector<DoubleDouble>| DVec3::from_array(v.map(|x| x.hi + 0.0));
         Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
     }
 
-    /// Returns a bound of the error of a direction `x u + y v + z w`, relative to its length. Since
-    /// `|x| + |y| + |z|` is at most `sqrt 3` times the length, the bound is `sqrt 3` times the sum
-    /// of a vector's error and that of a dot product.
+    /// Returns an error bound of a direction `x u + y v + z w`, relative to its length. Since
+    /// `|x| + |y| + |z|` is at most `sqrt 3` times the length, the bound is `sqrt 3` times the sum of a
+    /// vector's error and that of a dot product.
     pub(crate) fn direction_doubt(&self) -> f64 {
         // A basis given by hand is orthonormal only within 1e-9, for which 1.74 leaves room.
         1.74 * (self.doubt + DoubleDouble::DOT)
@@ -159,16 +159,15 @@ impl FineBasis {
     }
 }
 
-/// Returns which coordinates of `a x b` are exactly 0 because both of their products are, given
-/// which coordinates of a and b are 0. Level cameras have such coordinates, and the rounded value 0
-/// does not show that a coordinate is exactly 0.
+/// Returns which coordinates of `a x b` are exactly 0 because both of their products are 0, given which
+/// coordinates of a and b are 0. Level cameras have such coordinates. A rounded value of 0 would not
+/// prove that a coordinate is exactly 0.
 fn zeros_of_cross(a: [bool; 3], b: [bool; 3]) -> [bool; 3] {
     [[1, 2], [2, 0], [0, 1]].map(|[j, k]| (a[j] || b[k]) && (a[k] || b[j]))
 }
 
-/// Returns `(|view x up|, view . up, |view| |up|)`, from which the angle between view and up
-/// follows; all three are in units of the same power of two. `|view x up|` is accurate however
-/// small it is.
+/// Returns `(|view x up|, view . up, |view| |up|)`, from which the angle between view and up follows.
+/// All three are in units of the same power of two. `|view x up|` is accurate even if it is tiny.
 pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =
@@ -180,7 +179,7 @@ pub(crate) fn angle_terms(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
         return (right, along, lengths);
     }
     let (square, k) = BigBasis::new(view, up).radicands.b.to_double_double();
-    // An even power of two goes through the root.
+    // The root of an even power of two is exact.
     let odd = k.rem_euclid(2);
     let right =
         ldexp(ldexp(square.hi, odd).sqrt(), (k - odd) / 2 - quartered - view_scale - up_scale);
@@ -201,11 +200,11 @@ pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
 
 /// Returns `v / sqrt square`, each coordinate rounded once.
 pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
-    // Added to 0, a negative zero is 0.
+    // Adding 0 turns a negative zero into 0.
     DVec3::from_array(over_root(v, square).map(|x| x.hi + 0.0))
 }
 
-/// A checked view direction and up, neither of them zero.
+/// A checked view direction and up vector, neither of which is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Aim {
     pub(crate) view: ViewGiven,
@@ -250,10 +249,10 @@ impl Basis {
     /// w = -view / |view|     u = up x w / |up x w|     v = w x u
     /// ```
     ///
-    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) No length of
-    /// `view` and `up` overflows or underflows, and an `up` close to `view` costs no accuracy: each
-    /// coordinate of u, v and w is the exact one, rounded, however small the angle. Whether up is
-    /// parallel to view is decided exactly.
+    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) `view` and `up`
+    /// may have any length without overflow or underflow. Each coordinate of u, v and w is the exact
+    /// one, rounded, however small the angle between `view` and `up`. Whether up is parallel to view is
+    /// decided exactly.
     ///
     /// # Errors
     /// Returns an error if a value is not finite, a vector is zero, or up is parallel to view.

@@ -20,19 +20,19 @@ use crate::camera::viewport::{ImageError, ImageSize, Viewport, ViewportError};
 use crate::exact::double_double::difference_with_rest;
 use crate::exact::scale::unit;
 
-/// The direction in which the camera looks and its up, given in one of three ways.
+/// The camera's view direction and up, given in one of three ways.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// Looks at the point `at`, level with respect to `up`.
+    /// The camera looks at the point `at` and is held level by `up`.
     At {
         /// The point in the middle of the image.
         at: DVec3,
         /// The vector that keeps the camera level. It need not be at right angles to the view, as v is.
         up: DVec3,
     },
-    /// Looks along `view`, level with respect to `up`.
+    /// The camera looks along `view` and is held level by `up`.
     View {
-        /// The direction the camera looks along, of any length.
+        /// The view direction, of any length.
         view: DVec3,
         /// The vector that keeps the camera level. It need not be at right angles to the view, as v is.
         up: DVec3,
@@ -52,8 +52,7 @@ pub enum OrientationKind {
     Basis,
 }
 
-/// A camera as it is given. Both the camera that is edited and the observer of the world view are
-/// of this type.
+/// A camera as it is given. Both the edited camera and the observer of the world view have this type.
 ///
 /// The fields may have any values while they are edited; [`Camera::resolve`] checks them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +67,7 @@ pub struct Camera {
     pub image: ImageSize,
 }
 
-/// Reason why a camera cannot be resolved.
+/// The reason why a camera cannot be resolved.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CameraError {
@@ -104,8 +103,8 @@ impl Camera {
         Ok(self.aim()?.1.rounded())
     }
 
-    /// Returns the view direction and up, or `None` if the basis is given, and the basis with all its
-    /// digits.
+    /// Returns the view direction and up (`None` if the basis is given by hand), and the basis in
+    /// double-double.
     fn aim(&self) -> Result<(Option<Aim>, FineBasis), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
@@ -120,9 +119,10 @@ impl Camera {
         Ok((Some(aim), aim.fine_basis()?))
     }
 
-    /// Returns the angle between up and the view direction, by `atan2(|up x view|, up . view)` (accurate
-    /// at both ends, where arc cosine is not), and the conditioning `|up| |view| / |up x view|`, at most
-    /// `f64::MAX`. The up of a basis given by hand is v: a right angle, conditioning 1.
+    /// Returns the angle between up and the view direction, `atan2(|up x view|, up . view)`, which
+    /// unlike the arc cosine is accurate near 0 and pi; and the conditioning
+    /// `|up| |view| / |up x view|`, capped at `f64::MAX`. The up of a basis given by hand is v, so the
+    /// angle is a right angle and the conditioning is 1.
     ///
     /// # Errors
     /// Returns an error if the camera has no basis.
@@ -135,8 +135,8 @@ impl Camera {
         Ok(UpAngle { angle: right.atan2(along), conditioning })
     }
 
-    /// Returns the direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where
-    /// it overflows), or `-w`.
+    /// Returns the view direction as given: `view`, `at - eye` (a quarter of it if it would overflow),
+    /// or `-w`.
     pub fn view(&self) -> DVec3 {
         match self.orientation {
             Orientation::At { at, .. } => difference_with_rest(at, self.eye).0,
@@ -153,7 +153,7 @@ impl Camera {
         }
     }
 
-    /// Checks the camera and returns it with everything that its view rays need.
+    /// Checks the camera, and returns it with its basis, ready for view rays.
     ///
     /// # Errors
     /// Returns an error if the camera has no basis or its viewport is not a rectangle in front of the
@@ -164,19 +164,19 @@ impl Camera {
         Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
-    /// Returns the same camera with its orientation given in another way.
+    /// Returns the same camera with its orientation given in the way `kind`.
     ///
-    /// The eye and up stay; the up of a basis is v. The new `at` is `eye + view`, or `eye - w` for
-    /// a basis. If rounding that sum would change the direction (for example, with the eye at
-    /// 1e12), `at` is the nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it. The
-    /// direction turns by at most [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by
-    /// that times the conditioning.
+    /// The eye and up are kept; the up of a basis is v. The new `at` is `eye + view`, or `eye - w` for a
+    /// basis. If rounding that sum would change the direction (for example, with the eye at 1e12), `at`
+    /// is the nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it. The direction changes by at
+    /// most [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by at most that times the
+    /// [conditioning](UpAngle::conditioning).
     ///
-    /// A camera without a basis is converted too, and has no basis afterwards.
+    /// A camera without a basis is converted, too; the result has no basis, either.
     ///
-    /// # Errors Returns an error if a camera without a basis is converted to a basis, or if the eye
-    /// is so far from the origin that no point in the direction of the view can be distinguished
-    /// from it.
+    /// # Errors
+    /// Returns an error if a camera without a basis is converted to a basis, or if the eye is so far
+    /// from the origin that no point in the direction of the view can be distinguished from it.
     pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
         let orientation = match (kind, self.orientation) {
             (kind, orientation) if kind == orientation.kind() => orientation,
@@ -189,8 +189,8 @@ impl Camera {
         Ok(Camera { orientation, ..*self })
     }
 
-    /// Maximum turn of the view direction by [`Camera::given_by`], in each coordinate
-    /// of the unit vector: 4 times the spacing of `f64` at 1.
+    /// Maximum change of the view direction by [`Camera::given_by`], in each coordinate of the unit
+    /// vector: 4 times the spacing of `f64` at 1.
     pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 }
 

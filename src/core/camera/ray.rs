@@ -1,5 +1,5 @@
-//! Rays in parametric form: with a direction in `f64`; and exact rays, as given or as a camera's view
-//! ray, whose direction no `f64` holds.
+//! Rays in parametric form: rays with a direction in `f64`, and exact rays. An exact ray is one as
+//! given, or a camera's view ray, whose exact direction does not fit into `f64`.
 
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -25,7 +25,7 @@ pub struct Ray {
     pub direction: DVec3,
 }
 
-/// Reason why numbers do not make a ray.
+/// The reason why a ray is invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum RayError {
@@ -43,8 +43,8 @@ pub enum RayError {
 }
 
 impl Ray {
-    /// Makes a checked ray. The arguments may be of any type that converts into [`DVec3`]: `[f64; 3]`,
-    /// `(f64, f64, f64)`. Convert `f32` numbers to `f64` first, which is exact.
+    /// Creates a ray and checks it. The arguments may be of any type that converts into [`DVec3`], such
+    /// as `[f64; 3]` or `(f64, f64, f64)`. Convert `f32` numbers to `f64` first, which is exact.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the direction is zero.
@@ -93,15 +93,15 @@ impl Ray {
     }
 }
 
-/// A ray on which every decision is what exact real arithmetic gives.
+/// A ray for which every decision equals that of exact real arithmetic.
 ///
-/// - For a [`Ray`], origin and direction are exact as given, to the bit ([`ExactRay::from_ray`]).
-/// - For a camera's view ray, eye, at (or view), up, viewport and image are exact as given: nothing in
-///   between is rounded, neither the basis nor (u, v) nor the direction
+/// - For a [`Ray`], origin and direction count as exact, to the bit ([`ExactRay::from_ray`]).
+/// - For a camera's view ray, eye, at (or view), up, viewport and image count as exact, and no
+///   intermediate result is rounded: neither the basis nor (u, v) nor the direction
 ///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
-/// The intersection code treats the two kinds alike: it uses the direction in double-double with a
-/// bound of its error and, where that does not suffice, the direction in exact numbers.
+/// The intersection code treats the two kinds alike: it uses the direction in double-double with an
+/// error bound and, if that does not suffice, the direction in exact numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactRay<'a> {
     origin: DVec3,
@@ -112,7 +112,8 @@ pub struct ExactRay<'a> {
     /// The direction, rounded to `f64`.
     pub(crate) rough: DirectionTerms<f64>,
     pub(crate) scale: i32,
-    /// A whole number that clears denominators: a pixel's (u, v) times `stretch` has none.
+    /// A whole number by which the direction is multiplied to clear denominators: a pixel's (u, v) times
+    /// `stretch` has none.
     pub(crate) stretch: f64,
 }
 
@@ -131,8 +132,7 @@ impl ResolvedCamera {
         ExactRay::from_view(self, Selection::Pixel(pixel))
     }
 
-    /// Returns the view ray through (u, v), for the numbers and the camera as given, with nothing
-    /// rounded.
+    /// Returns the view ray through (u, v), for (u, v) and the camera as given, with nothing rounded.
     ///
     /// # Errors
     /// Returns an error if u or v is not finite.
@@ -194,7 +194,7 @@ impl<'a> ExactRay<'a> {
         }
     }
 
-    /// Returns the direction of a ray that was given by one; `None` for a camera's view ray.
+    /// Returns the direction of a ray that was given by its direction; `None` for a camera's view ray.
     pub(crate) fn given_direction(&self) -> Option<DVec3> {
         match self.source {
             Source::Given(direction) => Some(direction),

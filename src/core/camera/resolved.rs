@@ -18,7 +18,8 @@ use crate::exact::surd::{Radicands, Surd};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ResolvedCamera {
     eye: DVec3,
-    /// The view direction and up that the basis was made of; `None` if the basis was given.
+    /// The view direction and up from which the basis was computed; `None` if the basis was given by
+    /// hand.
     aim: Option<Aim>,
     basis: Basis,
     fine_basis: FineBasis,
@@ -26,24 +27,25 @@ pub struct ResolvedCamera {
     image: ImageSize,
 }
 
-/// The pixel in which a (u, v) lies, and the edges on which it lies.
+/// The pixel in which a position (u, v) lies, and the edges between pixels on which it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelOfUv {
-    /// The pixel; for a (u, v) on an edge, the pixel to the right of the edge or below it (inside the
-    /// image).
+    /// The pixel. For a position on an edge, it is the pixel to the right of the edge or below it, if
+    /// that lies in the image.
     pub pixel: Pixel,
-    /// `k` where u is exactly on the edge between columns `k - 1` and `k` (0 and W are the image's own
-    /// edges); otherwise `None`.
+    /// `k` if u is exactly on the edge between columns `k - 1` and `k` (0 and W for the borders of the
+    /// image); otherwise `None`.
     pub column_edge: Option<u32>,
-    /// `k` where v is exactly on the edge between rows `k - 1` and `k`; otherwise `None`.
+    /// `k` if v is exactly on the edge between rows `k - 1` and `k` (0 and H for the borders of the
+    /// image); otherwise `None`.
     pub row_edge: Option<u32>,
 }
 
-/// The image of a point of the world in the viewport.
+/// The projection of a world point to the viewport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
-    /// The position where the line through eye and point meets the viewport's plane. Not finite where
-    /// the line is parallel to it (depth 0).
+    /// The position at which the line through the eye and the point meets the viewport's plane. It is
+    /// not finite if the line is parallel to the plane (depth 0).
     pub uv: DVec2,
     /// Distance of the point in front of the eye, along -w, in world units. It is negative for a
     /// point behind the eye, and infinite if it overflows.
@@ -58,13 +60,14 @@ impl Projection {
 }
 
 impl PixelOfUv {
-    /// Returns the pixel that contains the (u, v); `None` on an edge.
+    /// Returns the pixel that contains the position, or `None` if the position is on an edge between
+    /// pixels.
     pub fn only_pixel(&self) -> Option<Pixel> {
         (self.column_edge.is_none() && self.row_edge.is_none()).then_some(self.pixel)
     }
 
-    /// Returns the pixels that the (u, v) touches, row by row: one inside a pixel, two on an edge, four
-    /// on a corner; fewer at the image's border.
+    /// Returns the pixels that the position touches, row by row: one if it lies inside a pixel, two on
+    /// an edge, four at a corner, and fewer at the image's border.
     pub fn touching(&self, image: ImageSize) -> Vec<Pixel> {
         let around = |edge: Option<u32>, own: u32, count: u32| match edge {
             Some(k) => k.saturating_sub(1)..(k + 1).min(count),
@@ -78,7 +81,7 @@ impl PixelOfUv {
 }
 
 impl ResolvedCamera {
-    /// Makes the camera from parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
+    /// Creates the camera from parts that [`Camera::resolve`](crate::Camera::resolve) has checked.
     pub(crate) fn new(
         eye: DVec3,
         aim: Option<Aim>,
@@ -133,20 +136,22 @@ impl ResolvedCamera {
         self.viewport.height * ((h - 2.0 * i - 1.0) / (2.0 * h))
     }
 
-    /// Returns u of the edge between columns `k - 1` and `k`, `k` from 0 to W: `width * (k / W - 0.5)`.
+    /// Returns u of the edge between columns `k - 1` and `k`, for `k` from 0 to W:
+    /// `width * (k / W - 0.5)`.
     pub fn u_of_column_edge(&self, k: u32) -> f64 {
         let (k, w) = (f64::from(k), f64::from(self.image.width()));
         self.viewport.width * ((2.0 * k - w) / (2.0 * w))
     }
 
-    /// Returns v of the edge between rows `k - 1` and `k`, `k` from 0 to H: `height * (0.5 - k / H)`.
+    /// Returns v of the edge between rows `k - 1` and `k`, for `k` from 0 to H:
+    /// `height * (0.5 - k / H)`.
     pub fn v_of_row_edge(&self, k: u32) -> f64 {
         let (k, h) = (f64::from(k), f64::from(self.image.height()));
         self.viewport.height * ((h - 2.0 * k) / (2.0 * h))
     }
 
-    /// Returns the pixel in which (u, v) lies, and whether it lies exactly on an edge between pixels;
-    /// `None` outside the image.
+    /// Returns the pixel in which (u, v) lies, and whether it lies exactly on an edge between pixels.
+    /// Returns `None` if (u, v) is outside the image.
     ///
     /// "Exactly" means to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2
     /// is not a binary fraction, but a user who types 0.2 means the edge.
@@ -160,8 +165,8 @@ impl ResolvedCamera {
         Some(PixelOfUv { pixel: Pixel { row, column }, column_edge, row_edge })
     }
 
-    /// Returns the view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
-    /// normalized, so that `t = 1` is the viewport.
+    /// Returns the view ray through (u, v). Its origin is the eye, and its direction is
+    /// `u*U + v*V - distance*W`, not normalized, so that the viewport is at `t = 1`.
     pub fn ray(&self, uv: DVec2) -> Ray {
         let direction = self.column_term(uv.x) + self.row_term(uv.y);
         Ray { origin: self.eye, direction }
@@ -177,7 +182,7 @@ impl ResolvedCamera {
         &self.fine_basis
     }
 
-    /// Returns u, v and distance times the point's [stretch](Selection::stretch), each as a pair of
+    /// Returns u, v and the distance, each times the point's [stretch](Selection::stretch), as pairs of
     /// numbers whose product is the exact value.
     fn coordinates(&self, point: Selection) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
@@ -198,7 +203,8 @@ impl ResolvedCamera {
     /// Returns the view ray's direction times the point's stretch, in units of `2^k`, and k.
     pub(crate) fn fine_direction(&self, point: Selection) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
-        // The products count, not the width and height, which drop out at the picture's centre.
+        // The size of the products matters, not that of the width and height, which drop out at the
+        // picture's centre.
         let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
         let largest = coordinates.iter().map(size).fold(0.0, f64::max);
         let (_, k) =
@@ -216,7 +222,7 @@ impl ResolvedCamera {
         let part = |(x, n): (f64, f64), sign: f64, axis: Vector<DoubleDouble>| {
             let (k, n) = (if x == 0.0 { 0 } else { exponent(x) }, DoubleDouble::from(sign * n));
             let factor = DoubleDouble::from(ldexp(x, -k)) * n / stretch;
-            // Added to 0, a negative zero is 0.
+            // Adding 0 turns a negative zero into 0.
             DVec3::from_array(axis.map(|a| ldexp((factor * a).hi, k) + 0.0))
         };
         [part(along_u, 1.0, u), part(along_v, 1.0, v), part(along_w, -1.0, w)]
@@ -285,8 +291,9 @@ impl ResolvedCamera {
     }
 }
 
-/// Finds which of `count` cells across an `extent` a position lies in, and which edge it is on; `None`
-/// outside. `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
+/// Finds in which of `count` cells across an `extent` a position lies, and on which edge, if any.
+/// Returns `None` if the position is outside. `fraction` runs from 0 to 1 across the extent; `edge`
+/// returns the position of an edge.
 fn cell_of(
     position: f64,
     fraction: f64,

@@ -6,7 +6,7 @@ use crate::camera::ray::{ExactRay, RayError};
 use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
 use crate::camera::viewport::{ImageSize, Pixel, Viewport};
 
-/// The selected ray, given by a pixel, or by (u, v) if it passes through no pixel's centre.
+/// The selected view ray, given by a pixel or by a position (u, v) in the viewport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Selection {
     /// The ray through a pixel's centre.
@@ -23,8 +23,8 @@ impl Default for Selection {
 }
 
 impl Selection {
-    /// Returns the whole number that clears the denominators of (u, v): `2 W H` for a pixel, 1 for a
-    /// (u, v).
+    /// Returns the whole number that clears the denominators of the ray's (u, v): `2 W H` for a pixel, 1
+    /// if (u, v) itself is given.
     pub(crate) fn stretch(self, image: ImageSize) -> f64 {
         match self {
             Selection::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
@@ -32,7 +32,7 @@ impl Selection {
         }
     }
 
-    /// Returns the position where the selected ray passes through the viewport.
+    /// Returns the position at which the selected ray passes through the viewport.
     pub fn uv(self, camera: &ResolvedCamera) -> DVec2 {
         match self {
             Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
@@ -40,8 +40,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selected pixel, moved back into the image if necessary, or the pixel in which the selected
-    /// (u, v) lies. Returns `None` if the (u, v) is outside the image.
+    /// Returns the selected pixel, moved back into the image if necessary, or the pixel in which the
+    /// selected (u, v) lies. Returns `None` if that (u, v) is outside the image.
     pub fn pixel(self, camera: &ResolvedCamera) -> Option<Pixel> {
         match self.inside(camera.image()) {
             Selection::Pixel(pixel) => Some(pixel),
@@ -61,7 +61,7 @@ impl Selection {
         }
     }
 
-    /// Returns the selection with a pixel moved back into an image that may have shrunk.
+    /// Returns the selection, with a pixel outside the image, which may have shrunk, moved back into it.
     pub fn inside(self, image: ImageSize) -> Selection {
         match self {
             Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
@@ -88,8 +88,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection after the viewport was scaled. A selected (u, v) is scaled with the width
-    /// and height.
+    /// Returns the selection after a change of the viewport's size. A selected (u, v) is scaled with the
+    /// width and height.
     pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
         match self {
             Selection::Uv(uv) if before != now => {
@@ -101,15 +101,15 @@ impl Selection {
         }
     }
 
-    /// Returns the pixel `rows` down and `columns` to the right, for the arrow keys. From a (u, v), the
-    /// first step goes to the next pixel centre in its direction.
+    /// Returns the selection moved by `rows` down and `columns` to the right, for the arrow keys. From a
+    /// (u, v), the first step leads to the next pixel centre in that direction.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
         let (Pixel { row, column }, rows, columns) = match self {
             Selection::Pixel(pixel) => (pixel, rows, columns),
             Selection::Uv(uv) => {
                 let Some(PixelOfUv { pixel, .. }) = camera.pixel_of_uv(uv) else { return self };
                 let off = camera.uv_of_pixel(pixel) - uv;
-                // A step towards the centre of the pixel itself stops there.
+                // A step towards the centre of the current pixel stops there.
                 let beyond = |steps: i64, centre_is_ahead: bool| {
                     if centre_is_ahead { steps - steps.signum() } else { steps }
                 };

@@ -1,6 +1,6 @@
-//! The image plane. The viewport is the rectangle in front of the eye through which the view rays pass; the
-//! image is the grid of pixels into which it is divided. Computer vision writes both as K, the matrix of
-//! focal lengths and principal point.
+//! The image plane. The viewport is the rectangle in front of the eye through which the view rays pass;
+//! the image is the grid of pixels into which it is divided. Computer vision describes both by K, the
+//! matrix of focal lengths and principal point.
 
 use serde::Serialize;
 use thiserror::Error;
@@ -18,7 +18,7 @@ pub struct Viewport {
     pub distance: f64,
 }
 
-/// The error of a viewport measure that is not a positive, finite number.
+/// The error of a viewport's width, height or distance that is not a positive, finite number.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("viewport {field} is {}: it must be finite and greater than 0", shortest(*.value))]
 #[non_exhaustive]
@@ -59,53 +59,52 @@ impl Viewport {
     }
 
     /// Returns the viewport with this vertical field of view (radians), the same distance, and the same
-    /// ratio of width to height. Where there is no such ratio (a height of 0) the width stays.
+    /// ratio of width to height. If there is no such ratio (the height is 0), the width is kept.
     pub fn with_vertical_fov(&self, fov: f64) -> Viewport {
         let height = extent_of_fov(fov, self.distance);
         Viewport { width: in_proportion(self.width, self.height, height), height, ..*self }
     }
 
     /// Returns the viewport with this horizontal field of view (radians), the same distance, and the
-    /// same ratio of width to height. Where there is no such ratio (a width of 0) the height stays.
+    /// same ratio of width to height. If there is no such ratio (the width is 0), the height is kept.
     pub fn with_horizontal_fov(&self, fov: f64) -> Viewport {
         let width = extent_of_fov(fov, self.distance);
         Viewport { width, height: in_proportion(self.height, self.width, width), ..*self }
     }
 }
 
-/// Returns `x * new / old`, or `x` if that is not a positive, finite number.
+/// Returns `x * new / old`, or `x` if the result would not be a positive, finite number.
 fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
-    // x / old first: a square stays a square to the bit.
+    // x / old is computed first, so that a square viewport stays exactly square.
     let ratio = x / old;
     let scaled = if ratio.is_normal() { ratio * new } else { x * (new / old) };
     if scaled.is_finite() && scaled > 0.0 { scaled } else { x }
 }
 
-/// Returns `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width
-/// or height of the viewport. If both arguments are positive, the angle lies in `(0, pi)`, apart
-/// from rounding.
+/// Returns `2 atan(extent / (2 distance))`: the angle, in radians, that a width or height of the
+/// viewport subtends at the eye. If both arguments are positive, the angle lies in `(0, pi)`, apart from
+/// rounding.
 pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
     2.0 * (0.5 * extent).atan2(distance)
 }
 
-/// Returns `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
-/// under the angle `fov`, in radians, in `(0, pi)`.
+/// Returns `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that subtends the
+/// angle `fov` at the eye, in radians, in `(0, pi)`.
 ///
-/// For any other `fov` there is no viewport. The result is then 0, which [`Viewport::check`]
-/// refuses.
+/// For any other `fov` there is no viewport. The result is then 0, which [`Viewport::check`] rejects.
 pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
     let is_angle = fov > 0.0 && fov <= std::f64::consts::PI;
     if is_angle { 2.0 * (distance * (0.5 * fov).tan()) } else { 0.0 }
 }
 
-/// The image's width W and height H in pixels, 1 to [`ImageSize::MAX`] each.
+/// The image's width W and height H in pixels, each from 1 to [`ImageSize::MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ImageSize {
     width: u32,
     height: u32,
 }
 
-/// A pixel by row (0 on top) and column (0 at the left).
+/// A pixel, given by its row (0 at the top) and its column (0 at the left).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Pixel {
     /// Row, from 0 at the top to H - 1.
@@ -114,7 +113,7 @@ pub struct Pixel {
     pub column: u32,
 }
 
-/// The error of an image measure outside 1 to [`ImageSize::MAX`].
+/// The error of an image's width or height that is not between 1 and [`ImageSize::MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("image {field} is {value}: it must be 1 to {} pixels", ImageSize::MAX)]
 #[non_exhaustive]
@@ -129,7 +128,7 @@ impl ImageSize {
     /// The largest width and height of an image.
     pub const MAX: u32 = 16_384;
 
-    /// Makes the size of an image of `width` x `height` pixels.
+    /// Creates the size of an image of `width` x `height` pixels.
     ///
     /// # Errors
     /// Returns an error if the width or height is 0 or above [`ImageSize::MAX`].
@@ -137,9 +136,9 @@ impl ImageSize {
         ImageSize::within(ImageSize::MAX, width, height)
     }
 
-    /// Makes the size of an image of which at most [`ImageSize::MAX`] rows and columns are ever
-    /// traced. Its width and height may be up to four times as large as that; the margins of
-    /// `render/outline` allow for such sizes.
+    /// Creates the size of an image of which at most [`ImageSize::MAX`] rows and columns are ever
+    /// traced. Its width and height may be up to four times [`ImageSize::MAX`]; the error margins in
+    /// `render/outline` allow for that.
     #[doc(hidden)]
     pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         ImageSize::within(4 * ImageSize::MAX, width, height)
@@ -181,8 +180,8 @@ impl ImageSize {
     }
 }
 
-/// Focal lengths and principal point in pixels; x to the right, y *down*, from the image's upper left
-/// *corner*, so that pixel (row i, column j) has its centre at `(j + 0.5, i + 0.5)`.
+/// Focal lengths and principal point in pixels. x points to the right and y *down*, from the image's
+/// upper left *corner*, so that pixel (row i, column j) has its centre at `(j + 0.5, i + 0.5)`.
 ///
 /// ```text
 ///     fx  0 cx        x = fx X / Z + cx
@@ -190,8 +189,8 @@ impl ImageSize {
 ///      0  0  1
 /// ```
 ///
-/// (Hartley, Zisserman, *Multiple View Geometry*, 2nd ed., section 6.1, with y down.) Where pixel
-/// centres are whole numbers, as in OpenCV, cx and cy are a half less.
+/// (Hartley, Zisserman, *Multiple View Geometry*, 2nd ed., section 6.1, with y down.) If pixel centres
+/// are at whole numbers, as in OpenCV, cx and cy are smaller by 0.5.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
     /// Horizontal focal length in pixels, `distance W / width`.
@@ -222,7 +221,8 @@ impl Intrinsics {
         Viewport { width: distance * w / self.fx, height: distance * h / self.fy, distance }
     }
 
-    /// Returns how far the principal point lies to the right of and below the image's middle, in pixels.
+    /// Returns how far the principal point lies to the right of the image's middle and below it, in
+    /// pixels.
     pub fn off_centre(&self, image: ImageSize) -> [f64; 2] {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         [self.cx - 0.5 * w, self.cy - 0.5 * h]

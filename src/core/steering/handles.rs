@@ -1,4 +1,5 @@
-//! Drags of eye and at to a point of the world. Where the view comes close to up, up turns with it.
+//! Moves eye or at to a point of the world, as when a handle is dragged. If the view comes close to up,
+//! up turns with it.
 
 use std::f64::consts::PI;
 
@@ -11,7 +12,7 @@ use crate::camera::{Camera, Orientation};
 use crate::exact::scale::{angle_between, ldexp3, split, unit};
 use crate::steering::{CONE, SteerError, Steered, Turn, orthonormal, steady};
 
-/// The quantity that stays fixed when the eye is moved.
+/// What stays fixed when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Keep {
@@ -33,8 +34,9 @@ impl Keep {
 }
 
 impl Camera {
-    /// Returns the camera with its eye set to a point of the world, whether or not it has a basis then.
-    /// With [`Keep::View`], `at` moves with the eye; with [`Keep::At`], `view` still ends at the same point.
+    /// Returns the camera with its eye set to a point of the world. The result need not have a basis.
+    /// With [`Keep::View`], `at` moves with the eye; with [`Keep::At`], `view` still ends at the same
+    /// point.
     #[must_use]
     pub fn with_eye(&self, point: DVec3, keep: Keep) -> Camera {
         let by = point - self.eye;
@@ -46,8 +48,8 @@ impl Camera {
         Camera { eye: point, orientation, ..*self }
     }
 
-    /// Returns the camera with `at`, or the end of `view`, set to a point of the world, whether or not it has
-    /// a basis then. A camera whose basis is set by hand stays as it is.
+    /// Returns the camera with `at`, or the end of `view`, set to a point of the world. The result need
+    /// not have a basis. A camera whose basis is set by hand is returned unchanged.
     #[must_use]
     pub fn with_at(&self, point: DVec3) -> Camera {
         let orientation = match self.orientation {
@@ -58,18 +60,18 @@ impl Camera {
         Camera { orientation, ..*self }
     }
 
-    /// Returns the camera after a drag of its eye or at, which has set its fields as in `moved`; see
-    /// [`Camera::with_eye`] and [`Camera::with_at`].
+    /// Returns the camera after a drag of its eye or at. `moved` is the camera with the dragged field
+    /// already set, by [`Camera::with_eye`] or [`Camera::with_at`].
     ///
-    /// With [`Keep::At`], up turns with the view where the view comes close to up, and otherwise stays; a
-    /// basis set by hand makes the smallest turn that aims it at its [pivot](Camera::pivot) again. With
-    /// [`Keep::View`], the basis stays.
+    /// With [`Keep::At`], up turns with the view while the view is close to up, and otherwise stays. A
+    /// basis set by hand is turned by the smallest angle that aims it at its [pivot](Camera::pivot)
+    /// again. With [`Keep::View`], the basis stays.
     ///
-    /// A camera without a basis only gets the fields of `moved`, which may give it a basis.
+    /// If this camera has no basis, the result is `moved`, which may have one.
     ///
     /// # Errors
-    /// Returns an error if there is no basis afterwards (the eye is at the pivot), or if rounding would
-    /// turn the basis ([`SteerError::Unsteady`]).
+    /// Returns an error if the result would have no basis (because the eye is at the pivot), or if
+    /// rounding would turn the basis ([`SteerError::Unsteady`]).
     pub fn led_to(&self, moved: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let stays = |camera: Camera| Ok(Steered { camera, up_went_along: false });
         let Ok(basis) = self.basis() else {
@@ -100,7 +102,7 @@ impl Camera {
         Ok(Steered { camera, up_went_along: true })
     }
 
-    /// Returns the moved camera with its basis, set by hand, turned to look at this camera's pivot.
+    /// Returns the moved camera, whose basis is set by hand, turned to look at this camera's pivot.
     fn frame_led_to(&self, moved: Camera, basis: &Basis) -> Result<Camera, SteerError> {
         let view = (self.eye - moved.eye) - self.reach()? * basis.w;
         if !view.is_finite() {
@@ -116,11 +118,11 @@ impl Camera {
     }
 }
 
-/// Distance from the cone, in radians, within which a camera counts as on it, because of rounding.
+/// Allowance for rounding, in radians: a camera so close to the cone counts as on it.
 const SLACK: f64 = 1e-9;
 
-/// The path of a view from one direction to another along the great circle between them, as the view turns
-/// when eye or at moves on a straight line. All directions are of length 1.
+/// The path of a view from one direction to another, along the great circle between them. The view takes
+/// this path when eye or at moves in a straight line. All directions have length 1.
 struct Way {
     from: DVec3,
     /// The great circle's axis.
@@ -130,47 +132,47 @@ struct Way {
 }
 
 impl Way {
-    /// Makes the path between two directions; to the opposite direction it turns about v.
+    /// Creates the path between two directions. If they are opposite, the path turns about v.
     fn new(from: DVec3, to: DVec3, v: DVec3) -> Way {
         let across = from.cross(to);
         let axis = if across == DVec3::ZERO { unit(v) } else { unit(across) };
         Way { from, axis, turn: angle_between(from, to) }
     }
 
-    /// Returns a direction transported in parallel to a position on the path.
+    /// Returns a direction parallel-transported to a position on the path.
     fn carried(&self, direction: DVec3, arc: f64) -> DVec3 {
         Turn::about(self.axis, arc).turned(direction)
     }
 
-    /// Returns the direction in which the view turns at the beginning of the path.
+    /// Returns the direction in which the view moves at the beginning of the path.
     fn heading(&self) -> DVec3 {
         self.axis.cross(self.from)
     }
 }
 
-/// Returns the basis transported in parallel, by the smallest turn, to look along `to`.
+/// Returns the basis parallel-transported, by the smallest turn, to look along `to`.
 pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
     let way = Way::new(-frame.w, to, frame.v);
     Basis { w: -to, ..Turn::about(way.axis, way.turn).turned_frame(frame) }
 }
 
-/// Returns up, of length 1, and v after the view of a camera with this basis has turned to another
-/// direction, if up turns with the view; `None` if up stays. `angle` is the angle between up and the
-/// view.
+/// Returns up, of length 1, and v after the view of a camera with this basis has turned to the direction
+/// `to`. Returns `None` if up stays as it is. `angle` is the angle between up and the view at the start.
 ///
 /// On its path the view passes through up to three stretches:
 ///
-/// 1. From within the cone round up (or -up): v is carried in parallel. The angle to up stays where
-///    the view turns towards up, and grows where it turns away, as fast as it would if up stayed: with
-///    v carried along, its rate is the constant `-v . heading`. So a camera gets out of the cone
-///    again.
-/// 2. Outside: up stays. The view at `arc` is at the angle
+/// 1. Inside the cone around up (or -up): v is parallel-transported. The angle to up stays constant if
+///    the view turns towards up. If the view turns away, the angle grows as fast as it would if up
+///    stayed, at the constant rate `-v . heading`. So a camera can get out of the cone again.
+/// 2. Outside the cones: up stays. The view at `arc` is at the angle
 ///    `acos(a cos(arc) + b sin(arc)) = acos(A cos(arc - arc_0))` to up, which meets the cones' rims at
 ///    `arc_0 +- acos(cos(CONE) / A)`, and half a turn on.
-/// 3. From where the view enters a cone: up is carried in parallel, in front of the view, to the end.
+/// 3. From the point at which the view enters a cone to the end: up is parallel-transported ahead of the
+///    view.
 pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3, DVec3)> {
     let way = Way::new(-basis.w, to, basis.v);
-    // Of up and -up, the one nearer to the view; v points towards one and away from the other.
+    // The sign selects up or -up, whichever is nearer to the view; v points towards one and away from
+    // the other.
     let (sign, gap) = if angle <= 0.5 * PI { (1.0, angle) } else { (-1.0, PI - angle) };
     let up_at = |v: DVec3, gap: f64, view: DVec3| sign * gap.cos() * view + gap.sin() * v;
 

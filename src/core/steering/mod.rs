@@ -1,37 +1,40 @@
-//! Steers a camera: functions that return the camera after a drag, a turn of the wheel, or a key.
-//! The camera remains given in the same way (by at, by view, or by a basis).
+//! Steers a camera: functions that return the camera after a drag, a turn of the wheel, or a key press.
+//! The result is given in the same way as the camera: by at, by view, or by a basis.
 //!
-//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u, by the angles
-//!   of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
+//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`] rotate about up and u, like a turntable, by
+//!   the angles of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
 //!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag).
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
 //! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
-//!   [`Camera::scaled_picture`] is the d-lock.
-//! - *Handles*: [`Camera::led_to`], from the fields that [`Camera::with_eye`] or [`Camera::with_at`] sets.
-//! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) returns the point of the
-//!   world for a position in the observer's picture.
-//! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], given the size [`pixel_in_world`].
+//!   [`Camera::scaled_picture`] changes the distance without changing the picture.
+//! - *Handles*: [`Camera::led_to`], given the camera that [`Camera::with_eye`] or [`Camera::with_at`]
+//!   returns.
+//! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) converts a position in the
+//!   observer's picture to a point of the world.
+//! - *Readable numbers*: [`snapped`], [`nice_step`] and [`rounded_to`], for a pixel of the size
+//!   [`pixel_in_world`].
 //!
 //! A steered camera always has a basis; otherwise the function returns a typed error with the numbers.
 //! No result is NaN.
 //!
 //! # At the poles
 //!
-//! Where the view is parallel to up there is no basis, and close to up a small turn of the view is a
-//! large turn of v, by up to `1 / sin(angle)`. No rule can avoid such turns altogether: a v for every
-//! view direction is a field of tangents on the sphere, and such a field jumps somewhere (H. Poincaré
-//! 1885, L. E. J. Brouwer 1912: the hairy ball). Therefore:
+//! If the view is parallel to up, there is no basis. If it is close to up, a small turn of the view is a
+//! large turn of v, up to `1 / sin(angle)` times as large. No rule can avoid such turns altogether:
+//! choosing a v for every view direction is choosing a tangent vector at every point of the sphere,
+//! which cannot be done without a jump (H. Poincaré 1885, L. E. J. Brouwer 1912: the hairy ball).
+//! Therefore:
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.
-//! - Handles, which may be dragged anywhere, push up ahead of the view: within [`CONE`] of up or -up, up
-//!   turns with the view, so that v turns exactly as the view does (it is transported in parallel);
-//!   outside, up stays to the bit and v turns by at most `1 / sin(CONE)`, 11.5, times as much. So a small
-//!   drag is a small change, from any camera; and two drags from the same camera that end close together
-//!   may give different v if the path of one touched the cone and the path of the other did not.
+//! - Handles may be dragged anywhere. Within [`CONE`] of up or -up, the view pushes up ahead of it: v is
+//!   parallel-transported, so it turns exactly as much as the view. Outside, up stays to the bit, and v
+//!   turns at most `1 / sin(CONE) = 11.5` times as much as the view. So a small drag makes a small
+//!   change, from any camera. But two drags from the same camera that end close together may give
+//!   different v, if the path of one touched the cone and that of the other did not.
 //!
-//! Rounding of the result may turn the basis further, by at most [`ROUNDING_TURN`], and for cameras of
-//! everyday sizes by 1e-12. Where rounding would turn the basis by more (eye and at are much closer to
-//! each other than to the origin, or up is nearly parallel to the view), the functions return
+//! Rounding of the result may turn the basis further, by at most [`ROUNDING_TURN`]; for cameras of
+//! everyday sizes, by at most 1e-12. If it would turn the basis by more (because eye and at are much
+//! closer to each other than to the origin, or up is nearly parallel to the view), the functions return
 //! [`SteerError::Unsteady`].
 
 use glam::DVec3;
@@ -54,7 +57,8 @@ mod pointer;
 /// [`Camera::looked_round`] turn, in radians: 1 degree.
 pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
 
-/// The angle to up, or to -up, within which dragging a handle also turns up, in radians: 5 degrees.
+/// The angle between up, or -up, and the view within which dragging a handle also turns up, in radians:
+/// 5 degrees.
 pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 /// The maximum turn of u, v and w by rounding, in addition to the intended turn, in radians.
@@ -69,7 +73,7 @@ pub struct Steered {
     pub up_went_along: bool,
 }
 
-/// Reason why a camera cannot be steered, or a point cannot be dragged.
+/// The reason why a camera cannot be steered, or a point cannot be dragged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SteerError {
@@ -115,7 +119,7 @@ pub enum SteerError {
         /// The point's depth, 0 or negative.
         depth: f64,
     },
-    /// The axis of a drag points at the observer, or its plane is seen from its edge.
+    /// The axis of a drag points almost at the observer, or its plane is seen almost edge-on.
     #[error(
         "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
         .angle.to_degrees()
@@ -169,16 +173,16 @@ impl Turn {
     }
 }
 
-/// Returns the nearest basis with the same w: its vectors are unit and orthogonal but for one rounding
-/// of each coordinate.
+/// Returns the nearest orthonormal basis with the same w. Each coordinate is rounded once.
 fn orthonormal(basis: &Basis) -> Basis {
     let w = unit(basis.w);
     let u = unit(basis.v.cross(w));
-    // Added to 0, a negative zero is 0, which readers expect to see.
+    // Adding 0 turns a negative zero into 0, which readers expect to see.
     Basis { u: u + DVec3::ZERO, v: w.cross(u) + DVec3::ZERO, w: w + DVec3::ZERO }
 }
 
-/// Returns the camera if its basis equals `meant` but for rounding, or [`SteerError::Unsteady`].
+/// Returns the camera if its basis equals `meant` except for rounding; otherwise
+/// [`SteerError::Unsteady`].
 fn steady(camera: Camera, meant: &Basis) -> Result<Camera, SteerError> {
     let found = camera.basis()?;
     let turn = angle_between(found.v, meant.v).max(angle_between(found.w, meant.w));

@@ -1,5 +1,5 @@
-//! Moving the camera along its view, turning it round what it looks at or on the spot, and changing a
-//! single parameter: field of view, roll, up, or the viewport at another distance with the same picture.
+//! Moves the camera along its view, turns it around its pivot or on the spot, and changes single
+//! parameters: the field of view, the roll, up, or the distance of the viewport with the same picture.
 
 use std::f64::consts::PI;
 
@@ -15,21 +15,21 @@ use crate::steering::{
 };
 
 impl Camera {
-    /// Returns the camera with its eye moved along w; the basis stays. `forward` is in units of the
-    /// distance from the eye to the [pivot](Camera::pivot): positive moves towards the pivot, negative
-    /// away from the pivot.
+    /// Returns the camera with its eye moved along w and its basis unchanged. `forward` is in units of
+    /// the distance from the eye to the [pivot](Camera::pivot): positive moves towards the pivot,
+    /// negative away from the pivot.
     ///
     /// ```text
     /// by at:            eye' = at + e^(-forward) (eye - at)       at stays and is never reached
     /// by view, by hand: eye' = eye - forward |pivot - eye| w      the pivot moves along
     /// ```
     ///
-    /// A small step is the same in all three ways. Steps add up: moving forward by a and then by b moves
-    /// by a + b, and moving forward and back returns to the start, but for rounding.
+    /// A small step has the same effect in all three cases. Steps add up: apart from rounding, moving by
+    /// a and then by b equals moving by a + b, and moving forward and back returns to the start.
     ///
     /// # Errors
     /// Returns an error if `forward` is not finite, if there is no basis, if the eye overflows, or if
-    /// the eye has come so close to `at` that rounding makes the two points equal or turns the view
+    /// the eye comes so close to `at` that rounding makes the two points equal or turns the view
     /// ([`SteerError::Unsteady`]).
     pub fn dollied(&self, forward: f64) -> Result<Camera, SteerError> {
         check_finite("forward", forward)?;
@@ -51,12 +51,12 @@ impl Camera {
     }
 
     /// Returns the camera with its viewport's width and height multiplied by a factor, at the same
-    /// distance: the field of view opens (factor above 1) or closes, and eye and basis stay. Zooming by f
-    /// and then by 1/f restores the viewport but for rounding.
+    /// distance: the field of view becomes wider (factor above 1) or narrower, and eye and basis stay.
+    /// Apart from rounding, zooming by f and then by 1/f restores the viewport.
     ///
     /// # Errors
-    /// Returns an error if the factor is not positive and finite, or the viewport is invalid before or
-    /// after.
+    /// Returns an error if the factor is not positive and finite, or if the old or the new viewport is
+    /// invalid.
     pub fn zoomed(&self, factor: f64) -> Result<Camera, SteerError> {
         check_positive("factor", factor)?;
         let Viewport { width, height, distance } = self.viewport;
@@ -66,8 +66,9 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// Returns the point round which [`Camera::orbited`] turns: `at`; for a camera given by view,
-    /// `eye + view`; for a basis set by hand, the middle of the viewport, `eye - distance*w`.
+    /// Returns the pivot, the point around which [`Camera::orbited`] turns: `at` for a camera given by
+    /// at; `eye + view` for one given by view; the middle of the viewport, `eye - distance*w`, for a
+    /// basis set by hand.
     ///
     /// # Errors
     /// Returns an error if the camera has no basis, or if its basis is set by hand and its viewport is
@@ -86,17 +87,17 @@ impl Camera {
         }
     }
 
-    /// Returns the camera after it has orbited round its [pivot](Camera::pivot), by angles in radians. The
-    /// basis turns as in [`Camera::looked_round`], and the eye moves with it, so that the pivot stays where
-    /// it is in the picture. A positive yaw takes the eye to the camera's right, a positive pitch takes it
-    /// down.
+    /// Returns the camera after it has orbited around its [pivot](Camera::pivot), by angles in radians.
+    /// The basis turns as in [`Camera::looked_round`], and the eye moves with it, so that the pivot
+    /// stays where it is in the picture. A positive yaw moves the eye to the camera's right, a positive
+    /// pitch moves it down.
     ///
     /// ```text
     /// eye' = pivot + |eye - pivot| w'
     /// ```
     ///
-    /// `at` stays to the bit, and so do up and the length of `view`. The distance from eye to pivot stays
-    /// within 4 ulps, in addition to half an ulp in each of the eye's coordinates.
+    /// `at`, up and the length of `view` stay to the bit. The distance from eye to pivot changes by at
+    /// most 4 ulps, in addition to half an ulp in each of the eye's coordinates.
     ///
     /// # Errors
     /// Returns the errors of [`Camera::looked_round`], and an error if the eye's coordinates overflow.
@@ -126,14 +127,14 @@ impl Camera {
     /// ```
     ///
     /// Eye and up stay to the bit, so the camera stays level; `at` keeps its distance, and `view` its
-    /// length. The pitch stops [`POLE_GAP`] short of up and of -up; a camera that is already nearer may
-    /// stay there or move away, but not come nearer. v turns by at most `|yaw| + |pitch|`.
+    /// length. The pitch stops [`POLE_GAP`] short of up and of -up. A camera that is already nearer may
+    /// move away, but not come nearer. v turns by at most `|yaw| + |pitch|`.
     ///
-    /// A basis set by hand has no level and no pole: it is turned as a whole about the axis
+    /// A basis set by hand has no up to keep level and no poles: it is turned as a whole about the axis
     /// `pitch*u + yaw*v`, by `sqrt(pitch^2 + yaw^2)`, and made orthonormal.
     ///
-    /// Turning by `(yaw, pitch)` and then by `(-yaw, -pitch)` restores the camera but for rounding, unless
-    /// the pitch was stopped.
+    /// Turning by `(yaw, pitch)` and then by `(-yaw, -pitch)` restores the camera, apart from rounding,
+    /// unless the pitch was stopped.
     ///
     /// # Errors
     /// Returns an error if an angle is not finite, if there is no basis, or if rounding would turn the
@@ -171,7 +172,7 @@ impl Camera {
         }
     }
 
-    /// Returns u, v, w after yaw and pitch; `None` if both are 0, once pitch has been limited.
+    /// Returns u, v, w after yaw and the limited pitch; `None` if both are 0.
     fn turned(&self, yaw: f64, pitch: f64) -> Result<Option<Basis>, SteerError> {
         check_finite("yaw", yaw)?;
         check_finite("pitch", pitch)?;
@@ -194,8 +195,8 @@ impl Camera {
         Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).turned_frame(&pitched))))
     }
 
-    /// Returns the pitch, limited so that the view comes no nearer to a pole than [`POLE_GAP`], or no
-    /// nearer at all if it is already within the gap.
+    /// Returns the pitch, limited so that the view comes no nearer to a pole than [`POLE_GAP`] or, if it
+    /// is already nearer, not any nearer.
     fn pitch_short_of_poles(&self, pitch: f64) -> Result<f64, SteerError> {
         let angle = self.up_angle()?.angle;
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));
@@ -209,13 +210,13 @@ impl Camera {
     /// up = s V + k W     becomes     s (cos V - sin U) + k W
     /// ```
     ///
-    /// View and w stay to the bit; up's length and its angle to the view stay but for rounding, which
-    /// turns the camera by at most 5e-16 times the [conditioning](crate::UpAngle). A whole number of turns
-    /// changes nothing.
+    /// View and w stay to the bit. Up's length and its angle to the view stay, apart from rounding,
+    /// which turns the camera by at most 5e-16 times the [conditioning](crate::UpAngle). A whole number
+    /// of turns changes nothing.
     ///
     /// # Errors
-    /// Returns an error if the angle is not finite, or if there is no basis before or after (up would be
-    /// parallel to the view, within rounding).
+    /// Returns an error if the angle is not finite, if there is no basis, or if there would be none
+    /// afterwards because the rounded up would be parallel to the view.
     pub fn swung(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let basis = self.basis()?;
@@ -234,17 +235,17 @@ impl Camera {
     }
 
     /// Returns the camera with up turned towards the view, or away from it, until the angle between them
-    /// is `degrees`. Up moves in the plane of up and view and keeps its length, so that u, v and w stay
-    /// but for rounding, which turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
+    /// is `degrees`. Up moves in the plane of up and view and keeps its length. So u, v and w stay,
+    /// apart from rounding, which turns them by at most 5e-16 times the [conditioning](crate::UpAngle).
     ///
     /// ```text
     /// up = |up| (sin(angle) V - cos(angle) W)
     /// ```
     ///
     /// # Errors
-    /// Returns an error if the angle is not finite or not between 0 and 180 degrees (up would be
-    /// parallel to the view at either), or so close to 0 or 180 that the rounded up is parallel; or if
-    /// there is no basis before, or the basis is set by hand.
+    /// Returns an error if there is no basis, or if the basis is set by hand. Returns an error if the
+    /// angle is not finite or not between 0 and 180 degrees (at either of which up would be parallel to
+    /// the view), or is so close to 0 or 180 that the rounded up is parallel to the view.
     pub fn up_tilted(&self, degrees: f64) -> Result<Camera, SteerError> {
         let (sin, cos) = sin_cos_of_degrees(degrees)?;
         let Basis { v, w, .. } = self.basis()?;
@@ -259,11 +260,11 @@ impl Camera {
     /// scaled by the same factor. The picture stays the same, but every t is divided by the factor.
     ///
     /// # Errors
-    /// Returns an error if the viewport is invalid before or after.
+    /// Returns an error if the old or the new viewport is invalid.
     pub fn scaled_picture(&self, distance: f64) -> Result<Camera, ViewportError> {
         let old = self.viewport;
         old.check()?;
-        // x / old first: a width equal to the distance stays so, to the bit.
+        // x / old is computed first, so that a width equal to the distance stays exactly equal to it.
         let scaled = |x: f64| {
             let ratio = x / old.distance;
             if ratio.is_normal() { ratio * distance } else { x * (distance / old.distance) }
@@ -273,12 +274,12 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// Returns the camera with its picture scaled to match the measure of the viewport in which `edited`
-    /// differs from `before`; see [`Camera::scaled_picture`]. If several measures differ, the distance
-    /// takes precedence, then the width.
+    /// Returns the camera with its viewport scaled by [`Camera::scaled_picture`] so that it matches
+    /// `edited` in the width, height or distance in which that differs from `before`. If several of them
+    /// differ, the distance takes precedence, then the width.
     ///
     /// # Errors
-    /// Returns an error if the viewport is invalid before or after.
+    /// Returns an error if the old or the new viewport is invalid.
     pub fn picture_scaled_as(
         &self,
         before: &Viewport,
@@ -294,12 +295,12 @@ impl Camera {
         })
     }
 
-    /// Returns the camera with up changed. The change is made to up scaled to a length of about 1, so
-    /// that nothing overflows.
+    /// Returns the camera with up replaced by `change` of up. The change is applied to up scaled to a
+    /// length of about 1, so that nothing overflows.
     fn with_up(&self, change: impl Fn(DVec3) -> DVec3) -> Result<Camera, SteerError> {
         let changed = |up: DVec3| {
             let (up, k) = split(up);
-            // Added to 0, a negative zero is 0.
+            // Adding 0 turns a negative zero into 0.
             ldexp3(change(up), k) + DVec3::ZERO
         };
         let orientation = match self.orientation {
@@ -321,26 +322,27 @@ impl Viewport {
     /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)
     /// ```
     ///
-    /// The dragged point stays under the pointer exactly on the picture's middle lines (if the camera is
-    /// level), and nearly so elsewhere. The angles are not finite if the viewport is invalid.
+    /// If the camera is level, the dragged point stays exactly under the pointer on the picture's middle
+    /// row and middle column, and nearly so elsewhere. The angles are not finite if the viewport is
+    /// invalid.
     pub fn look_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
         let angle = |x: f64| x.atan2(self.distance);
         (angle(to.x) - angle(from.x), angle(from.y) - angle(to.y))
     }
 
-    /// Returns the yaw and pitch with which [`Camera::orbited`] follows a drag from one (u, v) to another:
-    /// half a turn for the viewport's height, so that the near side of the orbited objects follows the
-    /// pointer. The angles are not finite if the viewport is invalid.
+    /// Returns the yaw and pitch with which [`Camera::orbited`] follows a drag from one (u, v) to
+    /// another: a drag over the viewport's height is half a turn, so that the near side of the orbited
+    /// objects follows the pointer. The angles are not finite if the viewport is invalid.
     pub fn orbit_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
         let share = (to - from) / self.height;
         (-PI * share.x, PI * share.y)
     }
 }
 
-/// Returns sine and cosine of an angle in degrees, exact at whole quarters of a turn.
+/// Returns the sine and cosine of an angle in degrees. They are exact for multiples of 90 degrees.
 fn sin_cos_of_degrees(degrees: f64) -> Result<(f64, f64), SteerError> {
     check_finite("the angle", degrees)?;
-    // Reduced by the nearest quarter turn; the remainder is exact.
+    // The angle is reduced by the nearest quarter turn; the remainder is exact.
     let turn = degrees % 360.0;
     let quarters = (turn / 90.0).round();
     let (sin, cos) = (turn - 90.0 * quarters).to_radians().sin_cos();

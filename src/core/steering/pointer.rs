@@ -1,5 +1,5 @@
-//! Drags: converts the pointer's position in the observer's picture to a point of the world, and
-//! snaps or rounds numbers to what a pixel can resolve.
+//! Converts the pointer's position in the observer's picture to a point of the world, for drags, and
+//! snaps or rounds numbers to the resolution of a pixel.
 
 use glam::{DVec2, DVec3};
 
@@ -16,11 +16,11 @@ pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// the horizon of the axis or plane, the size of a pixel grows without bound.
 pub const FARTHEST: f64 = 1000.0;
 
-/// The line or plane along which a point is dragged. Vectors are directions in the world, of any
+/// The line or plane along which a point is dragged. Vectors are directions in world coordinates, of any
 /// length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DragAlong {
-    /// The plane through the anchor that is parallel to the observer's picture.
+    /// The plane through the anchor, the dragged point, that is parallel to the observer's picture.
     ViewPlane,
     /// The line through the anchor in the given direction, which must not be zero.
     Axis(DVec3),
@@ -29,16 +29,16 @@ pub enum DragAlong {
 }
 
 impl ResolvedCamera {
-    /// Returns the point of the world to which the pointer drags an anchor in this observer's picture,
-    /// from `begun_at` to `uv` in its viewport. Observer and anchor must not have moved since the drag
-    /// began.
+    /// Returns the point of the world to which a drag from `begun_at` to `uv`, in the viewport of this
+    /// observer, moves an anchor. `anchor` is its position at the start of the drag; the observer must
+    /// not have moved since then.
     ///
     /// The pointer keeps its distance from the anchor in the picture: a handle grabbed 3 pixels from its
     /// middle stays 3 pixels from the pointer. A drag back to the start restores the anchor to the bit.
     ///
-    /// With the anchor at `(x, y, -z)` in the observer's coordinates, its image at
-    /// `p = (x, y) distance / z`, the pointer's way `m = uv - begun_at`, and the ray
-    /// `r = (p + m, -distance)`:
+    /// Let `(x, y, -z)` be the anchor in the observer's coordinates, `p = (x, y) distance / z` its
+    /// image, `m = uv - begun_at` the pointer's movement, and `r = (p + m, -distance)` a ray. The result
+    /// is
     ///
     /// ```text
     /// view plane   anchor + (m.u U + m.v V) z / distance
@@ -47,18 +47,18 @@ impl ResolvedCamera {
     /// ```
     ///
     /// The image of `anchor + s a`, with `a = (a_x, a_y, -a_z)` of length 1, is
-    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line
-    /// along g, on which the nearest point is `l = m . g / |g|` away from p, and so
+    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`. This is a line
+    /// along g, on which the point nearest to `p + m` is `l = m . g / |g|` away from p. So
     ///
     /// ```text
     /// s = l z / (|g| z - l a_z)
     /// ```
     ///
-    /// Projected by the observer, the point is at the pointer, less the pointer's distance from the
-    /// handle (for an axis: nearest to that position), but for rounding.
+    /// Apart from rounding, the observer sees the result at the pointer's position, minus the pointer's
+    /// distance from the handle; for an axis, at the point of the axis nearest to that.
     ///
     /// # Errors
-    /// Returns an error if the anchor is not in front of the observer, or if the point would jump to
+    /// Returns an error if the anchor is not in front of the observer, or if the point would move to
     /// infinity.
     pub fn dragged(
         &self,
@@ -78,8 +78,8 @@ impl ResolvedCamera {
     }
 }
 
-/// Returns the size of a pixel of the observer's picture in the world at a point, in the plane parallel
-/// to the picture: `depth / distance * height / H`.
+/// Returns the size in the world of a pixel of the observer's picture, in the plane through a point that
+/// is parallel to the picture: `depth / distance * height / H`.
 ///
 /// # Errors
 /// Returns an error if the point is not in front of the observer.
@@ -92,7 +92,7 @@ pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, St
 /// An anchor in the observer's coordinates.
 struct ObserverAnchor<'a> {
     observer: &'a ResolvedCamera,
-    /// The anchor `(x, y, -z)`.
+    /// Position of the anchor in the observer's camera coordinates, `(x, y, -z)`.
     position: DVec3,
     /// The anchor's depth z.
     depth: f64,
@@ -126,11 +126,11 @@ impl ObserverAnchor<'_> {
         let sight = unit(self.position);
         let sine = sight.cross(a).length();
         check_angle(sine.atan2(sight.dot(a).abs()))?;
-        // g z / distance: the image of the axis at the anchor's depth, per unit length of the axis.
+        // g z / distance: the image of a unit length of the axis, scaled to the anchor's depth.
         let seen = a.truncate() + self.position.truncate() * (a.z / self.depth);
         let length = seen.length();
-        // l z / distance, in the world; 0 where the axis' image is a point, which the least angle
-        // excludes.
+        // l z / distance, in the world. It would be 0 if the image of the axis were a point, which the
+        // least angle excludes.
         let moved = way.dot(seen) / length * (self.depth / self.distance);
         let deeper = 1.0 + moved * a.z / (length * self.depth);
         if deeper * FARTHEST <= 1.0 {
@@ -140,7 +140,7 @@ impl ObserverAnchor<'_> {
     }
 
     fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, SteerError> {
-        // From the point at the anchor's depth along the ray to the plane.
+        // From the point of the ray at the anchor's depth, along the ray, to the plane.
         let beside = self.in_view_plane(way);
         let image = self.position.truncate() * (self.distance / self.depth) + way;
         let ray = self.observer.basis().to_world_from_camera(image.extend(-self.distance));
@@ -164,8 +164,8 @@ fn finite(field: &'static str, value: DVec3) -> Result<DVec3, SteerError> {
     if value.is_finite() { Ok(value) } else { Err(BasisError::NotFinite { field, value }.into()) }
 }
 
-/// Returns the multiple of `step` nearest to a value. For a decimal step such as 0.05 the result is the
-/// decimal itself (0.15, not 0.15000000000000002).
+/// Returns the multiple of `step` nearest to a value. For a decimal step such as 0.05, the result is the
+/// exact decimal (0.15, not 0.15000000000000002).
 ///
 /// ```
 /// use pinhole_core::steering::snapped;
@@ -184,15 +184,17 @@ pub fn snapped(value: f64, step: f64) -> Result<f64, SteerError> {
         // The step is finer than the value's last digit.
         return Ok(value);
     }
-    // A step that is 1 / n for a whole n: the quotient of two whole numbers is rounded once.
+    // If the step is 1 / n for a whole n, the result is a quotient of whole numbers, which is rounded
+    // once.
     let parts = (1.0 / step).round();
     let is_part = step < 1.0 && parts <= 1e22 && 1.0 / parts == step;
     // Added to 0, a negative zero is 0.
     Ok(if is_part { count / parts } else { count * step } + 0.0)
 }
 
-/// Returns the smallest of 1, 2, 5 times a power of ten that is not less than `at_least`. The result is
-/// a step for snapping if `at_least` is the size of some pixels in the world.
+/// Returns the smallest number of the form 1, 2 or 5 times a power of ten that is not less than
+/// `at_least`. If `at_least` is the size of a few pixels in the world, the result is a suitable step for
+/// snapping.
 ///
 /// ```
 /// use pinhole_core::steering::nice_step;
@@ -216,8 +218,8 @@ pub fn nice_step(at_least: f64) -> Result<f64, SteerError> {
 }
 
 /// Returns the decimal with the fewest digits that is within a tenth of a pixel of a value; of several
-/// such decimals, the one nearest to the value. `pixel` is the size of a pixel in the world at that
-/// place.
+/// such decimals, the one nearest to the value. `pixel` is the size of a pixel in the world there, see
+/// [`pixel_in_world`].
 ///
 /// ```
 /// use pinhole_core::steering::rounded_to;
