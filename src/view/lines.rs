@@ -497,11 +497,8 @@ impl PlaneView {
 
     /// Draws a cross where the lines meet, and writes the t of that point.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
-        let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
-            Substitution::new(lab.line(), lab.ray)
-        else {
-            return;
-        };
+        let substitution = Substitution::new(lab.line(), lab.ray);
+        let Ok(Substitution { meeting: Meeting::At(crossing), .. }) = substitution else { return };
         let at = self.to_screen(crossing.point);
         if !self.rect.contains(at) {
             return;

@@ -105,9 +105,8 @@ impl OpenScene {
             self.answer();
         }
         let session = &mut self.session;
-        let (Some(count), Some(derivation)) = (session.revealed_lines, derivation) else {
-            return is_asking;
-        };
+        let shown = session.revealed_lines.zip(derivation);
+        let Some((count, derivation)) = shown else { return is_asking };
         let all = derivation.lines_through(session.highlighted);
         let is_left = count < all;
         if is_left {
@@ -148,9 +147,8 @@ impl OpenScene {
 
     /// Resets everything to the state of the open step, if anything differs from it.
     pub(super) fn back_to_step(&mut self) -> Opened {
-        let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) else {
-            return Opened::default();
-        };
+        let open = self.lessons.open.clone().filter(|_| self.differs_from_step());
+        let Some(open) = open else { return Opened::default() };
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.is_asking);
         let revealed_lines = self.session.revealed_lines;
         apply::clear_answers(open.step(), &mut self.session);

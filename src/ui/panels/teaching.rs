@@ -73,18 +73,13 @@ struct Kept {
 impl Kept {
     /// Returns the stored state if `is_now` returns true for the last camera that the control made.
     /// Otherwise, the user has changed the camera elsewhere, and the returned state starts at `now`.
-    fn resume(
-        ctx: &Context,
-        name: &'static str,
-        is_now: impl Fn(&Camera) -> bool,
-        now: &Camera,
-    ) -> Kept {
+    fn resume(ctx: &Context, name: &str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ctx.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
     }
 
-    fn keep(self, ctx: &Context, name: &'static str) {
+    fn keep(self, ctx: &Context, name: &str) {
         ctx.data_mut(|data| data.insert_temp(Id::unique(name), self));
     }
 }

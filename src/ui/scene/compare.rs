@@ -71,9 +71,8 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
             turns(ui, against, style);
         }
     });
-    let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.resolved) else {
-        return;
-    };
+    let all = (against, ghost, &derived.resolved);
+    let (Some(against), Some(ghost), Some(now)) = all else { return };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;

@@ -152,13 +152,9 @@ impl Dragging {
     }
 
     /// Returns the world view as it was drawn last.
-    pub(super) fn world_view<'a>(
-        &self,
-        ctx: &Context,
-        shown: &'a Derived,
-    ) -> Option<WorldArea<'a>> {
+    pub(super) fn world_view<'a>(&self, ctx: &Context, now: &'a Derived) -> Option<WorldArea<'a>> {
         let (rect, id) = self.world?;
-        let observer = shown.world_frame.as_deref()?.camera();
+        let observer = now.world_frame.as_deref()?.camera();
         Some(WorldArea { rect, id, observer, scale: ctx.pixels_per_point() })
     }
 
@@ -247,9 +243,8 @@ impl Dragging {
             if orbits { Some(Grabbed::Orbit) } else { looks.then_some(Grabbed::Look) }
         });
         let origin = ctx.input(|i| i.pointer.press_origin());
-        let (Some(grabbed), Some(at), Ok(_), true) =
-            (grabbed, origin, document.camera.resolve(), response.is_pointer_button_down_on())
-        else {
+        let (camera, is_down) = (document.camera.resolve(), response.is_pointer_button_down_on());
+        let (Some(grabbed), Some(at), Ok(_), true) = (grabbed, origin, camera, is_down) else {
             return;
         };
         let before = HandleValues::read(document, session.selection, None);

@@ -245,7 +245,7 @@ impl Dragging {
             self.show_handle_text(ui, &view, document, session);
         }
         if let Some(view) = self.camera {
-            self.show_step_text(ui, view, document, session);
+            self.show_step(ui, view, document, session);
         }
     }
 
@@ -297,13 +297,7 @@ impl Dragging {
             || self.recent.as_ref().is_some_and(|recent| recent.is_shown(time))
     }
 
-    fn show_step_text(
-        &self,
-        ui: &Ui,
-        (rect, id): (Rect, Id),
-        document: &Document,
-        session: &Session,
-    ) {
+    fn show_step(&self, ui: &Ui, (rect, id): (Rect, Id), document: &Document, session: &Session) {
         let time = ui.input(|i| i.time);
         let recent = self.recent.as_ref().filter(|recent| recent.is_shown(time));
         if let Some(recent) = recent {

@@ -71,9 +71,8 @@ fn given_line(
 /// Returns the line that derives w. If there is no w, the line's note says why.
 fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<DerivedLine> {
     let formula = equation(W, normalize(negative(VIEW)));
-    let (Some(view), Some(backwards), Some(w)) =
-        (derivation.view, derivation.backwards, derivation.w)
-    else {
+    let vectors = (derivation.view, derivation.backwards, derivation.w);
+    let (Some(view), Some(backwards), Some(w)) = vectors else {
         return Some(failed(Concept::W, formula, derivation.basis.err()));
     };
     let quotient = quotient(backwards, view.length, numbers);

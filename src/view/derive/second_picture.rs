@@ -385,9 +385,8 @@ fn of_answers(
             _ => Vec::new(),
         };
     }
-    let (Some(worst), Some(pixel)) = (&graded.grade.worst, graded.worst_pixel()) else {
-        return Vec::new();
-    };
+    let worst = graded.grade.worst.as_ref().zip(graded.worst_pixel());
+    let Some((worst, pixel)) = worst else { return Vec::new() };
     let ray = camera.ray_of_pixel(pixel);
     let mut marks = yours(graded, worst.index, &ray, scene);
     if !marks.is_empty() {
@@ -407,9 +406,8 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
 fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {
-            let Ok(ray) = Ray::new(rays[index].origin.value, rays[index].direction.value) else {
-                return Vec::new();
-            };
+            let ray = Ray::new(rays[index].origin.value, rays[index].direction.value);
+            let Ok(ray) = ray else { return Vec::new() };
             let t = scene.first_hit(&ray).map(|hit| hit.t);
             return vec![AnswerMark::yours(MarkShape::Ray(ray, t), "your ray")];
         }

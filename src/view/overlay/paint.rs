@@ -47,9 +47,8 @@ impl Fills {
             before(top, dots);
             // egui and tiny-skia use the same layout: four bytes per dot, premultiplied.
             let bytes = bytemuck::cast_slice_mut(dots);
-            let Some(mut band) = PixmapMut::from_bytes(bytes, width as u32, height as u32) else {
-                return;
-            };
+            let band = PixmapMut::from_bytes(bytes, width as u32, height as u32);
+            let Some(mut band) = band else { return };
             let (above, below) = (top as f32, (top + height) as f32);
             let moved = Transform::from_translate(0.0, -above);
             for (path, paint) in &self.0 {

@@ -147,9 +147,8 @@ impl Sketch<'_> {
         let viewport = resolved.viewport();
         let (w, h) = (viewport.width, viewport.height);
         let side = w.min(h);
-        let Some(dots) = self.screen.dots_per_unit(resolved.viewport_point(DVec2::ZERO)) else {
-            return;
-        };
+        let middle = resolved.viewport_point(DVec2::ZERO);
+        let Some(dots) = self.screen.dots_per_unit(middle) else { return };
         let points = dots * side / self.screen.scale;
         let size = (0.09 * points).clamp(8.0, 22.0) / points * side;
         if !size.is_finite() {
@@ -246,10 +245,8 @@ impl Sketch<'_> {
     /// Draws the view and up vectors that the user gives. A camera given by its basis has neither.
     fn given(&mut self, arrow: f64) {
         let view = self.view;
-        let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
-        else {
-            return;
-        };
+        let given = view.camera.orientation;
+        let (Orientation::At { up, .. } | Orientation::View { up, .. }) = given else { return };
         let color = self.colors.given;
         let eye = view.camera.eye;
         let vectors = [

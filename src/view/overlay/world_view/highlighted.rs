@@ -205,9 +205,8 @@ impl Sketch<'_> {
         pen: LineStyle,
         (names, colors): ([&str; 3], [Color32; 3]),
     ) {
-        let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
-            return;
-        };
+        let vectors = (unit(cross.first.vector), unit(cross.second.vector));
+        let (Some(a), Some(b)) = vectors else { return };
         let first = cross.first.length;
         let length = if (0.4..=2.0).contains(&first) { first } else { 1.0 };
         let (a, b) = (arrow * length * a, arrow * b);

@@ -431,10 +431,8 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
                 && leader(&request, center, half, scale)
                     .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
         };
-        let Some(center) = best_position(&request, half, f64::from(scale), &obstacles, &free)
-        else {
-            continue;
-        };
+        let center = best_position(&request, half, f64::from(scale), &obstacles, &free);
+        let Some(center) = center else { continue };
         if let Some(ends) = leader(&request, center, half, scale) {
             let shape = Shape::Line { points: ends.map(dot).to_vec(), width: scale };
             let pen = LineStyle::new(request.label.item, request.label.color, 1.0);
