@@ -52,7 +52,11 @@ pub struct WindowArguments {
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
     /// List the built-in scenes, a line each
-    Scenes(ScenesArguments),
+    Scenes {
+        /// Print one JSON object
+        #[arg(long)]
+        json: bool,
+    },
     /// Show one ray: its camera, its numbers, and everything it hits
     Inspect(InspectArguments),
     /// Write the picture as PNG
@@ -78,22 +82,10 @@ pub enum Command {
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
     /// Print the script with which a shell completes commands, options and scenes
-    Completions(CompletionsArguments),
-}
-
-/// `pinhole scenes`
-#[derive(Args, Clone, Copy, Debug)]
-pub struct ScenesArguments {
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// `pinhole completions`
-#[derive(Args, Clone, Copy, Debug)]
-pub struct CompletionsArguments {
-    /// The shell
-    pub shell: Shell,
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
 }
 
 /// A shell that completes what is typed.

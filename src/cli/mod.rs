@@ -24,7 +24,7 @@ use serde_json::json;
 pub use self::arguments::mistyped;
 pub use self::console::{CommandError, exit_code, print};
 use self::console::{to_json, to_stdout};
-use crate::cli::arguments::{Command, ScenesArguments, Shell};
+use crate::cli::arguments::{Command, Shell};
 
 /// Runs a command.
 ///
@@ -32,7 +32,7 @@ use crate::cli::arguments::{Command, ScenesArguments, Shell};
 /// Returns the reason if the command fails.
 pub fn run(command: &Command) -> Result<(), CommandError> {
     match command {
-        Command::Scenes(arguments) => list_scenes(arguments),
+        Command::Scenes { json } => list_scenes(*json),
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
@@ -44,7 +44,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => other_programs::export(arguments),
         Command::Import(arguments) => other_programs::import(arguments),
-        Command::Completions(arguments) => complete(arguments.shell),
+        Command::Completions { shell } => complete(*shell),
     }
 }
 
@@ -59,9 +59,9 @@ fn complete(shell: Shell) -> Result<(), CommandError> {
 }
 
 /// `pinhole scenes`: lists the built-in scenes, one per line.
-fn list_scenes(arguments: &ScenesArguments) -> Result<(), CommandError> {
+fn list_scenes(json: bool) -> Result<(), CommandError> {
     let scenes = BuiltinScene::all();
-    if arguments.json {
+    if json {
         let listed = |scene: &BuiltinScene| json!({"name": scene.name, "summary": scene.summary()});
         let text = to_json(&json!({"scenes": scenes.iter().map(listed).collect::<Vec<_>>()}))?;
         return to_stdout(|out| out.write_all(text.as_bytes()));

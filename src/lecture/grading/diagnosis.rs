@@ -77,9 +77,6 @@ pub(super) trait Fits: Sync {
         false
     }
 
-    /// Returns the data with which the answers are compared.
-    fn context(&self) -> &GradingContext<'_>;
-
     /// Returns the error of an answer, in the units of the tolerance.
     fn error(&self, index: usize) -> f64;
 

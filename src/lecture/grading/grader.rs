@@ -102,8 +102,9 @@ impl<'a> Grader<'a> {
     }
 
     fn graded_as_given(&self) -> Grade {
-        let grade = match self.held(self.answers, self.digits) {
-            Ok(held) => self.graded(&*held),
+        let right = self.given.camera_of(Pipeline::RIGHT);
+        let grade = match self.held(self.answers, right, self.digits) {
+            Ok(held) => self.graded(&*held, &right),
             Err(pixels) => return self.picture(pixels),
         };
         // With few digits, pairs of mistakes may fit by chance, and `f32` cannot be recognised.
@@ -114,9 +115,9 @@ impl<'a> Grader<'a> {
             _ => 3,
         };
         let Some((answers, digits)) = self.few_digits() else { return grade };
-        let Ok(held) = self.held(&answers, 1.0) else { return grade };
+        let Ok(held) = self.held(&answers, right, 1.0) else { return grade };
         let right_digits = Some(digits);
-        if digits >= least && self.judged(&*held).iter().all(|judged| judged.is_right) {
+        if digits >= least && self.judged(&*held, &right).iter().all(|judged| judged.is_right) {
             return Grade { right_digits, diagnosis: Diagnosis::default(), ..grade };
         }
         if digits >= ENOUGH_FOR_MISTAKES {
@@ -143,9 +144,10 @@ impl<'a> Grader<'a> {
     fn held<'b>(
         &'b self,
         answers: &'b Answers,
+        right: PipelineCamera,
         digits: f64,
     ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
-        let context = self.context(self.given.camera_of(Pipeline::RIGHT), digits);
+        let context = self.context(right, digits);
         Ok(match answers {
             Answers::Basis(answers) => Box::new(Vectors { answers, context }),
             Answers::Rays(answers) => Box::new(Rays { answers, context }),
@@ -188,7 +190,7 @@ impl<'a> Grader<'a> {
                 right: &pictures[k],
                 context,
             };
-            Grade { shade: Some(fits.shade), ..self.graded(&fits) }
+            Grade { shade: Some(fits.shade), ..self.graded(&fits, &right) }
         };
         let mut best = grade(order[0]);
         for k in &order[1..] {
@@ -207,17 +209,17 @@ impl<'a> Grader<'a> {
 
     /// Returns the verdict on each answer. An answer is right if its error is within the tolerance, or
     /// if a program without mistakes may have given it.
-    fn judged(&self, answers: &dyn Fits) -> Vec<Judged> {
+    fn judged(&self, answers: &dyn Fits, right: &PipelineCamera) -> Vec<Judged> {
         let judged = |index| {
-            let (error, right) = (answers.error(index), &answers.context().right);
+            let error = answers.error(index);
             let is_right = error <= self.tolerance || answers.fits(right, index);
             Judged { is_right, error }
         };
         (0..answers.len()).into_par_iter().map(judged).collect()
     }
 
-    fn graded(&self, answers: &dyn Fits) -> Grade {
-        let judged = self.judged(answers);
+    fn graded(&self, answers: &dyn Fits, right: &PipelineCamera) -> Grade {
+        let judged = self.judged(answers, right);
         let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()

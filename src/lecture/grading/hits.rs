@@ -51,10 +51,6 @@ impl Fits for Hits<'_> {
             .any(|hit| hit.object != truth.object && self.is(camera, direction, hit, &given))
     }
 
-    fn context(&self) -> &GradingContext<'_> {
-        &self.context
-    }
-
     fn error(&self, index: usize) -> f64 {
         match self.context.has(self.answers[index].pixel) {
             true => error_of(self.answers[index].hit, self.first[index], self.context.right.eye),
@@ -213,10 +209,6 @@ impl Fits for Vectors<'_> {
         (value - wanted).abs().max_element() <= off
     }
 
-    fn context(&self) -> &GradingContext<'_> {
-        &self.context
-    }
-
     fn error(&self, index: usize) -> f64 {
         let PipelineCamera { u, v, w, .. } = self.context.right;
         length(self.answers[index].value - [u, v, w][index])
@@ -249,10 +241,6 @@ impl Fits for Rays<'_> {
         camera.answers_for(pixel)
             && turned(direction.value, wanted) <= tolerance + camera.off + rounding
             && (origin.value - camera.eye).abs().max_element() <= origin_off
-    }
-
-    fn context(&self) -> &GradingContext<'_> {
-        &self.context
     }
 
     fn error(&self, index: usize) -> f64 {

@@ -80,10 +80,6 @@ impl Fits for Picture<'_> {
         })
     }
 
-    fn context(&self) -> &GradingContext<'_> {
-        &self.context
-    }
-
     fn error(&self, index: usize) -> f64 {
         off(self.pixels[index], self.right[index])
     }
