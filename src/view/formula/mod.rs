@@ -1,7 +1,7 @@
 //! Formulas in the lecture's notation: a tree, its layout, and its text forms.
 //!
 //! - this file: the tree, without fonts and colours, and its form as a line of plain text for screen
-//! readers, the clipboard and tests;
+//!   readers, the clipboard and tests;
 //! - `latex`: the tree as LaTeX;
 //! - `layout`: the tree as positioned text and strokes, broken into lines of a given width.
 //!

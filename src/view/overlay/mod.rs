@@ -7,12 +7,12 @@
 //! formats it stays separate from the picture.
 //!
 //! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: highlights a concept on
-//! top of everything else.
+//!   top of everything else.
 //! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels;
-//! `style`: colours and text sizes.
+//!   `style`: colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: the inverse, from a dot to a point of a plane.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
-//! labels.
+//!   labels.
 //! - `layers`: occlusion, and areas filled dot by dot (planes, the picture on the viewport).
 
 use std::ops::Deref;
