@@ -1,4 +1,4 @@
-//! Cameras, and the rays of their pixels, computed from eye, at and up without rounding.
+//! Cameras and the rays of their pixels, computed from eye, at and up without rounding.
 //!
 //! With the view `Z` (which is `at - eye`), `U = Z x up`, `A = |U|^2` and `B = |Z|^2`, all exact, the
 //! basis is
@@ -7,16 +7,17 @@
 //! u = U / sqrt(A)      v = (U x Z) / sqrt(A B)      w = -Z / sqrt(B)
 //! ```
 //!
-//! because `up x w = (Z x up) / |Z|`, and `v = w x u = -(Z x U) / (|Z| |U|)`. The direction of the ray
-//! through (x, y) of the viewport, `x*u + y*v - distance*w`, times `sqrt(A B)` is
+//! because `up x w = (Z x up) / |Z|`, and `v = w x u = -(Z x U) / (|Z| |U|)`. The ray through the point
+//! (x, y) of the viewport has the direction `x*u + y*v - distance*w`, which, multiplied by `sqrt(A B)`,
+//! is
 //!
 //! ```text
 //! x sqrt(B) U  +  y (U x Z)  +  distance sqrt(A) Z
 //! ```
 //!
-//! a vector of numbers `p + q sqrt(A) + r sqrt(B)` that are exact. The factor changes no decision, and
-//! is divided out of `t`. (Basis: Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed.,
-//! section 4.3.)
+//! a vector of numbers `p + q sqrt(A) + r sqrt(B)` that are exact. The factor `sqrt(A B)` changes no
+//! decision, and `t` is corrected for it. (Basis: Marschner, Shirley, *Fundamentals of Computer
+//! Graphics*, 4th ed., section 4.3.)
 
 use crate::dyadic::{Dyadic, Vector, cross, dot, is_zero, minus, vector};
 use crate::object::Object;
@@ -27,27 +28,27 @@ use crate::trace::{Direction, Hit, SceneFromEye};
 /// The orientation of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// Looks at a point: the view is `at - eye`, not rounded.
+    /// Looks at a point: the view is `at - eye`, computed without rounding.
     At {
         /// The point at which the camera looks.
         at: [f64; 3],
-        /// Keeps the camera level.
+        /// The up vector, which determines the roll of the camera.
         up: [f64; 3],
     },
     /// Looks along a vector of any length.
     View {
         /// The vector along which the camera looks.
         view: [f64; 3],
-        /// Keeps the camera level.
+        /// The up vector, which determines the roll of the camera.
         up: [f64; 3],
     },
-    /// Uses the given vectors unchanged: neither normalized nor made orthogonal.
+    /// Uses these vectors unchanged, without normalizing them or making them orthogonal.
     Basis {
-        /// Right in the image.
+        /// The vector to the right in the image.
         u: [f64; 3],
-        /// Points up in the image.
+        /// The vector up in the image.
         v: [f64; 3],
-        /// Backwards.
+        /// The vector opposite to the view direction.
         w: [f64; 3],
     },
 }
@@ -65,11 +66,11 @@ pub enum Status {
     UpParallelToView,
 }
 
-/// A pinhole camera: its position, its orientation, its viewport in world units, and its image in
+/// A pinhole camera, with its position and orientation, its viewport in world units, and its image in
 /// pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// The point where all rays start.
+    /// The point at which all rays start.
     pub eye: [f64; 3],
     /// The orientation of the camera.
     pub orientation: Orientation,
@@ -85,7 +86,7 @@ pub struct Camera {
     pub rows: u32,
 }
 
-/// A camera's view of some objects, prepared for many rays. Threads can share a view.
+/// A camera's view of some objects, prepared for many rays. Threads can share it.
 #[derive(Debug)]
 pub struct View {
     basis: ScaledBasis,
@@ -93,7 +94,7 @@ pub struct View {
     scene: SceneFromEye,
 }
 
-/// A basis whose vectors are the true basis vectors times the same factor, `multiple`.
+/// A basis whose vectors are all multiplied by the same factor, `multiple`.
 #[derive(Debug)]
 struct ScaledBasis {
     field: Field,
@@ -103,7 +104,7 @@ struct ScaledBasis {
     multiple: Surd,
 }
 
-/// The position of `sqrt(A)`, `sqrt(B)` and `sqrt(A B)` in a [`Surd`].
+/// The indices of `sqrt(A)`, `sqrt(B)` and `sqrt(A B)` in a [`Surd`].
 const ROOT_A: usize = 1;
 const ROOT_B: usize = 2;
 const ROOT_AB: usize = 3;
@@ -141,7 +142,7 @@ impl ScaledBasis {
         })
     }
 
-    /// Returns the direction `(x*u + y*v - z*w) / share` for the given x, y and z.
+    /// Returns the direction `(x*u + y*v - z*w) / share`.
     fn direction(&self, [x, y, z]: &Vector, share: &Dyadic) -> Direction<'_> {
         let multiple = std::array::from_fn(|i| {
             self.u[i].scaled(x).plus(&self.v[i].scaled(y)).minus(&self.w[i].scaled(z))
@@ -150,11 +151,11 @@ impl ScaledBasis {
     }
 }
 
-/// Returns the basis u, v, w of a camera at `eye`, to 440 bits or more: `w = -view / |view|`, `u =
-/// up x w / |up x w|`, `v = w x u`.
+/// Returns the basis u, v, w of a camera at `eye` with at least 440 significant bits:
+/// `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`.
 ///
-/// # Errors
-/// Returns an error if there is no basis: exactly if `view`, `up` or `up x view` is 0.
+/// # Errors Returns an error if and only if there is no basis, because `view`, `up` or `up x view` is
+/// 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.
@@ -167,7 +168,7 @@ pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3],
 }
 
 impl Camera {
-    /// Prepares the numbers that many rays share.
+    /// Computes the values that are common to many rays.
     ///
     /// # Errors
     /// Returns an error if there is no basis.
@@ -179,8 +180,8 @@ impl Camera {
         Ok(View { basis, camera: *self, scene: SceneFromEye::new(objects, vector(self.eye)) })
     }
 
-    /// Returns the position of the pixel's centre in the viewport and the distance, all multiplied
-    /// by `2 rows columns`, and this factor:
+    /// Returns the position of the pixel's centre in the viewport, followed by the viewport's distance,
+    /// and the factor by which all of them are multiplied, `2 rows columns`:
     ///
     /// ```text
     /// x = width * ((column + 0.5) / columns - 0.5) = width * (2 column + 1 - columns) / (2 columns)
@@ -202,15 +203,16 @@ impl View {
         self.basis.direction(&position, &share)
     }
 
-    /// Finds the first hit of the ray through the pixel's centre, as [`crate::first_hit`] does;
-    /// `None` if the ray hits nothing. Rows and columns count from 0, with row 0 on top. The
-    /// direction is `x*u + y*v - distance*w`, not normalized, so `t = 1` is on the viewport.
+    /// Finds the first hit of the ray through the pixel's centre, as [`crate::first_hit`] does. Returns
+    /// `None` if the ray hits nothing. Rows and columns are counted from 0, with row 0 at the top. The
+    /// direction is `x*u + y*v - distance*w`, which is not normalized, so that `t = 1` is on the
+    /// viewport.
     pub fn first_hit_of_pixel(&self, row: u32, column: u32) -> Option<Hit> {
         self.scene.first_hit(&self.of_pixel(row, column))
     }
 
-    /// Finds the first hit as [`View::first_hit_of_pixel`] does, but through any point of the
-    /// viewport, given in world units from the viewport's centre.
+    /// Finds the first hit of the ray through any point of the viewport, as
+    /// [`View::first_hit_of_pixel`] does. The point is given in world units from the viewport's centre.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.
@@ -219,7 +221,7 @@ impl View {
         self.scene.first_hit(&self.basis.direction(&position, &Dyadic::power_of_two(0)))
     }
 
-    /// Returns all `t` at which the line of the pixel's ray meets the object with this index, as
+    /// Returns all `t` at which the line of the pixel's ray meets the object with index `object`, as
     /// [`crate::roots`] does.
     pub fn roots_of_pixel(&self, object: usize, row: u32, column: u32) -> Vec<Real> {
         self.scene.roots(object, &self.of_pixel(row, column))

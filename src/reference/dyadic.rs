@@ -6,20 +6,20 @@ use std::ops::{Add, Mul, Neg, Sub};
 use dashu_int::ops::{Abs, BitTest, SquareRootRem};
 use dashu_int::{IBig, Sign, UBig};
 
-/// The exact number `mantissa * 2^exponent`. The mantissa is odd, or the number is 0 with exponent
-/// 0, so equal numbers have equal parts.
+/// The exact number `mantissa * 2^exponent`. The mantissa is odd or, for the number 0, both parts are
+/// 0. Equal numbers therefore have equal parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Dyadic {
     mantissa: IBig,
     exponent: i64,
 }
 
-/// The direction in which a result that does not fit is rounded.
+/// The direction in which a result is rounded if it does not fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Toward {
-    /// The neighbour below: toward minus infinity.
+    /// To the next number below, towards minus infinity.
     Below,
-    /// The neighbour above: toward plus infinity.
+    /// To the next number above, towards plus infinity.
     Above,
 }
 
@@ -40,8 +40,9 @@ impl Dyadic {
         Dyadic { mantissa: IBig::ONE, exponent }
     }
 
-    /// # Panics
-    /// Panics if `x` is NaN or infinite.
+    /// Converts a finite `f64` exactly.
+    ///
+    /// # Panics Panics if `x` is NaN or infinite.
     pub(crate) fn from_f64(x: f64) -> Dyadic {
         assert!(x.is_finite(), "{x} is not a finite number");
         let bits = x.to_bits();
@@ -88,8 +89,8 @@ impl Dyadic {
         Some(self.exponent + self.length() as i64 - 1)
     }
 
-    /// Returns `floor(|self| / 2^unit)`, and how the remainder compares with half of `2^unit`;
-    /// `None` for the comparison if there is no remainder.
+    /// Returns `floor(|self| / 2^unit)`, and the comparison of the remainder with half of `2^unit`,
+    /// which is `None` if the remainder is 0.
     pub(crate) fn in_units(&self, unit: i64) -> (UBig, Option<Ordering>) {
         let magnitude = self.magnitude();
         let drop = unit - self.exponent;
@@ -98,7 +99,8 @@ impl Dyadic {
         }
         let drop = usize::try_from(drop).unwrap_or(usize::MAX);
         let whole = if drop > magnitude.bit_len() { UBig::ZERO } else { &magnitude >> drop };
-        // The mantissa is odd: what is left is half of the unit only where it is the last bit alone.
+        // The mantissa is odd, so the remainder is exactly half a unit only if a single bit was
+        // dropped.
         let half = match magnitude.bit(drop - 1) {
             false => Ordering::Less,
             true if drop == 1 => Ordering::Equal,
@@ -124,7 +126,7 @@ impl Dyadic {
         }
         let is_negative = self.mantissa.sign() == Sign::Negative;
         let mut magnitude = self.magnitude() >> drop as usize;
-        // The mantissa is odd, so that what was dropped is not 0.
+        // The mantissa is odd, so the dropped bits are not 0.
         if is_negative == (toward == Toward::Below) {
             magnitude += UBig::ONE;
         }
@@ -158,8 +160,8 @@ impl Dyadic {
     }
 }
 
-/// Returns `magnitude * 2^exponent`. If digits were cut off, a final bit is appended, which makes
-/// the result round as the full number does.
+/// Returns `magnitude * 2^exponent`. If the magnitude is not exact, because bits were cut off, a final
+/// 1 bit is appended, so that the result is rounded like the exact number.
 fn with_rest(magnitude: UBig, is_exact: bool, is_negative: bool, exponent: i64) -> Dyadic {
     if is_exact {
         return Dyadic::new(signed(magnitude, is_negative), exponent);
@@ -207,7 +209,7 @@ impl Mul for &Dyadic {
         if self.is_zero() || other.is_zero() {
             return Dyadic::ZERO;
         }
-        // Odd times odd is odd.
+        // The product of two odd mantissas is odd.
         Dyadic {
             mantissa: &self.mantissa * &other.mantissa,
             exponent: self.exponent + other.exponent,
@@ -228,7 +230,7 @@ impl Ord for Dyadic {
     }
 }
 
-/// Three coordinates.
+/// The coordinates of a vector or point.
 pub(crate) type Vector = [Dyadic; 3];
 
 pub(crate) fn vector(v: [f64; 3]) -> Vector {

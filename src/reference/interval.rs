@@ -1,10 +1,10 @@
-//! Numbers known only to lie between two bounds, for square roots.
+//! Intervals that contain a number that is not known exactly, such as a square root.
 
 use crate::dyadic::{Dyadic, Toward};
 use std::cmp::Ordering;
 
-/// All numbers from `low` to `high`. Each operation rounds its bounds outward to `bits` significant
-/// bits, to keep the true result inside (Moore, *Interval Analysis*, 1966).
+/// All numbers from `low` to `high`. Each operation rounds its bounds outwards to `bits` significant
+/// bits, so that the interval contains the true result (Moore, *Interval Analysis*, 1966).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Interval {
     pub(crate) low: Dyadic,
@@ -38,7 +38,7 @@ impl Interval {
         Interval { low: low.rounded(bits, Toward::Below), high: high.rounded(bits, Toward::Above) }
     }
 
-    /// Returns `self / divisor`; every number in the divisor must be positive.
+    /// Returns `self / divisor`. All numbers in the divisor must be positive.
     pub(crate) fn over(&self, divisor: &Interval, bits: usize) -> Interval {
         let farther = |x: &Dyadic, outward: Ordering| {
             if x.sign() == outward { &divisor.low } else { &divisor.high }
@@ -50,8 +50,8 @@ impl Interval {
         }
     }
 
-    /// Returns the square root of a number that is known to be nonnegative, even if the lower bound
-    /// is negative.
+    /// Returns the square root of a number that is known not to be negative, although the lower bound
+    /// may be.
     pub(crate) fn sqrt(&self, bits: usize) -> Interval {
         Interval {
             low: (&self.low).max(&Dyadic::ZERO).sqrt(bits, Toward::Below),
@@ -59,14 +59,14 @@ impl Interval {
         }
     }
 
-    /// Returns the sign shared by all numbers in the interval; `None` if their signs differ.
+    /// Returns the sign that all numbers in the interval have; `None` if their signs differ.
     pub(crate) fn sign(&self) -> Option<Ordering> {
         let sign = self.low.sign();
         (sign == self.high.sign() && (sign != Ordering::Equal || self.low == self.high))
             .then_some(sign)
     }
 
-    /// Returns true if the relative difference of any two numbers in the interval is at most
+    /// Returns true if any two numbers in the interval differ by a relative difference of at most
     /// `2^-bits`.
     pub(crate) fn is_narrow(&self, bits: i64) -> bool {
         if self.low == self.high {
@@ -79,8 +79,8 @@ impl Interval {
         width.zip(self.low.log2().min(self.high.log2())).is_some_and(|(w, x)| w < x - bits)
     }
 
-    /// Returns the number in the interval with the fewest bits. If the true number is short, such
-    /// as a `t` of 4 or 0.25, the result is exact even though square roots were taken.
+    /// Returns the number in the interval with the fewest bits. If the true number is short, such as a
+    /// `t` of 4 or 0.25, the result is exact although square roots were taken.
     pub(crate) fn shortest(&self) -> Dyadic {
         if self.low == self.high {
             return self.low.clone();

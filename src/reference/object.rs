@@ -1,4 +1,4 @@
-//! Spheres and planes, the quantities that all rays from one origin share, and the points where a
+//! Spheres and planes, the values that are common to all rays from one origin, and the points where a
 //! ray meets an object.
 
 use std::cmp::Ordering;
@@ -29,9 +29,9 @@ pub enum Object {
 }
 
 impl Object {
-    /// Returns the exact sign of the object's implicit function at `q`: `|q - center|^2 - radius^2`
-    /// is negative inside a sphere; `normal . (q - point)` is positive on the side that the normal
-    /// points to. The sign is 0 on the object.
+    /// Returns the exact sign of the object's implicit function at `q`, which is 0 on the object. For a
+    /// sphere, `|q - center|^2 - radius^2` is negative inside. For a plane, `normal . (q - point)` is
+    /// positive on the side to which the normal points.
     ///
     /// # Panics
     /// Panics if a number is NaN or infinite.
@@ -43,7 +43,7 @@ impl Object {
     }
 }
 
-/// An object, and the exact quantities that all rays from one origin share.
+/// An object, with the exact values that are common to all rays from one origin.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromEye {
     Sphere {
@@ -77,8 +77,8 @@ impl ObjectFromEye {
         }
     }
 
-    /// Finds all `t` at which the line from the origin along `direction` meets the object, in
-    /// ascending order; none if the direction is 0. `a` is `|direction|^2`.
+    /// Returns all `t` at which the line from the origin along `direction` meets the object, in
+    /// ascending order. `a` is `|direction|^2`. Returns none if the direction is 0.
     pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
         match self {
             ObjectFromEye::Sphere { from_center, c, .. } => {
@@ -97,7 +97,8 @@ impl ObjectFromEye {
         }
     }
 
-    /// Returns the unit normal at a root: outward on a sphere, along a plane's `normal` on a plane.
+    /// Returns the unit normal at a root. It points outwards on a sphere, and along `normal` on a
+    /// plane.
     pub(crate) fn normal(&self, root: &AtRoot) -> [Real; 3] {
         match self {
             ObjectFromEye::Sphere { from_center, radius, .. } => {
@@ -121,11 +122,12 @@ pub(crate) struct AtRoot<'a> {
     field: &'a Field,
     direction: &'a [Surd; 3],
     t: &'a Quotient,
-    /// An interval around `t`, precise enough for nearly all computations.
+    /// An interval around `t` that is precise enough for nearly all computations; `None` if there is
+    /// none.
     interval: Option<Interval>,
 }
 
-/// The level of effort of [`AtRoot::interval`].
+/// The level of effort for [`AtRoot::interval`]; see [`bits_of_level`].
 const LEVEL: usize = 1;
 
 impl<'a> AtRoot<'a> {

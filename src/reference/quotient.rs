@@ -1,4 +1,4 @@
-//! Roots of quadratics whose coefficients are [`Surd`]s: `(p + q sqrt(e)) / d`.
+//! Solutions of quadratic equations whose coefficients are [`Surd`]s: `(p + q sqrt(e)) / d`.
 
 use std::cmp::Ordering;
 
@@ -7,7 +7,7 @@ use crate::interval::Interval;
 use crate::real::Real;
 use crate::surd::{Field, Surd, bits_of_level, product, sign_of_sum};
 
-/// `(p + q sqrt(e)) / d` with `e >= 0` and `d > 0`.
+/// The number `(p + q sqrt(e)) / d`, with `e >= 0` and `d > 0`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Quotient {
     pub(crate) p: Surd,
@@ -16,7 +16,7 @@ pub(crate) struct Quotient {
     pub(crate) d: Surd,
 }
 
-/// Number of levels at which the sign of a sum of roots is tried by interval arithmetic.
+/// Number of levels of interval arithmetic that are tried to find the sign of a sum with roots.
 const SIGN_LEVELS: usize = 2;
 
 impl Quotient {
@@ -55,15 +55,15 @@ impl Quotient {
         sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
     }
 
-    /// Returns an interval around the number at a level of effort; `None` if this level does not
-    /// distinguish `d` from 0.
+    /// Returns an interval around the number at a level of effort (see [`bits_of_level`]). Returns
+    /// `None` if the level is too low to distinguish `d` from 0.
     pub(crate) fn interval(&self, field: &Field, level: usize) -> Option<Interval> {
         let d = field.interval(&self.d, level);
         (d.sign() == Some(Ordering::Greater))
             .then(|| self.numerator(field, level).over(&d, bits_of_level(level)))
     }
 
-    /// Returns the number to 440 significant bits or more.
+    /// Returns the number with at least 440 significant bits.
     pub(crate) fn value(&self, field: &Field) -> Real {
         let mut is_known_not_zero = false;
         for level in 1.. {
@@ -93,16 +93,16 @@ fn root_term(field: &Field, factor: &Surd, radicand: &Surd, level: usize) -> Int
     field.interval(factor, level).times(&field.interval(radicand, level).sqrt(bits), bits)
 }
 
-/// Returns the sign of `p + q sqrt(e)`, found by squaring: see [`crate::surd`].
+/// Returns the sign of `p + q sqrt(e)`, which is found by squaring; see [`crate::surd`].
 fn sign_with_root(field: &Field, p: &Surd, q: &Surd, e: &Surd) -> Ordering {
     sign_of_sum(field.sign(p), product(field.sign(q), field.sign(e)), || {
         field.sign(&field.square(p).minus(&field.times(&field.square(q), e)))
     })
 }
 
-/// Returns the sign of `p + q sqrt(e) + r sqrt(f)`. If `x = p + q sqrt(e)` and `y = r sqrt(f)` have
-/// opposite signs, the result is the sign of `x^2 - y^2 = (p^2 + q^2 e - r^2 f) + 2 p q sqrt(e)`,
-/// times the sign of x. This has one root less.
+/// Returns the sign of `p + q sqrt(e) + r sqrt(f)`. Let `x = p + q sqrt(e)` and `y = r sqrt(f)`. If
+/// they have opposite signs, the result is the sign of x times that of
+/// `x^2 - y^2 = (p^2 + q^2 e - r^2 f) + 2 p q sqrt(e)`, which contains one root less.
 fn sign_with_roots(
     field: &Field,
     p: &Surd,

@@ -1,19 +1,22 @@
-//! Numbers `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)` with exact p, q, r, s, and their signs.
+//! Numbers `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)` with exact p, q, r, s, and how their signs are
+//! found.
 //!
-//! A camera's basis contains the square roots of two numbers, `A = |up x w|^2` and `B = |view|^2`
-//! (see [`crate::Camera`]). Sums, differences and products of numbers of this form have the same
-//! form, and are exact. A ray that is given directly contains no roots: its numbers are just `p`,
-//! with A = B = 1.
+//! A camera's basis contains the square roots of two numbers, `A = |up x w|^2` and `B = |view|^2` (see
+//! [`crate::Camera`]). Sums, differences and products of numbers of this form have the same form, and
+//! are exact. The numbers of a ray that is given directly contain no roots: they are just `p`, with A =
+//! B = 1.
 //!
 //! # Signs
-//! [`Field::sign`] first evaluates in interval arithmetic at rising precision; an interval without
-//! 0 proves the sign. Undecided signs, including every exact zero, are decided by algebra: if x and
-//! y have opposite signs, the sign of `x + y sqrt(B)` is that of x if `x^2 > y^2 B`, that of y if
-//! `x^2 < y^2 B`, and 0 if `x^2 = y^2 B`; and `x^2 - y^2 B` has one root less. So no bound on how
-//! near to 0 a number can be is needed (as root separation bounds give; see Yap, *Fundamental
-//! Problems of Algorithmic Algebra*, 2000, ch. 6, and, for signs by repeated squaring, Boissonnat
-//! and Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
-//! predicates*, 1999).
+//! [`Field::sign`] first evaluates the number in interval arithmetic with increasing precision. An
+//! interval that does not contain 0 proves the sign.
+//!
+//! If this does not decide the sign, as is the case for every exact zero, algebra does. If x and y have
+//! opposite signs, the sign of `x + y sqrt(B)` is that of x if `x^2 > y^2 B`, that of y if
+//! `x^2 < y^2 B`, and 0 if `x^2 = y^2 B`; and `x^2 - y^2 B` contains one root less. This requires no
+//! bound on how close to 0 a number can be. (Root separation gives such bounds: see Yap, *Fundamental
+//! Problems of Algorithmic Algebra*, 2000, ch. 6. For signs by repeated squaring, see Boissonnat and
+//! Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
+//! predicates*, 1999.)
 
 use std::cmp::Ordering;
 use std::sync::OnceLock;
@@ -21,7 +24,7 @@ use std::sync::OnceLock;
 use crate::dyadic::{Dyadic, Vector};
 use crate::interval::Interval;
 
-/// `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)`, by p, q, r, s.
+/// The number `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)`, stored as p, q, r, s.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Surd(pub(crate) [Dyadic; 4]);
 
@@ -65,18 +68,19 @@ impl Surd {
     }
 }
 
-/// Returns the number of significant bits of the interval arithmetic at a level of effort.
+/// Returns the number of significant bits that interval arithmetic uses at a level of effort.
 pub(crate) fn bits_of_level(level: usize) -> usize {
     160 << (2 * level)
 }
 
-/// Number of levels at which a sign is tried by interval arithmetic before algebra decides it.
+/// Number of levels of interval arithmetic that are tried to find a sign before algebra decides it.
 const SIGN_LEVELS: usize = 3;
 
-/// Number of levels, whose roots are cached. The last level has more bits than any memory.
+/// Number of levels of effort, for each of which the roots are cached. The last one needs more bits
+/// than any memory has.
 const LEVELS: usize = 16;
 
-/// The A and B of [`Surd`], both positive.
+/// The numbers A and B of [`Surd`], which are positive.
 #[derive(Debug)]
 pub(crate) struct Field {
     a: Dyadic,
@@ -91,7 +95,7 @@ impl Field {
         Field { a, b, ab, roots: Default::default() }
     }
 
-    /// Returns the field with A = B = 1, which adds no irrational roots.
+    /// Returns the field with A = B = 1, which contains no irrational numbers.
     pub(crate) fn rational() -> Field {
         Field::new(Dyadic::power_of_two(0), Dyadic::power_of_two(0))
     }
@@ -120,7 +124,7 @@ impl Field {
         a.plus(&b).plus(&c)
     }
 
-    /// Returns an interval around `x`, by interval arithmetic at the level's precision.
+    /// Returns an interval around `x`, computed with the precision of this level of effort.
     pub(crate) fn interval(&self, x: &Surd, level: usize) -> Interval {
         let bits = bits_of_level(level);
         let mut sum = Interval::exactly(&x.0[0], bits);
@@ -148,7 +152,7 @@ impl Field {
         found.unwrap_or_else(|| self.sign_by_algebra(x))
     }
 
-    /// Returns the sign of `(p + q sqrt A) + (r + s sqrt A) sqrt B`, found by squaring alone.
+    /// Returns the sign of `(p + q sqrt A) + (r + s sqrt A) sqrt B`, which is found by squaring alone.
     pub(crate) fn sign_by_algebra(&self, x: &Surd) -> Ordering {
         let [p, q, r, s] = &x.0;
         let (a, b) = (&self.a, &self.b);
@@ -161,8 +165,8 @@ impl Field {
     }
 }
 
-/// Returns the sign of `x + y` from the signs of x and y and, if these are opposite, from the sign
-/// of `x^2 - y^2`.
+/// Returns the sign of `x + y` from the signs of x and y. `squares` returns the sign of `x^2 - y^2`,
+/// which is needed if the signs are opposite.
 pub(crate) fn sign_of_sum(
     x: Ordering,
     y: Ordering,
@@ -177,7 +181,7 @@ pub(crate) fn sign_of_sum(
     }
 }
 
-/// Returns the sign of `p + q sqrt(a)` for a positive `a`.
+/// Returns the sign of `p + q sqrt(a)`. `a` must be positive.
 fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
     sign_of_sum(p.sign(), q.sign(), || (&p.square() - &(a * &q.square())).sign())
 }

@@ -1,4 +1,4 @@
-//! Rays: the points where a ray meets an object, and the first object that it hits.
+//! Finds the points where a ray meets an object, and the first object that a ray hits.
 
 use std::cmp::Ordering;
 
@@ -8,28 +8,29 @@ use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
 
-/// The first object that a ray meets.
+/// The first hit of a ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hit {
-    /// The object's number, from 0.
+    /// The object's index, counted from 0.
     pub object: usize,
-    /// Position on the ray, in units of the direction's length; positive.
+    /// Position on the ray, in multiples of the direction's length; greater than 0.
     pub t: Real,
-    /// The unit normal at the hit: outward on a sphere, along the plane's `normal` on a plane.
+    /// The unit normal at the hit. It points outwards on a sphere, and along `normal` on a plane.
     pub normal: [Real; 3],
-    /// The point that is hit, `origin + t * direction`.
+    /// The hit point, `origin + t * direction`.
     pub point: [Real; 3],
 }
 
-/// Objects, and the quantities that all rays from one point share.
+/// Objects, with the values that are common to all rays from one point.
 #[derive(Debug)]
 pub(crate) struct SceneFromEye {
     origin: Vector,
     objects: Vec<ObjectFromEye>,
 }
 
-/// A direction that may have roots in it. The computation uses a positive multiple of the true
-/// direction; `per_multiple` is the factor by which the multiple is longer, and its `t` smaller.
+/// A direction whose coordinates may contain roots. The computation uses a positive multiple of the
+/// true direction. The multiple is longer by the factor `per_multiple`, and its `t` is smaller by this
+/// factor.
 pub(crate) struct Direction<'a> {
     pub(crate) field: &'a Field,
     pub(crate) multiple: [Surd; 3],
@@ -37,14 +38,14 @@ pub(crate) struct Direction<'a> {
 }
 
 impl Direction<'_> {
-    /// Returns the true `t` for a `t` of the multiple.
+    /// Converts the `t` of the multiple to the true `t`.
     fn true_t(&self, t: &Quotient) -> Real {
         let times = |x: &Surd| self.field.times(x, &self.per_multiple);
         Quotient { p: times(&t.p), q: times(&t.q), e: t.e.clone(), d: t.d.clone() }
             .value(self.field)
     }
 
-    /// Returns the true direction: x / m is x m / m^2.
+    /// Returns the true direction. A coordinate is computed as x / m = x m / m^2.
     pub(crate) fn values(&self) -> [Real; 3] {
         let square = self.field.square(&self.per_multiple);
         [0, 1, 2].map(|i| {
@@ -66,7 +67,7 @@ impl SceneFromEye {
         roots.iter().map(|t| direction.true_t(t)).collect()
     }
 
-    /// Finds the object with the smallest `t > 0`. Of objects with equal `t`, the first listed wins.
+    /// Finds the hit with the smallest `t > 0`. Of objects with equal `t`, the one listed first wins.
     pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
         let Direction { field, multiple, .. } = direction;
         let a = field.dot(multiple, multiple);
@@ -99,9 +100,9 @@ fn exact(field: &Field, direction: [f64; 3]) -> Direction<'_> {
     }
 }
 
-/// Returns all `t`, in ascending order and including negative values and 0, at which the line
-/// `origin + t * direction` meets the object. There is one `t` if the line touches a sphere, none
-/// if the line is parallel to a plane, even within the plane, and none if the direction is 0.
+/// Returns all `t` at which the line `origin + t * direction` meets the object, in ascending order and
+/// including negative values and 0. There is one `t` if the line touches a sphere. There is none if the
+/// line is parallel to a plane, even if it lies within the plane, and none if the direction is 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.
@@ -110,9 +111,9 @@ pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Vec<Real
     SceneFromEye::new(&[*object], vector(origin)).roots(0, &exact(&field, direction))
 }
 
-/// Finds the object that the ray `origin + t * direction` meets at the smallest `t > 0`; of objects
-/// with equal `t`, the first listed. A ray that touches a sphere hits it; a ray that is parallel to
-/// a plane does not hit it, even within the plane. Returns `None` if nothing is hit, and for a
+/// Finds the hit of the ray `origin + t * direction` with the smallest `t > 0`. Of objects with equal
+/// `t`, the one listed first wins. A ray that touches a sphere hits it. A ray that is parallel to a
+/// plane does not hit it, even if it lies within the plane. Returns `None` if nothing is hit, and for a
 /// direction of 0.
 ///
 /// # Panics

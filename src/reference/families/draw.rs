@@ -1,20 +1,20 @@
-//! Random numbers for the families, the same on every machine and in every version.
+//! Random numbers for the families. They are the same on every machine and in every version.
 //!
-//! Only `+ - * /` and `sqrt` are used, which IEEE 754 fixes to the last bit.
+//! Only `+ - * /` and `sqrt` are used, whose results IEEE 754 defines to the last bit.
 
 use crate::camera::Orientation;
 
-/// Numbers drawn from a seed by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number
-/// generators*, 2014). The generator is our own because recorded results depend on its numbers; those of a
-/// library may change with its version.
+/// A generator of random numbers from a seed, by SplitMix64 (Steele, Lea, Flood, *Fast splittable
+/// pseudorandom number generators*, 2014). It is implemented here because recorded results depend on
+/// its numbers, and those of a library may change with its version.
 pub struct Draw {
     state: u64,
     /// True if all numbers of the case must be exact in `f32`.
     pub(crate) single: bool,
 }
 
-/// Sizes of the whole numbers in a touching case. The numbers fit in 24 bits for `f32` and in 53
-/// bits for `f64`, but their products do not.
+/// Limits of the whole numbers in a case with exact contact. Numbers within them fit in 24 bits for
+/// `f32` and in 53 bits for `f64`, but their products do not.
 pub(crate) struct Sizes {
     pub(crate) quaternion: i64,
     pub(crate) extent: i64,
@@ -50,8 +50,8 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// Returns an orientation along `view`, given by a point or by the vector. For `at - eye` to be
-    /// exactly `view`, both `eye` and `view` must have whole numbers.
+    /// Returns an orientation along `view`, given by that vector or by a point to look at. `eye` and
+    /// `view` must have whole coordinates, so that `at - eye` is exactly `view`.
     pub fn aimed(&mut self, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
         if self.once_in(3) {
             Orientation::View { view, up }
@@ -60,17 +60,17 @@ impl Draw {
         }
     }
 
-    /// Draws a number from 0 to 1, 1 excluded.
+    /// Returns a number from 0 to 1, excluding 1.
     fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Draws a number from `low` to `high`, `high` excluded except for rounding.
+    /// Returns a number from `low` to `high`, which excludes `high` except for rounding.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// Draws a whole number from `low` to `high`, both included.
+    /// Returns a whole number from `low` to `high`, inclusive.
     pub fn whole(&mut self, low: i64, high: i64) -> f64 {
         (low + (self.next() % (high - low + 1) as u64) as i64) as f64
     }
@@ -80,25 +80,25 @@ impl Draw {
         self.next().is_multiple_of(n)
     }
 
-    /// Draws 1 or -1.
+    /// Returns 1 or -1.
     pub fn sign(&mut self) -> f64 {
         if self.once_in(2) { 1.0 } else { -1.0 }
     }
 
-    /// Draws a number from `low` to `high`, with the same probability for each binade.
+    /// Returns a number from `low` to `high`. Each binade has the same probability.
     pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
         let size = low * self.power_of_two(0, binades);
         (size * self.between(1.0, 2.0)).min(high)
     }
 
-    /// Draws `2^k` for a whole k from `low` to `high`, both included.
+    /// Returns `2^k` for a whole k from `low` to `high`, inclusive.
     pub fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
         let exponent = self.whole(low, high) as i64;
         f64::from_bits(((1023 + exponent) as u64) << 52)
     }
 
-    /// Draws a power of two by which all lengths of a case can be multiplied.
+    /// Returns a power of two by which all lengths of a case can be multiplied.
     pub(crate) fn binary_scale(&mut self) -> f64 {
         self.power_of_two(-20, 20)
     }
@@ -111,12 +111,12 @@ impl Draw {
         }
     }
 
-    /// Draws a point in the cube from `-half` to `half`.
+    /// Returns a point in the cube whose coordinates range from `-half` to `half`.
     pub fn in_box(&mut self, half: f64) -> [f64; 3] {
         [0; 3].map(|_| self.between(-half, half))
     }
 
-    /// Draws a vector of whole numbers up to `largest`, not all 0.
+    /// Returns a vector of whole numbers with magnitudes up to `largest`, which are not all 0.
     pub fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
         loop {
             let vector = [0; 3].map(|_| self.whole(-largest, largest));
@@ -126,7 +126,7 @@ impl Draw {
         }
     }
 
-    /// Draws a unit vector (up to rounding) in any direction.
+    /// Returns a unit vector, up to rounding, in any direction.
     pub fn direction(&mut self) -> [f64; 3] {
         loop {
             let v = self.in_box(1.0);
@@ -137,7 +137,7 @@ impl Draw {
         }
     }
 
-    /// Draws a unit vector at right angles to `v`, up to rounding.
+    /// Returns a unit vector that is perpendicular to `v`, up to rounding.
     pub fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
         let v = scaled(v, 1.0 / dot(v, v).sqrt());
         loop {
@@ -149,10 +149,9 @@ impl Draw {
         }
     }
 
-    /// Draws three mutually perpendicular vectors of whole numbers, all of the same whole length,
-    /// and returns them with this length: a rotation by the quaternion `a + bi + cj + dk` of whole
-    /// numbers, times its square length (Euler and Rodrigues; three-dimensional Pythagorean
-    /// triples).
+    /// Returns three mutually perpendicular vectors of whole numbers that all have the same whole
+    /// length, and this length. They are a rotation by the quaternion `a + bi + cj + dk` of whole
+    /// numbers, times its squared length (Euler and Rodrigues; three-dimensional Pythagorean triples).
     pub(crate) fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
         let [b, c, d] = self.whole_vector(largest);
         let a = self.whole(-largest, largest);
@@ -164,11 +163,11 @@ impl Draw {
         (columns, a * a + b * b + c * c + d * d)
     }
 
-    /// Returns `x` moved away from 0 by `ulps` units in the last place: those of `f32` if numbers
-    /// must be exact in `f32`.
+    /// Returns `x` moved away from 0 by `ulps` units in the last place. They are those of `f32` if
+    /// numbers must be exact in `f32`.
     pub fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
         let steps = ulps as i64;
-        // The bits of a float count its magnitudes on.
+        // The bits of consecutive floats are consecutive integers.
         let moved = if self.single {
             f64::from(f32::from_bits((i64::from((x as f32).to_bits()) + steps) as u32))
         } else {
@@ -178,15 +177,16 @@ impl Draw {
         moved
     }
 
-    /// Returns `10^k` for a whole k, correctly rounded, including subnormals. In single precision,
-    /// k is scaled by the ratio of the ranges to stay within the range of `f32`.
+    /// Returns `10^k` for a whole k, correctly rounded, including subnormals. If numbers must be exact
+    /// in `f32`, a large k is reduced by the ratio of the ranges, so that the result is in the range of
+    /// `f32`.
     pub fn decade(&self, k: f64) -> f64 {
         let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
         format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
     }
 
-    /// Returns `x` as used in the case: rounded to `f32` if numbers must be exact in `f32`, but
-    /// never to infinity or 0.
+    /// Returns `x` in the form in which the case uses it: rounded to `f32` if numbers must be exact in
+    /// `f32`, but never to infinity or 0.
     pub(crate) fn given(&self, x: f64) -> f64 {
         if !self.single || x == 0.0 {
             return x;
@@ -195,7 +195,8 @@ impl Draw {
         f64::from(x.abs().clamp(limits.0, limits.1) as f32).copysign(x)
     }
 
-    /// Returns `v` as used in the case: rounded to `f32` if numbers must be exact in `f32`.
+    /// Returns `v` in the form in which the case uses it: rounded to `f32` if numbers must be exact in
+    /// `f32`.
     pub fn given3(&self, v: [f64; 3]) -> [f64; 3] {
         v.map(|x| self.given(x))
     }

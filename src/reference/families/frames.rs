@@ -1,5 +1,5 @@
-//! Families of whole pictures, among them pictures in which outlines touch pixel centres exactly and
-//! objects coincide.
+//! Families of whole pictures. In some of them, outlines pass exactly through pixel centres, or objects
+//! coincide.
 
 use crate::camera::{Camera, Orientation};
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
@@ -26,14 +26,14 @@ pub(crate) const FAMILIES: [FamilyRow<FrameCase>; 12] = [
     ("frame-range", "log10 of the scale", &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0], range),
 ];
 
-/// A camera at `eye` that looks at a point, with an image of 16 to 24 pixels a side.
+/// Returns a camera at `eye` that looks at a point, with 16 to 24 pixels along each side of the image.
 fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
     let (eye, at) = (draw.given3(eye), draw.given3(at));
     let up = draw.direction();
     let view = plus(at, -1.0, eye);
     let orientation = match draw.whole(0, 5) as i64 {
         0 | 1 => Orientation::View { view, up },
-        // Rounded to f32, the vectors are no basis that anyone would take.
+        // Rounded to f32, the vectors would not be accepted as a basis.
         2 if !draw.single => {
             let [u, v, w] = rounded_basis(view, up);
             Orientation::Basis { u, v, w }
@@ -52,7 +52,7 @@ fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
     }
 }
 
-/// Makes a case with an everyday camera and scene.
+/// Makes a case with an ordinary camera and scene.
 fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
     let planes = draw.whole(0, (count as i64 + 1) / 4) as usize;
     let mut objects: Vec<Object> = (planes..count as usize)
@@ -66,7 +66,7 @@ fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
     FrameCase { camera: camera(draw, eye, at), objects }
 }
 
-/// Makes a case with the horizon of a huge sphere right under the eye.
+/// Makes a case with the horizon of a huge sphere just below the eye.
 fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -79,14 +79,14 @@ fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects: vec![Object::Sphere { center, radius }, ball] }
 }
 
-/// Returns the basis, up to rounding.
+/// Returns the basis, with rounding errors.
 fn rounded_basis(view: [f64; 3], up: [f64; 3]) -> [[f64; 3]; 3] {
     let unit = |v| scaled(v, 1.0 / dot(v, v).sqrt());
     let (u, w) = (unit(cross(view, up)), unit(scaled(view, -1.0)));
     [u, cross(w, u), w]
 }
 
-/// Returns the direction of a pixel's ray, up to rounding.
+/// Returns the direction of a pixel's ray, with rounding errors.
 fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     let [u, v, w] = match camera.orientation {
         Orientation::At { at, up } => rounded_basis(plus(at, -1.0, camera.eye), up),
@@ -98,8 +98,8 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
-/// Makes a case with spheres that are tiny for their distance, each at a distance from a pixel's
-/// ray that is about its own size.
+/// Makes a case with spheres that are tiny compared with their distance. Each is about its own size
+/// away from the ray of a pixel.
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
@@ -118,7 +118,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects }
 }
 
-/// Makes a case with the eye just above or below a sphere's surface.
+/// Makes a case with the eye just outside or inside a sphere's surface.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     let (center, radius) = (draw.in_box(4.0), draw.between(0.5, 4.0));
     let height = draw.sign() * draw.decade(k);
@@ -131,10 +131,10 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     }
 }
 
-/// Makes a case with an everyday camera and scene, far from the world's origin.
+/// Makes a case with an ordinary camera and scene, far from the world's origin.
 fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
-    // By a view: rounding may bring the point to the eye.
+    // Given by a view direction, because rounding may move the point at to the eye.
     if let Orientation::At { at, up } = case.camera.orientation {
         case.camera.orientation = Orientation::View { view: plus(at, -1.0, case.camera.eye), up };
     }
@@ -142,7 +142,7 @@ fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     case.map(|point| plus(point, 1.0, offset), |radius| radius)
 }
 
-/// Makes a case with an everyday scene and a camera whose up is nearly parallel to its view.
+/// Makes a case with an ordinary scene and a camera whose up is nearly parallel to its view.
 fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     let angle = draw.decade(k) * draw.between(0.3, 3.0);
@@ -167,7 +167,7 @@ fn tipped(draw: &mut Draw, view: [f64; 3], angle: f64, length: f64) -> [f64; 3] 
     scaled(plus(view, angle * dot(view, view).sqrt(), draw.across(view)), length)
 }
 
-/// Makes a case with a picture of one row or one column.
+/// Makes a case whose picture has only one row or one column.
 fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 2.0);
     let pixels = draw.decade(k) as u32;
@@ -176,7 +176,7 @@ fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
-/// Makes a case with a viewport or a distance, or both, of an extreme size.
+/// Makes a case in which the viewport's size, its distance, or both are extreme.
 fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     let size = draw.decade(k);
@@ -191,24 +191,24 @@ fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
-/// Makes a camera and a scene so large or small that squares leave the range of f64.
+/// Makes a case whose camera and scene are so large or small that squares are outside the range of f64.
 fn range(draw: &mut Draw, k: f64) -> FrameCase {
     let case = everyday(draw, 3.0);
     case.scaled(draw.decade(k))
 }
 
-/// Pixels from the middle to the edge, in a picture with a pixel in the middle.
+/// Number of pixels from the middle pixel to the edge of the picture.
 const HALF: i64 = 12;
 
-/// Distance of the viewport of a picture with pixels of size 1: many whole numbers divide it.
+/// Distance of the viewport if pixels have size 1. Many whole numbers divide it.
 const DISTANCE: f64 = 12.0;
 
-/// Returns the vector with coordinates `[x, y, z]` in a frame of three vectors.
+/// Returns the vector whose coordinates in the given frame are `[x, y, z]`.
 fn in_frame(frame: &[[f64; 3]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     plus(plus(scaled(frame[0], x), y, frame[1]), z, frame[2])
 }
 
-/// Returns a camera whose pixel size is a power of two, with a pixel in the middle of the picture.
+/// Returns a camera whose pixel size is a power of two, and whose picture has a pixel in the middle.
 fn centred_camera(
     draw: &mut Draw,
     eye: [f64; 3],
@@ -229,8 +229,8 @@ fn centred_camera(
     }
 }
 
-/// Makes spheres whose outlines pass exactly through pixel centres, and spheres with radii one ulp
-/// off.
+/// Makes a case with spheres whose outlines pass exactly through pixel centres; the radii are then
+/// changed by `ulps`.
 pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     let case = if draw.once_in(2) {
         by_rational_basis(draw, ulps)
@@ -240,14 +240,14 @@ pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     case.scaled(draw.power_of_two(-16, 16))
 }
 
-/// Makes a camera whose basis is a whole frame divided by its length, which gives all rays rational
-/// directions, and spheres that each touch the ray of a pixel.
+/// Makes a case with spheres that each touch the ray of a pixel. The camera's basis is a frame of whole
+/// vectors divided by their length, so that all rays have rational directions.
 fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
     let mut objects = Vec::new();
     while objects.len() < 3 {
-        // In the camera's coordinates, in pixels.
+        // In the camera's coordinates, in units of pixels.
         let ([along, out, _], size) = draw.whole_frame(2);
         let depth = along[2].abs();
         let reaches = |x: f64| x.abs() * DISTANCE / depth <= HALF as f64;
@@ -266,8 +266,8 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: centred_camera(draw, eye, orientation, DISTANCE), objects }
 }
 
-/// Returns a camera rotated by 45 degrees from a whole frame, whose basis therefore contains the
-/// square root of 2. In the middle row, the ray of column x is [`of_column`].
+/// Returns a camera that is turned by 45 degrees from a frame of whole vectors, so that its basis
+/// contains the square root of 2. The ray of column x in the middle row is [`of_column`].
 fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera {
     let view = in_frame(world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
     let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
@@ -275,13 +275,13 @@ fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera 
     centred_camera(draw, eye, orientation, DISTANCE)
 }
 
-/// Returns the direction of the ray of column x in the middle row of [`half_turned`], in the
-/// frame's coordinates, up to a factor.
+/// Returns the direction of the ray of column x in the middle row of [`half_turned`], up to a factor,
+/// in the coordinates of the frame.
 fn of_column(x: f64) -> [f64; 3] {
     [x - DISTANCE, 0.0, -x - DISTANCE]
 }
 
-/// Makes spheres that touch rays of the middle row from above and below.
+/// Makes a case with spheres that touch rays of the middle row from above and below.
 fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -296,13 +296,13 @@ fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: half_turned(draw, &world, eye), objects }
 }
 
-/// Makes two spheres, one inside the other, and a plane. All three touch at the point where the ray
-/// of a pixel of [`half_turned`] enters them.
+/// Makes a case with a sphere inside another one and a plane. All three touch at the point where the
+/// ray of a pixel of [`half_turned`] enters them.
 pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
     let along = of_column(draw.whole(-HALF, HALF));
-    // Toward the eye.
+    // The direction towards the eye.
     let (out, size) = loop {
         let ([out, ..], size) = draw.whole_frame(2);
         if dot(out, along) != 0.0 {
@@ -325,7 +325,8 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera, objects }.scaled(draw.power_of_two(-16, 16))
 }
 
-/// Makes coincident spheres and coincident planes: in each pixel, the first listed object wins.
+/// Makes a case with coincident spheres and coincident planes. In each pixel, the object listed first
+/// wins.
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let center = draw.whole_vector(20);
     let radius = draw.whole(4, 12);

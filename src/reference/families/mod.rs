@@ -1,4 +1,4 @@
-//! Families of hard cases, each with a knob that makes it harder.
+//! Families of difficult cases, each with a knob that sets the difficulty.
 
 mod draw;
 mod frames;
@@ -12,12 +12,12 @@ use self::draw::scaled;
 use crate::camera::{Camera, Orientation};
 use crate::object::Object;
 
-/// A single ray and the objects to intersect.
+/// A single ray, and the objects to intersect it with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RayCase {
     /// Spheres first, then planes.
     pub objects: Vec<Object>,
-    /// The point where the ray starts.
+    /// The point at which the ray starts.
     pub origin: [f64; 3],
     /// The ray's direction, not normalized.
     pub direction: [f64; 3],
@@ -32,19 +32,19 @@ pub struct FrameCase {
     pub objects: Vec<Object>,
 }
 
-/// The function that makes a case from random numbers and the knob.
+/// The function that makes a case from random numbers and the value of the knob.
 #[derive(Clone, Copy, Debug)]
 pub enum Make {
-    /// Single rays: [`Family::rays`].
+    /// Makes a single ray, for [`Family::rays`].
     Rays(fn(&mut Draw, f64) -> RayCase),
-    /// Whole pictures: [`Family::frames`].
+    /// Makes a whole picture, for [`Family::frames`].
     Frames(fn(&mut Draw, f64) -> FrameCase),
 }
 
-/// Cases that are hard for one reason, and a knob for how hard.
+/// Cases that are difficult for the same reason, with a knob that sets how difficult.
 ///
-/// A case is made from the seed, the family's name, the knob and the case's number. It is the same on every
-/// machine, and a longer list of cases begins with the shorter one.
+/// A case is determined by the seed, the family's name, the value of the knob, and the case's number.
+/// It is the same on every machine. A longer list of cases begins with the cases of a shorter one.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     /// The family's name, in kebab-case.
@@ -68,7 +68,7 @@ const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 /// A family: its name, the meaning of its knob, the knob's values, and the function that makes a case.
 type FamilyRow<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
 
-/// What the cases of each family have in common.
+/// A sentence about each family that says what its cases have in common.
 const ABOUT: [(&str, &str); 35] = [
     ("ordinary", "A sphere of everyday size, seen from a few radii away."),
     ("course-floor", "The course's floor: a sphere of radius 5000 whose top is 1 below the eye."),
@@ -119,7 +119,7 @@ const ABOUT: [(&str, &str); 35] = [
     ("frame-range", "Camera and scene so large or small that squares leave the range of numbers."),
 ];
 
-/// The families of single rays, then those of frames.
+/// All families: first those of single rays, then those of pictures.
 static ALL: LazyLock<Vec<Family>> = LazyLock::new(|| {
     let family = |name, knob_name, knobs, make| {
         let about = ABOUT.iter().find(|(known, _)| *known == name).map_or("", |(_, about)| about);
@@ -134,7 +134,7 @@ static ALL: LazyLock<Vec<Family>> = LazyLock::new(|| {
 });
 
 impl Family {
-    /// Returns all families: first the families of rays, then the families of frames.
+    /// Returns all families: first those of single rays, then those of pictures.
     pub fn all() -> impl Iterator<Item = &'static Family> {
         ALL.iter()
     }
@@ -144,9 +144,9 @@ impl Family {
         Family::all().find(|family| family.name == name)
     }
 
-    /// Returns cases of a family of rays for one of its [knobs](Family::knobs); empty for a family
-    /// of frames. With `single`, all numbers are exact in `f32`, units in the last place are those
-    /// of `f32`, and powers of ten beyond the range of `f32` are brought into it.
+    /// Returns cases of a family of rays for one of its [knobs](Family::knobs). Returns none for a
+    /// family of pictures. If `single` is true, all numbers are exact in `f32`, units in the last place
+    /// are those of `f32`, and powers of ten outside the range of `f32` are moved into it.
     pub fn rays(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<RayCase> {
         let Make::Rays(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
@@ -160,8 +160,8 @@ impl Family {
         Draw::cases(seed, self.name, knob, count, single).map(given).collect()
     }
 
-    /// Returns cases of a family of frames, as [`Family::rays`] does for rays; empty for a family
-    /// of rays.
+    /// Returns cases of a family of pictures, as [`Family::rays`] does for rays. Returns none for a
+    /// family of rays.
     pub fn frames(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
         let Make::Frames(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
@@ -182,7 +182,7 @@ impl Family {
 }
 
 impl Object {
-    /// Returns the object with its positions, normals and radii mapped.
+    /// Returns the object with its points, its normal and its radius mapped by these functions.
     fn map(
         self,
         map_point: impl Fn([f64; 3]) -> [f64; 3],
@@ -205,7 +205,8 @@ impl Object {
 }
 
 impl RayCase {
-    /// Returns the case with all lengths multiplied by `scale`, and the direction by `stretch`.
+    /// Returns the case with all lengths multiplied by `scale`, and the direction multiplied by
+    /// `stretch`.
     fn scaled(self, scale: f64, stretch: f64) -> RayCase {
         let length = |v| scaled(v, scale);
         let objects = self.objects.into_iter();
@@ -234,7 +235,7 @@ impl Orientation {
 }
 
 impl FrameCase {
-    /// Returns the same picture with its positions and radii mapped.
+    /// Returns the case with its points and radii mapped by these functions.
     fn map(
         self,
         map_point: impl Fn([f64; 3]) -> [f64; 3],
@@ -250,8 +251,8 @@ impl FrameCase {
         FrameCase { camera, objects: objects.collect() }
     }
 
-    /// Returns the case with all lengths of the world multiplied by `scale`, but not the
-    /// viewport's: only t changes.
+    /// Returns the case with all lengths of the world multiplied by `scale`, but not those of the
+    /// viewport. Only t changes.
     fn scaled(self, scale: f64) -> FrameCase {
         self.map(|v| scaled(v, scale), |radius| radius * scale)
     }

@@ -1,9 +1,9 @@
-//! Families of single rays: against one sphere, several objects, one plane, and several objects that the ray
-//! meets at the same t.
+//! Families of single rays that are tested against one sphere, several objects, or one plane, and
+//! families in which the ray meets several objects at the same t.
 //!
-//! The cases of ties consist of whole numbers: a contact point P, and three perpendicular whole vectors of
-//! the same whole length n (see [`Draw::whole_frame`]). A sphere of radius k n around P + k N
-//! touches P if N is one of the three vectors.
+//! The latter cases are built from whole numbers: a contact point P, and three perpendicular whole
+//! vectors of the same whole length n (see [`Draw::whole_frame`]). If N is one of these vectors, a
+//! sphere of radius k n around P + k N touches P.
 
 use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
 use crate::families::{FamilyRow, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS};
@@ -59,8 +59,8 @@ fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 
     RayCase { objects: vec![Object::Sphere { center, radius }], origin, direction }
 }
 
-/// Returns the direction from `origin` along a line that passes `center` at the distance `by`,
-/// which is less than the distance of `origin`.
+/// Returns the direction of a line from `origin` that passes `center` at the distance `by`, which must
+/// be less than the distance of `origin`.
 fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3] {
     let to = plus(center, -1.0, origin);
     let square = dot(to, to);
@@ -68,8 +68,8 @@ fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3
     plus(to, aside, draw.across(to))
 }
 
-/// Makes a case with a sphere of everyday size within a box, and an origin 2.5 to 8 radii away from its
-/// centre. The line passes the centre at the distance `impact`, in radii.
+/// Makes a case with a sphere of ordinary size, and an origin 2.5 to 8 radii away from its centre. The
+/// line passes the centre at the distance `impact`, in radii.
 fn everyday(draw: &mut Draw, impact: f64) -> RayCase {
     let radius = draw.between(0.25, 1.0);
     let center = draw.in_box(4.0);
@@ -85,7 +85,7 @@ fn any_impact(draw: &mut Draw) -> RayCase {
     everyday(draw, impact)
 }
 
-/// Makes a case with the course's floor, a sphere of radius 5000 around (0, -5001, 0), from the
+/// Makes a case with the course's floor, a sphere of radius 5000 around (0, -5001, 0), seen from the
 /// origin.
 fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     let level = draw.across([0.0, 1.0, 0.0]);
@@ -94,7 +94,7 @@ fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
 }
 
-/// Makes a case with spheres and planes of everyday size, of which one is hit first.
+/// Makes a case with spheres and planes of ordinary size, one of which is hit first.
 fn several(draw: &mut Draw, count: f64) -> RayCase {
     let planes = draw.whole(0, (count as i64 + 2) / 4);
     let spheres = (count - planes) as usize;
@@ -109,14 +109,15 @@ fn several(draw: &mut Draw, count: f64) -> RayCase {
     RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
 }
 
-/// Makes a case with a sphere that is tiny for its distance. The two terms of b^2 - a c nearly cancel.
+/// Makes a case with a sphere that is tiny compared with its distance. The two terms of b^2 - a c
+/// nearly cancel.
 fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
     let center = plus(origin, distance, draw.direction());
     let radius = distance * draw.decade(k);
-    // Uses the exact line from 0 through the centre if merely rounding the direction would make the
-    // ray miss, and occasionally otherwise.
+    // If rounding the direction would already make the ray miss, and occasionally otherwise, use the
+    // exact line from 0 through the centre.
     if (draw.single && k < -6.0) || draw.once_in(8) {
         return one_sphere(center, radius, [0.0; 3], scaled(center, draw.power_of_two(-8, 8)));
     }
@@ -126,8 +127,8 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
-/// Makes a case with the eye a little above a huge sphere: c is small compared with the squares in
-/// its formula.
+/// Makes a case with the eye a little above a huge sphere. In the formula of c, the squares nearly
+/// cancel.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -144,14 +145,13 @@ fn planet(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, direction)
 }
 
-/// Makes a case with a line that passes the sphere's outline closely, inside or outside.
+/// Makes a case with a line that passes closely by the sphere's outline, inside or outside.
 fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     let impact = 1.0 + draw.sign() * draw.decade(k);
     everyday(draw, impact)
 }
 
-/// Makes a case with a line that touches the sphere exactly, and radii one unit in the last place
-/// off.
+/// Makes a case with a line that touches the sphere exactly; the radius is then changed by `ulps`.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
@@ -164,7 +164,8 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
         .scaled(scale, stretch)
 }
 
-/// Makes a case with the origin just above or below the surface: is the near root ahead or behind?
+/// Makes a case with the origin just outside or inside the surface, so that it is hard to decide
+/// whether the near root is ahead or behind.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.between(0.5, 4.0);
     let center = draw.in_box(4.0);
@@ -173,8 +174,8 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
 
-/// Makes a case with the origin exactly on the surface, where t = 0 is no hit, and radii one ulp
-/// off.
+/// Makes a case with the origin exactly on the surface, where t = 0 is not a hit; the radius is then
+/// changed by `ulps`.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
@@ -191,7 +192,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     one_sphere(plus(origin, radii, out), radius, origin, direction).scaled(draw.binary_scale(), 1.0)
 }
 
-/// Makes a case with the origin inside the sphere, or at its centre; the ray hits the far root.
+/// Makes a case with the origin inside the sphere or at its centre, so that the far root is the hit.
 fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
@@ -199,7 +200,7 @@ fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     one_sphere(draw.given3(center), radius, draw.given3(origin), draw.direction())
 }
 
-/// Makes a case with an everyday sphere and a direction that is far from length 1.
+/// Makes a case with an ordinary sphere and a direction whose length is far from 1.
 fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let length = dot(case.direction, case.direction).sqrt();
@@ -207,7 +208,7 @@ fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { direction: scaled(case.direction, scale), ..case }
 }
 
-/// Makes a case with an everyday sphere and ray, far from the world's origin.
+/// Makes a case with an ordinary sphere and ray, far from the world's origin.
 fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     let mut case = any_impact(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
@@ -216,7 +217,7 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
             *center = plus(*center, 1.0, offset);
         }
     }
-    // Aimed again: the rounding of the sum may have moved the sphere by more than its size.
+    // Aim again, because rounding of the sum may have moved the sphere by more than its size.
     let Some(Object::Sphere { center, radius }) = case.objects.first().copied() else {
         return case;
     };
@@ -231,8 +232,8 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { origin, ..case }
 }
 
-/// Makes a case with lengths, the direction, or both so large or small that squares leave f64's
-/// range.
+/// Makes a case in which the lengths, the direction, or both are so large or small that squares are
+/// outside the range of f64.
 fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));
@@ -245,12 +246,12 @@ fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     case.scaled(lengths, direction)
 }
 
-/// Makes an origin, a centre, a radius and a direction, each with its own order of magnitude.
+/// Makes a case whose origin, centre, radius and direction have independent orders of magnitude.
 fn mixed_range(draw: &mut Draw, k: f64) -> RayCase {
     let (large, small) = (draw.decade(k), draw.decade(-k));
     let mut size = || draw.of_any_size(small.sqrt(), large.sqrt());
     let sizes = [size(), size(), size(), size()];
-    // Squared, so that a ratio beyond f64's largest number is never formed.
+    // These are square roots of the sizes, so that a ratio above f64's largest number is never formed.
     let [origin, center, radius, direction] = sizes.map(|x| x * x);
     let origin = scaled(draw.direction(), origin);
     let center = scaled(draw.direction(), center);
@@ -266,7 +267,8 @@ fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f6
     RayCase { objects: vec![Object::Plane { point, normal }], origin, direction }
 }
 
-/// Makes a case with a ray at a small angle to a plane: normal . direction nearly cancels.
+/// Makes a case with a ray at a small angle to a plane, so that the terms of normal . direction nearly
+/// cancel.
 fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
     let normal = draw.direction();
     let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
@@ -276,8 +278,8 @@ fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
     one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
 }
 
-/// Makes a case with a ray exactly parallel to a plane, inside it or next to it, and normals one
-/// ulp off.
+/// Makes a case with a ray that is exactly parallel to a plane, inside it or at some distance; a
+/// coordinate of the normal is then changed by `ulps`.
 fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
@@ -285,7 +287,7 @@ fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let height = if draw.once_in(3) { 0.0 } else { draw.whole(-steps, steps) };
     let inside = plus(plus(point, draw.whole(-steps, steps), along), draw.whole(-3, 3), aside);
     let origin = plus(inside, height, normal);
-    // A coordinate that counts in the product.
+    // Change a coordinate that contributes to the product.
     if let Some(i) = (0..3).find(|&i| normal[i] * along[i] != 0.0) {
         normal[i] = draw.moved_by_ulps(normal[i], ulps);
     }
@@ -294,7 +296,7 @@ fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
 
 fn everyday_plane(draw: &mut Draw) -> RayCase {
     let (point, origin, normal) = (draw.in_box(4.0), draw.in_box(8.0), draw.direction());
-    // Nearly all rays go toward the plane.
+    // Make nearly all rays point towards the plane.
     let toward = dot(normal, plus(point, -1.0, origin));
     let sense = if draw.once_in(8) { -toward } else { toward };
     let direction = draw.direction();
@@ -303,7 +305,7 @@ fn everyday_plane(draw: &mut Draw) -> RayCase {
     one_plane(point, normal, origin, scaled(direction, length))
 }
 
-/// Makes a case with an everyday plane and ray, far from the world's origin.
+/// Makes a case with an ordinary plane and ray, far from the world's origin.
 fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday_plane(draw);
     let offset = scaled(draw.in_box(1.0), draw.decade(k));
@@ -312,8 +314,8 @@ fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { objects: objects.collect(), origin: moved(origin), direction }
 }
 
-/// Makes a case with a normal, a direction or lengths that are so large or small that products
-/// leave f64's range.
+/// Makes a case in which the normal, the direction or the lengths are so large or small that products
+/// are outside the range of f64.
 fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday_plane(draw);
     let scale = draw.decade(k);
@@ -328,7 +330,7 @@ fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
     }
 }
 
-/// A contact point and the vectors there, all whole.
+/// A contact point and three perpendicular vectors there, all with whole coordinates.
 struct Contact {
     point: [f64; 3],
     along: [f64; 3],
@@ -341,34 +343,34 @@ struct Contact {
 fn contact(draw: &mut Draw) -> Contact {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
-    // No coordinate is 0: each of them has a neighbour.
+    // No coordinate is 0, so that each of them can be changed by an ulp.
     let point = [0; 3].map(|_| draw.sign() * draw.whole(1, extent));
     Contact { point, along, out, aside, length, steps }
 }
 
 impl Contact {
-    /// Returns the sphere through the contact point whose centre is `radii` times the vector `out`
-    /// away from the point.
+    /// Returns the sphere through the contact point whose centre is `radii` times the vector `out` away
+    /// from it. Its radius is changed by `ulps`.
     fn sphere(&self, draw: &Draw, radii: f64, ulps: f64) -> Object {
         let radius = draw.moved_by_ulps(radii.abs() * self.length, ulps);
         Object::Sphere { center: plus(self.point, radii, self.out), radius }
     }
 
-    /// Draws a vector that points outward from the contact point.
+    /// Returns a random vector that points outwards from the contact point.
     fn outward(&self, draw: &mut Draw) -> [f64; 3] {
         let (a, b) = (draw.whole(-4, 4), draw.whole(-4, 4));
         plus(plus(self.out, a, self.along), b, self.aside)
     }
 
-    /// Draws a vector perpendicular to `out`.
+    /// Returns a random vector that is perpendicular to `out`.
     fn across(&self, draw: &mut Draw) -> [f64; 3] {
         let (a, b) = (draw.whole(-4, 4), draw.whole(1, 4));
         plus(scaled(self.along, a), b, self.aside)
     }
 }
 
-/// Returns the case with the objects in a random order (but spheres before planes), and all lengths
-/// multiplied by a power of two.
+/// Returns the case with its objects in random order, but with spheres before planes, and with all
+/// lengths multiplied by a power of two.
 fn shuffled(
     draw: &mut Draw,
     objects: [Object; 2],
@@ -384,8 +386,8 @@ fn shuffled(
     RayCase { objects: objects.to_vec(), origin, direction }.scaled(scale, stretch)
 }
 
-/// Makes a case with two spheres that have the same centre and equal radii, or radii that differ by
-/// `ulps`. Of two equal spheres, the one listed first wins.
+/// Makes a case with two concentric spheres whose radii are equal or differ by `ulps`. Of two equal
+/// spheres, the one listed first wins.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
     let center = draw.given3(center);
@@ -400,7 +402,8 @@ fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [first, second], origin, direction)
 }
 
-/// Makes a case with a sphere that touches another from inside, and a ray through the contact.
+/// Makes a case with a sphere that touches another one from inside, and a ray through the contact
+/// point.
 fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let [small, more] = [(); 2].map(|()| draw.whole(1, contact.steps / 2));
@@ -411,8 +414,8 @@ fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
 }
 
-/// Makes a case with spheres that touch from outside, and a ray through the contact from inside one
-/// or along both.
+/// Makes a case with two spheres that touch from outside. The ray passes through the contact point,
+/// either from inside one of the spheres or tangentially to both.
 fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let other = draw.whole(1, contact.steps);
@@ -425,14 +428,14 @@ fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
         let across = contact.across(draw);
         return shuffled(draw, [around, beyond], plus(contact.point, -back, across), across);
     }
-    // From D = out + a along + b aside back inside the sphere of k radii: | k out - j D | < k n holds
-    // where j (1 + a^2 + b^2) < 2 k.
+    // From D = out + a along + b aside back into the sphere of k radii: | k out - j D | < k n holds if
+    // j (1 + a^2 + b^2) < 2 k.
     let outward = plus(plus(contact.out, a, contact.along), b, contact.aside);
     let around = contact.sphere(draw, -back * (1.0 + a * a + b * b), 0.0);
     shuffled(draw, [around, beyond], plus(contact.point, -back, outward), outward)
 }
 
-/// Makes a case with a plane that touches a sphere, and a ray through the contact.
+/// Makes a case with a plane that touches a sphere, and a ray through the contact point.
 fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let radii = draw.whole(1, contact.steps);
@@ -444,8 +447,8 @@ fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [sphere, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
 }
 
-/// Makes a case with one plane given by two points and normals, or with planes that cross where the ray
-/// goes.
+/// Makes a case with two planes. They are either the same plane, given by different points and normals,
+/// or intersect at the point through which the ray passes.
 fn coincident_planes(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let first = Object::Plane { point: contact.point, normal: contact.out };
@@ -456,7 +459,7 @@ fn coincident_planes(draw: &mut Draw, ulps: f64) -> RayCase {
         (normal, cross(normal, draw.whole_vector(9)))
     };
     let mut point = plus(contact.point, draw.whole(-9, 9), in_plane);
-    // A coordinate that counts.
+    // Change a coordinate that contributes to the plane's position.
     if let Some(i) = (0..3).find(|&i| normal[i] * point[i] != 0.0) {
         point[i] = draw.moved_by_ulps(point[i], ulps);
     }
