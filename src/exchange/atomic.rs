@@ -19,8 +19,9 @@ use crate::FileError;
 /// it has reached the disk. An existing file keeps its permissions, and a symbolic link keeps its
 /// target. The finished content is copied to a device or pipe, which cannot be replaced.
 ///
-/// # Errors Returns an error if `content` or the system fails, or if the file is read-only. Nothing has
-/// changed then.
+/// # Errors
+/// Returns an error if `content` or the system fails, or if the file is read-only. Nothing has changed
+/// then.
 pub fn write(
     path: &Path,
     content: impl FnOnce(&mut File) -> io::Result<()>,
@@ -90,8 +91,9 @@ impl Batch {
 
     /// Gives all files their final names.
     ///
-    /// # Errors Returns an error if a file cannot be given its final name; all files are then as they
-    /// were before.
+    /// # Errors
+    /// Returns an error if a file cannot be given its final name; all files are then as they were
+    /// before.
     pub fn finish(self) -> Result<(), FileError> {
         for (target, buffer) in self.through {
             write_through(&target, buffer)

@@ -18,8 +18,9 @@ const RAY: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
 
 /// Reads the spheres of a CSV file.
 ///
-/// # Errors Returns an error if the file cannot be read or a row is invalid. The error for a row has
-/// its line, column and value.
+/// # Errors
+/// Returns an error if the file cannot be read or a row is invalid. The error for a row has its line,
+/// column and value.
 pub fn load_spheres(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
     spheres(path, &limits::read(path, limits::TABLE)?)
 }

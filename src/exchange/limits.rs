@@ -29,9 +29,9 @@ const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/t
 
 /// Reads a file of at most `most` bytes.
 ///
-/// # Errors Returns an error if the system cannot read the file, or if it is larger. Also returns an
-/// error for a device, and for a pipe that was not opened for the program: reading such a source may
-/// block forever.
+/// # Errors
+/// Returns an error if the system cannot read the file, or if it is larger. Also returns an error for a
+/// device, and for a pipe that was not opened for the program: reading such a source may block forever.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
     let kind = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;

@@ -215,7 +215,8 @@ impl ParametricLine {
 impl Substitution {
     /// Substitutes the parametric line into the implicit one.
     ///
-    /// # Errors Returns an error if either of them is not a line.
+    /// # Errors
+    /// Returns an error if either of them is not a line.
     ///
     /// ```
     /// use pinhole_core::DVec2;

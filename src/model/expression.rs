@@ -33,8 +33,9 @@ const LONGEST: usize = 1000;
 /// such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Pasted Unicode symbols (`−`, `×`, `·`, `√`, `π`)
 /// are accepted, too.
 ///
-/// # Errors Returns a sentence for the user if the text is not an expression, is too long, or its value
-/// is not finite.
+/// # Errors
+/// Returns a sentence for the user if the text is not an expression, is too long, or its value is not
+/// finite.
 pub fn evaluate(text: &str) -> Result<f64, String> {
     let typed = text.trim();
     if typed.chars().nth(LONGEST).is_some() {

@@ -50,7 +50,8 @@ pub fn watch() {
 
 /// Runs a function and catches a panic, which is an internal error of the program.
 ///
-/// # Errors Returns the message of the panic.
+/// # Errors
+/// Returns the message of the panic.
 pub fn caught<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     LAST.take();
     catch_unwind(AssertUnwindSafe(run))

@@ -257,8 +257,8 @@ impl OpenDocument {
     /// Saves the document in `path`, which becomes its origin. Keeps the comments of the file that the
     /// document came from, even if `path` is another existing file.
     ///
-    /// # Errors Returns the reason if the file could not be written; an existing file is then
-    /// unchanged.
+    /// # Errors
+    /// Returns the reason if the file could not be written; an existing file is then unchanged.
     pub fn save_to(&mut self, path: &Path) -> Result<(), String> {
         if !self.is_own(path) {
             self.check_output(path)?;

@@ -28,8 +28,9 @@ impl<W: Write> Animated<W> {
     /// Creates an animation of frames with this size in sRGB pixels and this number of frames per
     /// second. If `repeats` is true, the animation repeats forever; otherwise it is shown once.
     ///
-    /// # Errors Returns an error if GIF does not allow the size or the number of frames per second, or
-    /// if writing the header to `out` fails.
+    /// # Errors
+    /// Returns an error if GIF does not allow the size or the number of frames per second, or if writing
+    /// the header to `out` fails.
     pub fn new(out: W, size: [u32; 2], per_second: u16, repeats: bool) -> io::Result<Self> {
         let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
             return Err(io::Error::other("GIF has at most 65535 columns and rows"));

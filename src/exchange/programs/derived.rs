@@ -24,7 +24,8 @@ pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
 /// its frame in the world, whose axes may have any length. If the world is left-handed, every z is
 /// negated, and a note is added.
 ///
-/// # Errors Returns a message about the axes, such as "one of its axes is (0, 0, 0)".
+/// # Errors
+/// Returns a message about the axes, such as "one of its axes is (0, 0, 0)".
 pub(super) fn right_handed(
     frame: &DAffine3,
     notes: &mut Vec<String>,

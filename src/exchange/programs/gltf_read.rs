@@ -21,7 +21,8 @@ pub(super) fn detect(text: &str) -> bool {
 /// first of which is the JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks are
 /// not needed for a camera.
 ///
-/// # Errors Returns a message about the header or the first chunk.
+/// # Errors
+/// Returns a message about the header or the first chunk.
 pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     let is_cut = |what: &str, has: u32, of: usize| {
         format!("binary glTF: {what} is {has} bytes, and {of} are there: is all of the file there?")

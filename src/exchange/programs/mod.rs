@@ -65,7 +65,8 @@ impl Importer {
     /// Returns the kind of a file, judging by its content or, if that does not decide it, by its
     /// extension.
     ///
-    /// # Errors Returns an error that lists the supported kinds if the file is of none of them.
+    /// # Errors
+    /// Returns an error that lists the supported kinds if the file is of none of them.
     pub fn of_file(text: &Input) -> Result<Importer, FileError> {
         let is_gltf =
             text.path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb");

@@ -93,8 +93,9 @@ pub struct Saved {
 
 /// Writes a scene file, completely or not at all.
 ///
-/// # Errors Returns the errors of [`prepare`], or an error if the file cannot be written. An existing
-/// file is then unchanged.
+/// # Errors
+/// Returns the errors of [`prepare`], or an error if the file cannot be written. An existing file is
+/// then unchanged.
 pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<Saved, FileError> {
     let saved = prepare(document, path, previous)?;
     atomic::write(path, |file| std::io::Write::write_all(file, saved.text.as_bytes()))?;

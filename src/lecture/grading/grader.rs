@@ -140,7 +140,8 @@ impl<'a> Grader<'a> {
 
     /// Returns the answers together with the data with which they are compared.
     ///
-    /// # Errors If the answers are a picture, whose shading is not known, returns its pixels.
+    /// # Errors
+    /// If the answers are a picture, whose shading is not known, returns its pixels.
     fn held<'b>(
         &'b self,
         answers: &'b Answers,

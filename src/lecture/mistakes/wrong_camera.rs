@@ -25,8 +25,9 @@ impl WrongCamera {
     /// Creates a copy of `camera` that makes `mistake`, one of [`Mistake::GALLERY`], in its most common
     /// variant.
     ///
-    /// # Errors Returns the reason, as a sentence, if the camera sees nothing, or if the mistake does
-    /// not apply to it or has no effect.
+    /// # Errors
+    /// Returns the reason, as a sentence, if the camera sees nothing, or if the mistake does not apply
+    /// to it or has no effect.
     pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, String> {
         let right = WrongCamera::right(camera).map_err(|error| error.to_string())?;
         let pipeline = mistake.usual();
