@@ -184,9 +184,7 @@ impl Style {
     /// Applies the style to a finished picture: a grey style removes the hue of every dot.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
-            for dot in dots {
-                *dot = grey(*dot);
-            }
+            dots.iter_mut().for_each(|dot| *dot = grey(*dot));
         }
     }
 }

@@ -183,9 +183,7 @@ impl Sketch<'_> {
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
-        for pixel in inspection.touched(resolved) {
-            self.pixel(resolved, pixel);
-        }
+        inspection.touched(resolved).into_iter().for_each(|pixel| self.pixel(resolved, pixel));
         let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
         let hit = inspection.first_hit();
         let end = match hit {

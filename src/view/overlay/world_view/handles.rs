@@ -95,9 +95,7 @@ impl Sketch<'_> {
         if !self.items.shows(Item::Handles) {
             return;
         }
-        for guide in &handles.guides {
-            self.guide(*guide);
-        }
+        handles.guides.iter().for_each(|guide| self.guide(*guide));
         for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
             self.knob(mark, spot);
         }

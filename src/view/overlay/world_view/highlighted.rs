@@ -279,9 +279,7 @@ impl Sketch<'_> {
         let ray = &inspection.ray;
         match highlighted.concept {
             Concept::Pixel => {
-                for pixel in inspection.touched(resolved) {
-                    self.pixel(resolved, pixel);
-                }
+                inspection.touched(resolved).into_iter().for_each(|p| self.pixel(resolved, p));
                 self.highlight_point(ray.at(1.0), pen, "(𝑢, 𝑣)");
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {

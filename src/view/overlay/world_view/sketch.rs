@@ -249,9 +249,7 @@ impl Sketch<'_> {
 
     /// Draws the sides of a polygon in the world.
     pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) {
-        for k in 0..N {
-            self.line(corners[k], corners[(k + 1) % N], pen);
-        }
+        (0..N).for_each(|k| self.line(corners[k], corners[(k + 1) % N], pen));
     }
 
     /// Draws the visible part of a flat convex polygon, unless objects hide all of its corners.
