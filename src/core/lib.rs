@@ -19,15 +19,15 @@
 //!
 //! # What is where
 //!
-//! | for | there are |
+//! | for | there is |
 //! | --- | --- |
-//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks all of it and gives a [`ResolvedCamera`], which has pixels, (u, v), rays and [projection](ResolvedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
-//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why a camera has no basis: [`BasisError`] |
-//! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
+//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks them and returns a [`ResolvedCamera`], which converts between pixels, (u, v) and rays, and [projects](ResolvedCamera::project) points; [`Intrinsics`] describe the viewport and the image as in computer vision |
+//! | bases | [`Basis`], [`UpAngle`] (how well up determines the basis), [`CameraDifference`]; [`BasisError`]: the reason why a camera has no basis |
+//! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] hold the intermediate numbers |
 //! | scenes | [`Scene`], [`Object`], [`Root`], [`RankedRoot`]: all roots of any ray, and its first hit |
-//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] selects the pixels, and [`Outputs`] what is kept of them |
+//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] selects the pixels, and [`Outputs`] the values to keep |
 //! | colours | [`trace_painted`] and [`retrace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
-//! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step of each pixel, and its margin; [`Counts`]: what a frame left out |
+//! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Certificate`]: the step that a ray's hit needed, and its margin; [`Counts`]: the work that a frame left out |
 //! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas, for comparison |
 //! | interaction | [`steering`]: moving and turning a camera by drags, wheel and keys |
@@ -38,8 +38,8 @@
 //!
 //! # Conventions
 //!
-//! The world is right-handed, and so is the camera's basis. The canonical camera stands at the
-//! world's origin with u, v, w along x, y, z, and so looks along -z.
+//! The world is right-handed, and so is the camera's basis. The canonical camera is at the world's
+//! origin with u, v, w along x, y, z, so it looks along -z.
 //!
 //! ```text
 //!   from the right side                                  from behind the eye
@@ -55,8 +55,8 @@
 //! view ray through (u, v):   eye + t * direction,   direction = u*U + v*V - distance*W
 //! ```
 //!
-//! (Where the scalars (u, v) occur too, the vectors are written in capitals.) The image lies in the
-//! viewport, rows counted from the top:
+//! Where the scalars (u, v) occur, too, the vectors are written in capitals. The image fills the
+//! viewport, with rows counted from the top:
 //!
 //! ```text
 //!             column 0   1  ... W-1
@@ -75,37 +75,39 @@
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
 //! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre. It
 //!   never shares a name with the vectors `u` and `v`.
-//! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction `u*U + v*V - distance*W`, *not*
-//!   normalized: `t = 1` is the viewport itself. The distance along the ray is `t * |direction|` and always
-//!   has a name of its own.
-//! - A [`Pixel`] is `(row, column)`, both from 0, row 0 on top.
-//! - A hit is the smallest `t > 0`; `t = 0` is not a hit, a tangent is. Among exact ties the object listed
-//!   first wins. Objects are counted from 0: spheres, then planes.
+//! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction `u*U + v*V - distance*W`,
+//!   which is *not* normalized: the viewport is at `t = 1`. The distance along the ray,
+//!   `t * |direction|`, is never called t.
+//! - A [`Pixel`] is `(row, column)`, both counted from 0, with row 0 at the top.
+//! - A ray's hit is its root with the smallest `t > 0`. A root at `t = 0` is not a hit; a tangent is. If
+//!   objects are hit at exactly equal `t`, the one listed first counts. Objects are counted from 0:
+//!   spheres, then planes.
 //!
 //! # The ladder
 //!
 //! Every decision (hit or miss, which of two objects is first, on which side of an object the eye is,
-//! whether there is a basis) is what exact real arithmetic gives for the `f64` inputs as given. A
-//! decision is first tried in `f64` with a bound of the error; if the value is within the bound, in
-//! double-double, again with a bound; and if the value is within that bound too, in integers of any
-//! length. Each bound is derived in the code where it is computed. [`Steps`] counts how many decisions
-//! each step made.
+//! whether there is a basis) equals that of exact real arithmetic for the given `f64` inputs. It climbs
+//! a ladder of three steps. It is first made in `f64`, as the sign of a value with an error bound. If
+//! the value is within the bound, the decision is in doubt, and is made in double-double, again with a
+//! bound. If the value is within that bound, too, the decision is made in exact integers of any length.
+//! Each bound is derived in the code where it is computed. [`Steps`] counts how many decisions each step
+//! made.
 //!
 //! - *Any ray*: a [`Ray`]'s origin and direction are taken as exact, to the bit: [`Scene::first_hit`].
-//! - *A pixel's ray*: eye, at (or view), up, viewport and image are taken as exact, to the bit, and
-//!   nothing in between is rounded, neither the basis nor (u, v) nor the direction:
+//! - *A pixel's ray*: eye, at (or view), up, viewport and image are taken as exact, to the bit, and no
+//!   intermediate result is rounded, neither the basis nor (u, v) nor the direction:
 //!   [`ResolvedCamera::exact_ray`] and [`Scene::first_hit_of`] for one pixel, [`trace`] for all pixels.
 //!
 //! `t` is the exact value, rounded to the nearest `f64` (in frames of `f32`, within an ulp of `f32`),
-//! and a normal is within 3e-16 rad. NaN, infinities, zero directions and radii are refused with typed
-//! errors by [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
+//! and a normal is within 3e-16 rad. NaN, infinities, zero directions and radii that are not positive
+//! are rejected with typed errors by [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
 //!
 //! # By raw numbers
 //!
-//! Each function answers one question about raw numbers. Rays and objects can be made from any type that
-//! converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take [`DVec3`] itself:
-//! use `.into()`. To use `f32`, convert each number by `f64::from`, or a vector by glam's `as_dvec3`,
-//! without loss.
+//! Each of these functions answers one question about raw numbers. Rays and objects can be made from any
+//! type that converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take only
+//! [`DVec3`], so use `.into()`. To use `f32`, convert each number by `f64::from`, or a vector by glam's
+//! `as_dvec3`, without loss.
 //!
 //! ```
 //! use pinhole_core::*;
@@ -159,30 +161,32 @@
 //!
 //! # How it is built
 //!
-//! Folders are floors, and each imports only from folders above it in this table; inside `render`, the
-//! order is given in its `mod.rs`, which explains how a frame is made.
+//! Each folder imports only from the folders above it in this table. The order inside `render` is given
+//! in its `mod.rs`, which explains how a frame is made.
 //!
-//! | folder | what it knows |
+//! | folder | contents |
 //! | --- | --- |
 //! | `exact` | numbers: error-free sums, double-double, numbers of any length, surds; a quadratic with a bound of its error |
 //! | `camera` | the basis, the viewport, the image, and view rays with all their digits |
-//! | `scene` | spheres and planes, what a ray meets of them and in which order: the ladder; the index over many spheres |
+//! | `scene` | spheres and planes, which of them a ray meets and in which order (the ladder); the index over many spheres |
 //! | `render` | pictures: `frame`, `outline`, `rows`, `bvh`, `polynomial`, `plan`, `row_band`, `shade` |
-//! | `methods` | the known formulas, to compare |
+//! | `methods` | the known formulas, for comparison |
 //! | `steering` | moving and turning the camera by drags, wheel and keys |
 //!
-//! A sphere becomes pixels in these steps:
+//! A sphere is converted to pixels in these steps:
 //!
-//! 1. `render::fill`, to which every call for a picture leads;
-//! 2. `Plan::new`, and there `Classifier::classify`: `Outlines::find` gives its outline, a conic in rows
-//!    and columns, with bounds, or drops it; `Span::new` what its rows share (of many spheres,
-//!    `VisibleSpheres::new` looks at groups and blocks of them first);
-//! 3. `RowBand::draw_rows` for each band of rows: `Span::draw` finds where each row begins and ends
-//!    (`SpanRows::find`) and `t` between (`SpanLanes::narrow` or `wide`), and keeps the nearest hits;
-//! 4. `RowBand::resolve_doubt` for pixels within a bound: `SphereFromOrigin::meets` decides by
-//!    `Quadratic::new` in `f64`, in double-double, and by `BigRay`, which is exact, and `Hit::compare`
-//!    which of two objects is first;
-//! 5. `Painter::rows`: runs of pixels of one object to colours.
+//! 1. Every function that makes a picture calls `render::fill`.
+//! 2. `Plan::new` calls `Classifier::classify`. `Outlines::find` finds the sphere's outline, a conic in
+//!    rows and columns, with error bounds, or drops the sphere; `Span::new` computes what its rows
+//!    share. If there are many spheres, `VisibleSpheres::new` examines groups and blocks of them
+//!    instead.
+//! 3. For each band of rows, `RowBand::draw_rows` calls `Span::draw`, which finds where each row begins
+//!    and ends (`SpanRows::find`) and `t` in between (`SpanLanes::narrow` or `wide`), and keeps the
+//!    nearest hits.
+//! 4. `RowBand::resolve_doubt` decides the pixels in doubt. `SphereFromOrigin::meets` decides whether
+//!    the sphere is met, by `Quadratic::new` in `f64` and in double-double, then by `BigRay`, which is
+//!    exact. `Hit::compare` decides which of two objects is first.
+//! 5. `Painter::rows` converts runs of pixels that show one object to colours.
 
 mod camera;
 mod exact;
@@ -196,7 +200,7 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// Arithmetic for the derivations that other crates show; not for general use.
+/// Arithmetic for the derivations shown by other crates; not for general use.
 #[doc(hidden)]
 pub mod arithmetic {
     pub use crate::camera::basis::{is_orthogonal, is_unit};

@@ -28,7 +28,7 @@ pub(crate) struct BigRoot {
     pub(crate) x: Surd,
     pub(crate) sign: Ordering,
     pub(crate) radicand: Surd,
-    /// The denominator; `None` stands for the ray's own `a`.
+    /// The denominator, or `None` if it is the ray's own `a`.
     pub(crate) y: Option<Surd>,
 }
 
@@ -51,7 +51,7 @@ impl BigRay {
         BigRay { origin: exact3(origin), direction, scale, radicands, a }
     }
 
-    /// Makes a ray from an origin and a direction as given.
+    /// Creates a ray from an origin and a direction.
     pub(crate) fn given(origin: DVec3, direction: DVec3) -> BigRay {
         let one = Surd::from(Dyadic::from(1.0));
         BigRay::new(origin, exact3(direction).map(Surd::from), one, Radicands::none())
@@ -62,8 +62,8 @@ impl BigRay {
         &(&terms[0] + &terms[1]) + &terms[2]
     }
 
-    /// Returns `value / unit`, for a unit greater than 0, with a relative error of at most
-    /// `2^-100`. The result is 0 only if the value is exactly 0.
+    /// Returns `value / unit` with a relative error of at most `2^-100`. `unit` must be greater than 0.
+    /// The result is 0 only if the value is exactly 0.
     pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> Precise {
         if value.sign(&self.radicands) == Ordering::Equal {
             return Precise::ZERO;
@@ -111,7 +111,7 @@ impl BigRay {
         sign_with_roots(&x, (root.sign, &radicand), no_root, radicands)
     }
 
-    /// Compares a root's distance from the origin, negative behind it, with a number, exactly.
+    /// Compares a root's distance from the origin, which is negative behind it, with a number, exactly.
     pub(crate) fn compare_distance(&self, root: &BigRoot, distance: &Dyadic) -> Ordering {
         let radicands = &self.radicands;
         let under_root = |x: &Surd| self.a.times(&x.square(radicands), radicands);
@@ -127,21 +127,21 @@ impl BigRay {
         sign_with_roots(&-&y.scaled(distance), one, no_root, radicands)
     }
 
-    /// Returns `(x + sign sqrt radicand) * 2^places`, off by less than 8.
+    /// Returns `(x + sign sqrt radicand) * 2^places` with an error of less than 8.
     pub(crate) fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
         let x = root.x.fixed(places, &self.radicands);
         if root.sign == Ordering::Equal {
             return x;
         }
-        // The error of less than 4 under the root becomes at most 2.
+        // An error of less than 4 under the root becomes an error of at most 2.
         let square = root.radicand.fixed(2 * places, &self.radicands);
         let swing = BigInt::from(square.magnitude().sqrt());
         if root.sign == Ordering::Less { x - swing } else { x + swing }
     }
 
-    /// Returns a fixed-point number with so many binary places that 128 bits are right, and the
-    /// number of places. For a number of places, `fixed` returns the same number, which must not be
-    /// 0, times `2^places`, with an error below 8.
+    /// Returns a fixed-point number with enough binary places for 128 correct bits, and the number of
+    /// places. `fixed(places)` must return that number times `2^places`, with an error below 8. The
+    /// number must not be 0.
     fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
         let mut places = 160 - self.a.log2_bound(&self.radicands) / 2;
         loop {

@@ -1,9 +1,9 @@
-//! Arithmetic with a bound of its error, in `f64` and in double-double: numbers and vectors of them.
+//! Arithmetic with error bounds, in `f64` and in double-double, for numbers and vectors.
 //!
-//! Every bound is of first order in the constants of [`Number`]; the factor [`SECOND_ORDER`] covers
-//! the rest, and the rounding of the bounds themselves. The manner of the analysis is that of Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions
-//! by it, of Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
+//! Every bound is of first order in the constants of [`Number`]. The factor [`SECOND_ORDER`] covers
+//! terms of higher order, and the rounding of the bounds themselves. The analysis follows Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3; filtering decisions by such
+//! bounds follows Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
 //! predicates*, Discrete & Computational Geometry 18, 1997.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,7 +11,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::scale::exponent;
 
-/// A type with the five operations of arithmetic.
+/// A type with the operators `+`, `-`, `*`, `/` and negation.
 pub(crate) trait Arithmetic:
     Copy
     + Add<Output = Self>
@@ -32,7 +32,7 @@ impl<T> Arithmetic for T where
 {
 }
 
-/// A number that the formulas are computed in, with bounds of its rounding errors.
+/// A type of numbers in which the formulas are computed, with bounds of its rounding errors.
 pub(crate) trait Number: Arithmetic + From<f64> {
     /// A bound of the relative error of a sum or difference.
     const SUM: f64;
@@ -52,7 +52,7 @@ pub(crate) trait Number: Arithmetic + From<f64> {
     /// is no longer than `sqrt 2 |a| |b|`.
     const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
 
-    /// Returns the square root of a number that is greater than 0.
+    /// Returns the square root. The number must be greater than 0.
     fn root(self) -> Self;
 
     /// Returns the number in `f64`, rounded.
@@ -95,13 +95,13 @@ impl Number for DoubleDouble {
     }
 }
 
-/// Allowance for terms of second order in the bounds (below 1e-12 of the first-order terms in `f64`) and
-/// the rounding of the bounds.
+/// Allowance for terms of second order in the bounds (in `f64`, below 1e-12 of the first-order terms)
+/// and for the rounding of the bounds.
 pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
 
-/// Bound of what underflow can add to any value computed from scaled vectors, whose largest coordinates
-/// are between 1e-30 and 1e30: products below 2^-969 lose their rounding error, at most 2^-1073 each,
-/// times 1e120.
+/// Bound of the error that underflow can add to any value computed from scaled vectors, whose largest
+/// coordinates are between 1e-30 and 1e30. The rounding errors of products below 2^-969 are lost: at
+/// most 2^-1073 each, times 1e120.
 pub(crate) const UNDERFLOW: f64 = 1e-190;
 
 /// A vector of numbers.
@@ -125,19 +125,18 @@ pub(crate) fn near<T: Number>(v: Vector<T>) -> Vector<f64> {
     v.map(T::near)
 }
 
-/// Returns the Euclidean length, with the errors of a few roundings.
+/// Returns the Euclidean length, with an error of a few roundings.
 #[inline(always)]
 pub(crate) fn length(v: Vector<f64>) -> f64 {
     dot(v, v).sqrt()
 }
 
-/// Range in which a vector's largest coordinate may lie without any need for scaling, see
-/// [`UNDERFLOW`].
+/// Range of a vector's largest coordinate in which no scaling is needed, see [`UNDERFLOW`].
 pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
 
-/// Splits a vector into `(m, k)`, where the vector is `m * 2^k` and the largest coordinate of m
-/// lies in [`PLAIN`]. A coordinate that is 2^900 times smaller than the largest may lose digits, by
-/// less than [`UNDERFLOW`].
+/// Splits a vector into `(m, k)`, so that the vector is `m * 2^k` and the largest coordinate of m lies
+/// in [`PLAIN`]. A coordinate that is 2^900 times smaller than the largest may lose digits, by less than
+/// [`UNDERFLOW`].
 pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
     let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
     if PLAIN.contains(&largest) || largest == 0.0 {

@@ -1,10 +1,10 @@
-//! Double-double arithmetic: a number as the unevaluated sum of two `f64`, 106 bits and more.
+//! Double-double arithmetic: a number is the unevaluated sum of two `f64`, with at least 106 bits.
 //!
-//! With `u = 2^-53` every operation below has a proven bound on its relative error. The bounds hold
-//! barring overflow and underflow; callers scale by powers of two.
+//! Every operation below has a proven bound of its relative error, given in terms of `u = 2^-53`. The
+//! bounds hold if nothing overflows or underflows; callers scale by powers of two to ensure this.
 //!
-//! The module also has the error-free sums and products that double-double is made of, for one number or
-//! for several side by side.
+//! The module also has the error-free sums and products on which double-double is based, for one number
+//! or several side by side.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -57,7 +57,7 @@ impl DoubleDouble {
     pub(crate) fn square_root(self) -> Self {
         let root = self.hi.sqrt();
         let (square, error) = root.two_product(root);
-        // hi - root^2 is exact in f64, so both differences here are one rounding at most.
+        // hi - root^2 is exact in f64, so the two differences here are rounded at most once.
         let rest = ((self.hi - square) - error) + self.lo;
         let (hi, lo) = fast_two_sum(root, rest.half() / root);
         DoubleDouble { hi, lo }
@@ -115,8 +115,8 @@ impl Div for DoubleDouble {
     type Output = Self;
 
     /// Divides two numbers, with a relative error of at most `17 u^2` (Joldes, Muller, Popescu 2017,
-    /// algorithm 17 and theorem 6.2: `15 u^2` and a little; its product by a quotient has `3/2 u^2` less
-    /// than ours by one `f64`).
+    /// algorithm 17 and theorem 6.2: slightly more than `15 u^2`; its product by a quotient has an error
+    /// smaller by `3/2 u^2` than the product by an `f64` used here).
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
@@ -135,7 +135,7 @@ impl DoubleDouble {
         self.hi + (self.lo + doubt) == self.hi && self.hi + (self.lo - doubt) == self.hi
     }
 
-    /// Returns `self * 2^k`, exact unless it leaves the range.
+    /// Returns `self * 2^k`, which is exact unless it leaves the range of `f64`.
     pub(crate) fn scaled(self, k: i32) -> DoubleDouble {
         DoubleDouble { hi: ldexp(self.hi, k), lo: ldexp(self.lo, k) }
     }
@@ -162,13 +162,13 @@ pub(crate) trait Lane: Arithmetic {
     /// Returns `x / 2`.
     fn half(self) -> Self;
 
-    /// Returns the number, or 0 if it is negative.
+    /// Returns the number itself, or 0 if it is negative.
     fn not_negative(self) -> Self;
 
     /// Returns `(2^27 + 1) * self`.
     fn shifted(self) -> Self;
 
-    /// Returns two halves of at most 26 bits each, by Veltkamp's splitting.
+    /// Returns two halves of at most 26 bits each, whose sum is the number (Veltkamp's splitting).
     #[inline(always)]
     fn halves(self) -> (Self, Self) {
         let shifted = self.shifted();
@@ -196,9 +196,9 @@ pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
 }
 
 /// Returns `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and
-/// products of at least 2^-969 (Dekker 1971, by Veltkamp's splitting). The operations are plain, for
-/// processors that have no fused multiply-add; the bits are the same as with one (but for the sign of an
-/// error of 0).
+/// products of at least 2^-969 (Dekker 1971, by Veltkamp's splitting). It uses plain operations, for
+/// processors without fused multiply-add. The bits equal those computed with one, except for the sign of
+/// an error of 0.
 #[inline(always)]
 pub(crate) fn dekker_product<F: Lane>(a: F, b: F) -> (F, F) {
     let product = a * b;

@@ -1,4 +1,4 @@
-//! Exact arithmetic: dyadic numbers of any length, the ladder's last step.
+//! Exact arithmetic with dyadic numbers of any length, for the ladder's last step.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -59,7 +59,8 @@ impl Dyadic {
         (&self.mantissa, self.exponent)
     }
 
-    /// Returns the mantissa for an exponent that is at most the number's own.
+    /// Returns the mantissa of the number written with `exponent`, which must be at most the number's
+    /// own exponent.
     fn aligned(&self, exponent: i32) -> BigInt {
         &self.mantissa << (self.exponent - exponent) as u32
     }
@@ -82,20 +83,20 @@ impl Dyadic {
         shifted(&self.mantissa, self.exponent + places)
     }
 
-    /// Returns `floor(|self|^(1/2) * 2^places)` of a number that is not negative.
+    /// Returns `floor(sqrt(self) * 2^places)`. The number must not be negative.
     pub(crate) fn fixed_root(&self, places: i32) -> BigInt {
         let square = shifted(&self.mantissa, self.exponent + 2 * places);
         debug_assert!(square.sign() != Sign::Minus);
         BigInt::from(square.magnitude().sqrt())
     }
 
-    /// Returns a double-double and an exponent k. The number is the double-double times `2^k`, with
-    /// a relative error of at most `2^-105`.
+    /// Returns a double-double and an exponent k, so that the number is the double-double times `2^k`,
+    /// with a relative error of at most `2^-105`.
     pub(crate) fn to_double_double(&self) -> (DoubleDouble, i32) {
         ratio(&self.mantissa, &BigInt::from(1), self.exponent)
     }
 
-    /// Returns `self * 2^k` as the nearest `f64`; halves to even.
+    /// Returns `self * 2^k` as the nearest `f64`, ties to even.
     pub fn rounded_times(&self, k: i32) -> f64 {
         round(&self.mantissa, self.exponent + k)
     }
@@ -106,7 +107,7 @@ pub(crate) fn shifted(m: &BigInt, k: i32) -> BigInt {
     if k >= 0 {
         return m << k as u32;
     }
-    // A shift of a negative BigInt rounds down; magnitudes keep the two signs alike.
+    // Shifting a negative BigInt would round down, not towards 0, so the magnitude is shifted.
     BigInt::from_biguint(m.sign(), m.magnitude() >> k.unsigned_abs())
 }
 
@@ -117,7 +118,7 @@ fn round(m: &BigInt, k: i32) -> f64 {
     if bits == 0 {
         return 0.0;
     }
-    // As many bits as the result can hold, and one that says whether anything is below them.
+    // Keeps as many bits as the result can hold, and one more that is set if any lower bit was set.
     let smallest = (-1074 - 1).max(bits + k - 55);
     let cut = smallest - k;
     let kept = if cut > 0 {
@@ -128,14 +129,14 @@ fn round(m: &BigInt, k: i32) -> f64 {
         magnitude << 1_u32
     };
     let lowest = k + cut.max(0) - 1;
-    // At most 57 bits: rounded to odd before, rounded to nearest here.
+    // At most 57 bits, rounded to odd, which are then rounded to nearest.
     let kept = kept.iter_u64_digits().next().unwrap_or(0);
     let x = round_to_odd(kept, lowest);
     if sign == Sign::Minus { -x } else { x }
 }
 
-/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits. Its lowest bit is 1 if any
-/// digit below it was dropped.
+/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits. Its lowest bit must be 1 if any
+/// lower bits that were set have been dropped.
 fn round_to_odd(m: u64, k: i32) -> f64 {
     if m == 0 {
         return 0.0;
@@ -155,9 +156,9 @@ fn round_to_odd(m: u64, k: i32) -> f64 {
     ldexp((whole + u64::from(up)) as f64, last)
 }
 
-/// Returns `numerator / denominator` as the nearest `f64`, halves to even; the denominator is not 0.
+/// Returns `numerator / denominator` as the nearest `f64`, ties to even. The denominator must not be 0.
 pub fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
-    // Enough for a result's 53 bits; the bit below them stands for all that is left over.
+    // Enough for the 53 bits of a result; the lowest bit is set if there is a remainder.
     let widen = (64 + denominator.mantissa.bits()).saturating_sub(numerator.mantissa.bits());
     let widened = &numerator.mantissa << widen;
     let quotient = &widened / &denominator.mantissa;
@@ -167,8 +168,8 @@ pub fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     round(&quotient, numerator.exponent - denominator.exponent - widen as i32 - 1)
 }
 
-/// Returns `sqrt(numerator / denominator)` of numbers that are not negative, within an ulp; infinite
-/// where the denominator is 0.
+/// Returns `sqrt(numerator / denominator)` within an ulp, or infinity if the denominator is 0. Neither
+/// number may be negative.
 pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     if numerator.is_zero() {
         return 0.0;
@@ -179,14 +180,13 @@ pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     let ((n, n_scale), (d, d_scale)) =
         (numerator.to_double_double(), denominator.to_double_double());
     let (quotient, k) = (n / d, n_scale - d_scale);
-    // An even power of two goes through the root.
+    // The root of an even power of two is exact.
     let odd = k.rem_euclid(2);
     ldexp(quotient.scaled(odd).square_root().hi, (k - odd) / 2)
 }
 
-/// Returns `numerator / denominator * 2^k` as a double-double and the exponent of a power of two by
-/// which it is multiplied, with a relative error of at most `2^-105`. The high part lies in `[1/2,
-/// 2]`.
+/// Returns `numerator / denominator * 2^k` as a double-double and the exponent of a power of two to
+/// multiply it by, with a relative error of at most `2^-105`. The high part lies in `[1/2, 2]`.
 pub(crate) fn ratio(numerator: &BigInt, denominator: &BigInt, k: i32) -> (DoubleDouble, i32) {
     const DIGITS: i32 = 128;
     if numerator.sign() == Sign::NoSign {

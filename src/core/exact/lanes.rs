@@ -1,9 +1,9 @@
 //! Vectors of several `f64` or `f32` side by side (SIMD).
 //!
-//! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON when the program
-//! runs, on stable Rust and without any `unsafe` in this crate. In measurements it was as fast as
-//! the processor's intrinsics. `pulp` was 3 % slower on the row kernel, `wide` cannot choose at run
-//! time, and loops left to the compiler took two to three times as long.
+//! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON at run time, on stable
+//! Rust and without any `unsafe` in this crate. In measurements it was as fast as the processor's
+//! intrinsics. `pulp` was 3 % slower on the kernel that draws rows, `wide` cannot choose at run time,
+//! and loops vectorized by the compiler took two to three times as long.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -20,7 +20,7 @@ pub(crate) struct Lanes<S: Simd>(pub(crate) S::f64s);
 #[derive(Clone, Copy)]
 pub(crate) struct SingleLanes<S: Simd>(pub(crate) S::f32s);
 
-/// Returns whether the level multiplies and adds in one instruction.
+/// Returns whether the level has fused multiply-add.
 #[inline(always)]
 pub(crate) fn is_fused(level: Level) -> bool {
     match level {
@@ -45,8 +45,8 @@ macro_rules! operator {
     };
 }
 
-/// Implements the arithmetic of lanes of one precision, given the precision and Veltkamp's factor for
-/// it.
+/// Implements the arithmetic of lanes of one precision, given the precision and the factor for
+/// Veltkamp's splitting.
 macro_rules! lanes {
     ($lanes:ident, $real:ident, $vector:ident, $splitter:expr) => {
         impl<S: Simd> $lanes<S> {
@@ -106,12 +106,12 @@ macro_rules! lanes {
 }
 
 lanes!(Lanes, f64, f64s, SPLITTER);
-// Of f32 it is 2^12 + 1.
+// For f32, the factor is 2^12 + 1.
 lanes!(SingleLanes, f32, f32s, (1_u32 << 12) as f32 + 1.0);
 
 impl<S: Simd> SingleLanes<S> {
-    /// Returns `self - a * b`, rounded once, where `a * b` is so close to self that the difference is
-    /// exact: the residual of a root or a quotient.
+    /// Returns the residual `self - a * b` of a root or a quotient. `a * b` must be so close to `self`
+    /// that the difference is exact.
     #[inline(always)]
     pub(crate) fn residual(self, a: Self, b: Self) -> Self {
         if is_fused(self.0.token().level()) {
@@ -123,7 +123,7 @@ impl<S: Simd> SingleLanes<S> {
     }
 }
 
-/// Iterates over the lanes whose bits are set.
+/// Returns the lanes whose bits are set, in ascending order.
 #[inline(always)]
 pub(crate) fn lanes_of(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

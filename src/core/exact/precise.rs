@@ -1,4 +1,4 @@
-//! A root `t` with more digits than an `f64` has, and more range.
+//! A root's `t`, with more digits and a wider range than those of `f64`.
 
 use std::cmp::Ordering;
 
@@ -9,17 +9,18 @@ use crate::exact::scale::ldexp;
 /// The largest relative error of a [`Precise`]: just below 2^-93, which is 2^-40 of an ulp of `f64`.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
-/// Returns whether a sum `t d + term`, whose terms cancel, is so small compared with `term` that all of
-/// its digits may come from the error of t. The sum then counts as 0.
+/// Returns true if a sum `t d + term`, whose terms cancel, is so small compared with `term` that it may
+/// consist only of the error of t. Such a sum counts as 0.
 pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
 
-/// Rounds a number that lies between two neighbouring `f64` or a little beyond one of them, to nearest,
-/// ties to even. `compare` compares the number with the middle between the neighbours.
+/// Rounds a number to the nearest `f64`, ties to even. The number must lie between the two given
+/// neighbours or slightly beyond one of them. `compare` compares the number with the midpoint of the
+/// neighbours.
 pub(crate) fn rounded([low, high]: [f64; 2], compare: impl FnOnce(&Dyadic) -> Ordering) -> f64 {
     let half = |x: f64| &Dyadic::from(x) * &Dyadic::from(0.5);
-    // Beyond the largest number, the next one would be as far as the one before it.
+    // The distance to the number after the largest one would equal that to the number before it.
     let middle = if low.is_infinite() {
         &Dyadic::from(high) + &half(high - high.next_up())
     } else if high.is_infinite() {
@@ -49,8 +50,8 @@ impl Precise {
         Precise { value, scale }
     }
 
-    /// Returns the nearest `f64`. A number too large for `f64` becomes infinite; one too small becomes
-    /// the smallest positive `f64`, with its sign.
+    /// Returns the nearest `f64`. A number too large for `f64` becomes infinite. One too small becomes
+    /// the smallest positive `f64`. Both keep their sign.
     pub(crate) fn to_f64(self) -> f64 {
         let Precise { value, scale } = self;
         let rounded = ldexp(value.hi, scale);
@@ -66,14 +67,14 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// Returns the least and the greatest `f64` that this number may round to if its relative error is
-    /// `doubt`.
+    /// Returns the smallest and the largest `f64` to which the exact number may round, if the relative
+    /// error of this one is `doubt`.
     pub(crate) fn nearest(self, doubt: f64) -> [f64; 2] {
         let off = DoubleDouble::from(1.01 * doubt * self.value.hi.abs());
         [self.value - off, self.value + off].map(|value| Precise { value, ..self }.to_f64())
     }
 
-    /// Compares two numbers; returns `None` where they are closer than their errors.
+    /// Compares two numbers; returns `None` if their difference is smaller than their errors.
     pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
         let sign = |x: f64| x.total_cmp(&0.0);
@@ -88,8 +89,8 @@ impl Precise {
         (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 
-    /// Returns `self - other`, a bound of its error, and the sum of both sizes, in one unit; `None` if
-    /// one number is so much larger that the other is negligible.
+    /// Returns `self - other`, an error bound, and the sum of the absolute values of both, all in the
+    /// same unit. Returns `None` if one number is so much larger that the other is negligible.
     pub(crate) fn difference(self, other: Precise) -> Option<(f64, f64, f64)> {
         let k = other.scale - self.scale;
         if k.abs() > 2000 {

@@ -1,25 +1,25 @@
-//! The quadratic equation of a ray and a sphere, with a bound of its error. The same code computes
-//! it in `f64` and in double-double, for the first two steps of the ladder.
+//! The quadratic equation of a ray and a sphere, with error bounds. The same code is used for `f64` and
+//! double-double, the first two steps of the ladder.
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 
-/// Maximum relative error of a root whose bound is used. Up to it, the square of the error, which the
-/// bound leaves out, is covered by [`SECOND_ORDER`].
+/// Maximum relative error of a root that may be used. Up to this, [`SECOND_ORDER`] covers the square of
+/// the error, which the bound leaves out.
 pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
 
-/// A formula for the discriminant D. Which one loses fewer digits depends on the origin's distance
+/// A formula for the discriminant D. Which formula loses fewer digits depends on the origin's distance
 /// from the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `b^2 - a c`, for origins inside the sphere, where it is a sum, and just outside, where both
-    /// terms are small.
+    /// `b^2 - a c`, for origins inside the sphere, where it is a sum of positive numbers, and just
+    /// outside it, where both terms are small.
     Near,
-    /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`: grazing rays
-    /// and distant spheres.
+    /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`, for grazing rays and
+    /// distant spheres.
     Far,
 }
 
-/// The terms of a sphere that all rays of one origin share, scaled: `q = center - origin`, r, and
+/// The scaled terms of a sphere that all rays from one origin share: `q = center - origin`, r, and
 /// `c = |q|^2 - r^2`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SphereTerms<T> {
@@ -45,7 +45,8 @@ pub(crate) struct DirectionTerms<T> {
     pub(crate) doubt: f64,
 }
 
-/// `a t^2 - 2 b t + c = 0` with `b = q.d`, positive towards the centre, and `D = b^2 - a c`.
+/// The quadratic `a t^2 - 2 b t + c = 0` with `D = b^2 - a c` and `b = q.d`, which is positive if the
+/// centre lies ahead.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadratic<T> {
     pub(crate) a: T,
@@ -69,7 +70,7 @@ impl<T: Number> Quadratic<T> {
     /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
     /// ```
     ///
-    /// where the difference itself adds SUM times each of its terms.
+    /// To these, the difference itself adds SUM times each of its terms.
     #[inline(always)]
     pub(crate) fn new(sphere: &SphereTerms<T>, direction: &DirectionTerms<T>) -> Quadratic<T> {
         let (q, d) = (sphere.q, direction.d);
@@ -101,13 +102,13 @@ impl<T: Number> Quadratic<T> {
         Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt }
     }
 
-    /// Returns the nearer or the farther root with a bound of its relative error; `None` where D may be
-    /// 0.
+    /// Returns the nearer or, if `far` is true, the farther root, with a bound of its relative error.
+    /// Returns `None` if D may be 0.
     ///
-    /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z`
-    /// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6). D is off by at most its doubt, so
-    /// its root is by `doubt / sqrt D`, and where D is large against its doubt, by little more than
-    /// half of that. z is off by that, b's doubt, a root and a sum.
+    /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z` (Press et
+    /// al., *Numerical Recipes*, 3rd ed., section 5.6). The error of D is at most its doubt, so that of
+    /// its root is at most `doubt / sqrt D`, or little more than half of that if D is large compared
+    /// with its doubt. The error of z is that of the root, b's doubt, and those of a root and a sum.
     #[inline(always)]
     pub(crate) fn root(&self, sphere: &SphereTerms<T>, far: bool) -> Option<(T, f64)> {
         let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
@@ -120,7 +121,7 @@ impl<T: Number> Quadratic<T> {
         let z_doubt = (b_doubt + share * discriminant_doubt / root.near()) / z.near().abs();
         let (t, other_doubt) =
             if self.is_of_c(far) { (sphere.c / z, sphere.c_doubt) } else { (z / a, a_doubt) };
-        // A product more for the whole number that t is stretched by.
+        // One more product, for the whole number by which t is stretched.
         let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
     }
@@ -132,8 +133,8 @@ impl<T: Number> Quadratic<T> {
     }
 }
 
-/// Returns the outward unit normal of a sphere at `t`: `t d - q`, scaled to length 1. It is zero if
-/// rounding has left no direction.
+/// Returns the outward unit normal of a sphere at `t`: `t d - q`, scaled to length 1. It is the zero
+/// vector if rounding has left no direction.
 pub(crate) fn sphere_normal<T: Number>(
     q: Vector<T>,
     direction: &DirectionTerms<T>,

@@ -1,5 +1,5 @@
-//! Scaling by powers of two, which is exact and removes every overflow and underflow from a length, a
-//! cross product or a discriminant; and numbers as the shortest text that reads back.
+//! Scaling by powers of two, which is exact and avoids overflow and underflow in lengths, cross products
+//! and discriminants. Also formats numbers as the shortest text that reads back to the same number.
 
 use glam::DVec3;
 
@@ -7,8 +7,8 @@ use glam::DVec3;
 /// underflow.
 pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
-/// Returns whether the direction's squared length is so far from 0 and infinity that an
-/// intersection neither overflows nor underflows.
+/// Returns whether the direction's squared length is far enough from 0 and infinity for an intersection
+/// to neither overflow nor underflow.
 pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
     (1e-120..1e120).contains(&direction.length_squared())
 }
@@ -30,9 +30,9 @@ pub(crate) fn exponent(x: f64) -> i32 {
 
 /// Returns `x * 2^k` for any `k`, rounded once; exact unless the result overflows or is subnormal.
 pub(crate) fn ldexp(x: f64, k: i32) -> f64 {
-    // One factor 2^k alone may not be representable. Downwards, each step but the last stops 53
-    // short of the smallest exponent: digits lost before the last step then belong to a result
-    // below half the smallest number, which is 0 either way.
+    // 2^k may be beyond the range of f64, so it is split into several factors. Downwards, each factor
+    // but the last leaves 53 bits of room above the smallest exponent. Digits are then lost before the
+    // last step only if the result is below half the smallest number, and so 0 anyway.
     const UP: i32 = 1023;
     const DOWN: i32 = -1022 + 53;
     let (mut x, mut k) = (x, k.clamp(-4000, 4000));
@@ -53,7 +53,7 @@ pub(crate) fn ldexp3(v: DVec3, k: i32) -> DVec3 {
 }
 
 /// Splits a finite, non-zero `v` into `(m, k)` with `v = m * 2^k` and the largest `|m_i|` in `[1, 2)`. A
-/// component more than 2^1000 times smaller than the largest loses digits.
+/// coordinate more than 2^1000 times smaller than the largest loses digits.
 pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
     let k = exponent(v.abs().max_element());
     (ldexp3(v, -k), k)
@@ -62,14 +62,14 @@ pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
 /// Returns `v / |v|` for any finite, non-zero `v`, however long or short.
 pub fn unit(v: DVec3) -> DVec3 {
     if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
-        // The same bits as below: powers of two cancel in the quotient.
+        // This gives the same bits as the code below: powers of two cancel in the quotient.
         return v / v.length();
     }
     let (m, _) = split(v);
     m / m.length()
 }
 
-/// Returns `|v|`, free of intermediate overflow and underflow.
+/// Returns `|v|`, without intermediate overflow or underflow.
 pub fn length(v: DVec3) -> f64 {
     let squared = v.length_squared();
     if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
@@ -79,15 +79,15 @@ pub fn length(v: DVec3) -> f64 {
     ldexp(m.length(), k)
 }
 
-/// Returns the angle between two directions of length 1, accurate also where it is small.
+/// Returns the angle between two unit vectors, accurate even for small angles.
 pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
 /// Returns the shortest decimal that reads back to the same `f64`: `1`, `0.1`, `1e300`.
 ///
-/// Unlike `{}` it never prints hundreds of zeros, unlike `{:?}` it prints no trailing `.0`, and it prints
-/// negative zero as `0`.
+/// Unlike `{}`, it never prints hundreds of zeros; unlike `{:?}`, it prints no trailing `.0`. Negative
+/// zero is printed as `0`.
 pub fn shortest(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();

@@ -5,19 +5,19 @@ use std::ops::Add;
 
 use serde::Serialize;
 
-/// Numbers of decisions that each step of the ladder made, or numbers of values of `t` that each
+/// How many decisions each step of [the ladder](crate#the-ladder) made, or how many values of `t` each
 /// step computed.
 ///
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has
-/// a bound of its own error, and passes decisions that lie within the bound on to the next step.
+/// an error bound, and passes on to the next step any decision whose value lies within the bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[non_exhaustive]
 pub struct Steps {
     /// Decisions made in `f64`.
     pub f64: u64,
-    /// Decisions in doubt in `f64`, made in double-double.
+    /// Decisions that were in doubt in `f64` and made in double-double.
     pub double_double: u64,
-    /// Decisions in doubt in double-double too, made in exact arithmetic.
+    /// Decisions that were in doubt in double-double, too, and made in exact arithmetic.
     pub exact: u64,
 }
 
@@ -48,7 +48,7 @@ impl Steps {
         self.f64 + self.double_double + self.exact
     }
 
-    /// Returns the number of decisions that `f64` could not make.
+    /// Returns the number of decisions that were in doubt in `f64`.
     pub fn beyond_f64(&self) -> u64 {
         self.double_double + self.exact
     }
@@ -66,7 +66,7 @@ impl Add for Steps {
     }
 }
 
-/// Returns the sign of a number; `Equal` also for -0.
+/// Returns the sign of a number; both 0 and -0 give `Equal`.
 pub(crate) fn sign_of(x: f64) -> Ordering {
     (x + 0.0).total_cmp(&0.0)
 }

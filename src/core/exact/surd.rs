@@ -1,4 +1,4 @@
-//! Exact numbers with two square roots: the directions of a camera's pixel rays are of this form.
+//! Exact numbers with two square roots. The directions of a camera's view rays have this form.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Neg, Sub};
@@ -34,7 +34,8 @@ impl Radicands {
     }
 }
 
-/// `x0 + x1 sqrt A + x2 sqrt B + x3 sqrt(A B)`, with the radicands kept elsewhere.
+/// The number `x0 + x1 sqrt A + x2 sqrt B + x3 sqrt(A B)`. The [`Radicands`] A and B are stored
+/// separately.
 #[derive(Clone, Debug)]
 pub(crate) struct Surd(pub(crate) [Dyadic; 4]);
 
@@ -53,8 +54,8 @@ impl Surd {
     /// Returns the product, using `sqrt A sqrt A = A` and `sqrt B sqrt B = B`; coefficients of 0 are
     /// skipped.
     pub(crate) fn times(&self, other: &Surd, radicands: &Radicands) -> Surd {
-        /// Returns the factor of the product of two coefficients: the radicands of the roots that both
-        /// coefficients have (bit 0 for A, bit 1 for B), or `None` if they have no root in common.
+        /// Returns the factor for the product of the coefficients i and j: the radicands of the roots
+        /// that both have (bit 0 for A, bit 1 for B), or `None` if they have no root in common.
         fn factor(i: usize, j: usize, radicands: &Radicands) -> Option<&Dyadic> {
             match i & j {
                 0 => None,
@@ -86,16 +87,16 @@ impl Surd {
         self.times(self, radicands)
     }
 
-    /// Returns `x y` of an exact y.
+    /// Returns the product with an exact number.
     pub(crate) fn scaled(&self, y: &Dyadic) -> Surd {
         Surd(std::array::from_fn(|i| &self.0[i] * y))
     }
 
     /// Returns the sign, decided exactly.
     ///
-    /// `x + y sqrt B` has the sign that x and y share; where they differ, that of x if
-    /// `x^2 > y^2 B`. x and y are numbers `p + q sqrt A`, whose signs follow in the same way from
-    /// exact integers.
+    /// The number is `x + y sqrt B`, where x and y are numbers `p + q sqrt A`. If x and y have the same
+    /// sign, this is the result. Otherwise the result is the sign of x if `x^2 > y^2 B`, and that of y
+    /// if not. The signs of x and y follow in the same way from exact numbers.
     pub(crate) fn sign(&self, radicands: &Radicands) -> Ordering {
         let [x0, x1, y0, y1] = &self.0;
         let (x, y) = (sign_with_root(x0, x1, &radicands.a), sign_with_root(y0, y1, &radicands.a));
@@ -160,8 +161,8 @@ fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
     larger_of(p.sign(), q.sign(), || (&p.square() - &(&q.square() * a)).sign())
 }
 
-/// Returns the sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`, decided
-/// exactly: by squaring, as often as there are roots.
+/// Returns the sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`. It is decided
+/// exactly, by squaring once for each root.
 pub(crate) fn sign_with_roots(
     x: &Surd,
     (s, p): (Ordering, &Surd),

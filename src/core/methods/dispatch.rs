@@ -1,8 +1,8 @@
-//! The [methods](crate::methods) chosen at run time: whole pictures, and kernels for a caller that measures
-//! their time.
+//! Runs a [method](crate::methods) chosen at run time: for whole pictures, and as kernels for a caller
+//! that measures the time.
 //!
 //! The loops are compiled for each SIMD level and vectorized by the compiler. Products and sums are
-//! fused only where a formula says so: every level gives the same bits.
+//! fused only where a formula says so, so every level gives the same bits.
 
 use std::marker::PhantomData;
 use std::sync::{Arc, OnceLock};
@@ -25,7 +25,7 @@ use crate::render::frame::{Depth, Frame, NO_OBJECT, Outputs, Raster};
 use crate::render::{retrace, trace_as};
 use crate::scene::Scene;
 
-/// The first hit of a ray, by one of the methods.
+/// The first hit of a ray, as computed by one of the methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MethodHit {
@@ -33,12 +33,12 @@ pub struct MethodHit {
     pub object: u32,
     /// Position on the ray, in units of the direction's length, widened to `f64`.
     pub t: f64,
-    /// The outward normal as the method gives it: `(p + t d - center) / radius` for a sphere, with
-    /// whatever length rounding leaves.
+    /// The outward normal as computed by the method: for a sphere `(p + t d - center) / radius`, whose
+    /// length may differ from 1 by rounding.
     pub normal: DVec3,
 }
 
-/// The first hits of a raster's pixels, row by row, from [`trace_by`].
+/// The first hits of a raster's pixels, row by row, as returned by [`trace_by`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Traced {
@@ -48,8 +48,9 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// Evaluates an expression for a method chosen at run time, where `$formula` stands for the formula's type
-/// and `$real` for that of its numbers. The ladder has its own expressions, one for each precision of `t`.
+/// Evaluates an expression for a method chosen at run time, where `$formula` stands for the formula's
+/// type and `$real` for that of its numbers. The ladder has separate expressions, one for each precision
+/// of `t`.
 macro_rules! with_method {
     (
         $method:expr,
@@ -89,7 +90,7 @@ macro_rules! with_types {
     }};
 }
 
-/// Traces the first hit of every pixel of the raster by a method, rows in parallel. Each direction
+/// Traces the first hit of every pixel of the raster by a method, with rows in parallel. Each direction
 /// `u*U + v*V - distance*W` is computed in the method's own precision, from the camera's basis rounded
 /// to that precision, and is intersected with every object.
 pub fn trace_by(method: Method, scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
@@ -123,31 +124,32 @@ fn trace_by_known<M: Intersect<R>, R: Real>(frame: &RoundedFrame<R>, raster: &Ra
     traced
 }
 
-/// The rays of a raster, or a list of rays, that one method intersects in one thread, for a caller that
-/// measures the time.
+/// The rays of a raster, or a list of rays, to be intersected by one method in one thread, for a caller
+/// that measures the time.
 ///
-/// The ladder of a raster is an exception: it is [`retrace`], which runs in the current thread pool.
+/// The ladder for a raster is an exception: it calls [`retrace`], which runs in the current thread pool.
 pub trait MethodKernel: Send + Sync {
-    /// Finds every ray's first hit again, without its normal. For a raster, this includes all preparation,
-    /// from the scene and the camera as given. The kernel owns the memory of the result.
+    /// Finds every ray's first hit anew, without its normal. For a raster, this includes all
+    /// preparation, starting from the scene and the camera. The results are kept in the kernel's own
+    /// memory.
     fn run(&mut self);
 
-    /// Returns the first hit of the ray with this index, the same as [`MethodKernel::run`] finds, with its
-    /// normal. The pixels of a raster are counted row by row. Returns `None` for a miss, and for a list of
-    /// rays before the first run.
+    /// Returns the first hit of the ray with this index, as found by [`MethodKernel::run`], with its
+    /// normal. The pixels of a raster are counted row by row. Returns `None` for a miss; for a list of
+    /// rays also if [`MethodKernel::run`] has not been called yet.
     ///
     /// # Panics
     /// Panics if a raster has no pixel of this index.
     fn hit(&self, index: usize) -> Option<MethodHit>;
 
-    /// Returns the number of decisions that each step of the ladder made in the last run, and of `t` that
-    /// each step computed; `None` for any method but the ladder.
+    /// Returns how many decisions each step of the ladder made in the last run, and how many values of
+    /// `t` each step computed. Returns `None` for any method but the ladder.
     fn steps(&self) -> Option<[Steps; 2]> {
         None
     }
 }
 
-/// Makes the kernel of a method and a raster.
+/// Creates the kernel of a method for a raster.
 pub fn frame_kernel(
     method: Method,
     scene: &Arc<Scene>,
@@ -197,7 +199,7 @@ impl<T: Depth + 'static> MethodKernel for LadderFrame<T> {
         let frame = self.frame.get_or_init(|| self.traced());
         let traced = frame.at(index / width, index % width);
         let object = traced.object?;
-        // The frame was traced without normals, which cost more than all the rest.
+        // The frame was traced without normals, which cost more than everything else.
         let root = self.scene.first_hit_of(&self.camera.exact_ray(traced.pixel));
         let normal = root.filter(|root| root.object == object)?.normal;
         Some(MethodHit { object, t: traced.t.widened(), normal })
@@ -239,7 +241,7 @@ impl<M: Intersect<R>, R: Real> MethodKernel for KnownFrame<M, R> {
     }
 }
 
-/// Returns a hit in rounded numbers, with its normal.
+/// Converts a hit in rounded numbers to a [`MethodHit`] with its normal.
 fn hit_of_rounded<R: Real>(
     scene: &RoundedScene<R>,
     ray: &RoundedRay<R>,
@@ -248,9 +250,9 @@ fn hit_of_rounded<R: Real>(
     hit.map(|(object, t)| MethodHit { object, t: t.to_f64(), normal: scene.normal(object, ray, t) })
 }
 
-/// Makes the kernel of a method and a list of rays, each with its own scene; returns `None` for
-/// [`Method::LadderF32`], which traces only frames. Scenes and rays are rounded to the method's precision
-/// here, before anything is timed.
+/// Creates the kernel of a method for a list of rays, each with its own scene. Returns `None` for
+/// [`Method::LadderF32`], which traces only frames. Scenes and rays are rounded to the method's
+/// precision here, so that this is not timed.
 pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Option<Box<dyn MethodKernel>> {
     let kernel: Box<dyn MethodKernel> = with_method!(
         method,

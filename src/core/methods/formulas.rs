@@ -1,19 +1,19 @@
-//! The known formulas for a ray and a sphere, and the textbook's for a ray and a plane. Each is
+//! The known formulas for a ray and a sphere, and the textbook formula for a ray and a plane. Each is
 //! written once, for any [`Real`].
 //!
-//! With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all of them solve
+//! With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all formulas for spheres solve `f(t) = 0`:
 //!
 //! ```text
 //! a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 //! ```
 //!
-//! The formulas agree in real arithmetic. They differ in what rounding leaves of D.
+//! The formulas agree in real arithmetic. They differ in how much rounding changes D.
 
 use crate::exact::bounded::{Vector, cross, dot};
 use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedSphere, minus, plus, times};
 
-/// The numbers of a ray and a sphere from which a formula computes `t`. In a loop over rays of one origin,
-/// the compiler computes those that do not depend on the direction once.
+/// The numbers of a ray and a sphere from which a formula computes `t`. In a loop over rays from one
+/// origin, the compiler computes the numbers that do not depend on the direction only once.
 pub(crate) struct Terms<R> {
     /// `d`
     direction: Vector<R>,
@@ -54,7 +54,8 @@ impl<R: Real> Terms<R> {
         (t, plus(self.from_center, times(t, self.direction)))
     }
 
-    /// Returns the first hit by q, see [`Formula::HalfB`](crate::methods::Formula::HalfB).
+    /// Returns the first hit from the roots `q / a` and `c / q`, see
+    /// [`Formula::HalfB`](crate::methods::Formula::HalfB).
     #[inline(always)]
     fn first_by_q(&self, discriminant: R) -> R {
         let q = -(self.b + discriminant.sqrt().copysign(self.b));
@@ -65,12 +66,13 @@ impl<R: Real> Terms<R> {
 /// A way to intersect rays with a sphere, for numbers of type `R`. It is inlined and written without
 /// branches, so that a loop over directions can be vectorized.
 pub(crate) trait Intersect<R: Real>: Send + Sync + 'static {
-    /// Returns the smallest t > 0 at which the method finds the sphere. Any other value means no hit:
-    /// infinite, NaN, zero or negative.
+    /// Returns the smallest t > 0 at which the method finds the sphere. An infinite, NaN, zero or
+    /// negative result means no hit.
     fn first_hit(terms: &Terms<R>) -> R;
 }
 
-/// Returns the smaller of two roots that is a hit; the roots may be in either order, or NaN.
+/// Returns the smaller positive one of two roots, or infinity if neither is positive. The roots may be
+/// in either order, or NaN.
 #[inline(always)]
 fn first_of<R: Real>(s: R, t: R) -> R {
     let s = if s > R::ZERO { s } else { R::INFINITY };
@@ -163,12 +165,12 @@ impl<R: Real> Intersect<R> for Recentred {
     }
 }
 
-/// Returns `t` of a plane by the textbook, `n.(q - p) / n.d`, as all methods but the ladder do; by the same
-/// convention as [`Intersect::first_hit`].
+/// Returns `t` of a plane by the textbook formula, `n.(q - p) / n.d`, which all methods but the ladder
+/// use. The result is to be read like that of [`Intersect::first_hit`].
 ///
 /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2, section 2.2.
 ///
-/// The formula fails where n.d loses its digits, because the ray is nearly parallel to the plane.
+/// The formula fails if the ray is nearly parallel to the plane, so that n.d loses its digits.
 #[inline(always)]
 pub(crate) fn plane_by_textbook<R: Real>(
     &RoundedPlane { point, normal }: &RoundedPlane<R>,

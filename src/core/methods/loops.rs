@@ -1,7 +1,8 @@
-//! Whole frames and lists of rays by a [method](crate::methods), each loop compiled for one method.
+//! Traces whole frames and lists of rays by a [method](crate::methods). Each loop is compiled for each
+//! method.
 //!
-//! These pictures show the errors of a method, so every pixel's ray is intersected with every object: no
-//! bounds are computed, and nothing is left out.
+//! These pictures show the errors of a method, so every pixel's ray is intersected with every object:
+//! there are no bounds, and nothing is skipped.
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::bounded::Vector;
@@ -11,7 +12,7 @@ use crate::render::frame::{NO_OBJECT, Raster};
 use crate::scene::Scene;
 
 /// A scene and the view rays of a raster, in a method's precision. The camera's basis, viewport and eye
-/// are rounded to the precision first, and so is every operation of a direction
+/// are rounded to this precision first, and so is the result of every operation in a direction
 /// `u*U + (v*V - distance*W)`.
 pub(crate) struct RoundedFrame<R> {
     pub(crate) scene: RoundedScene<R>,
@@ -30,8 +31,9 @@ pub(crate) struct Row<R> {
 }
 
 impl<R: Real> Row<R> {
-    /// Intersects every pixel's ray with one object. Objects come in ascending order, so an object wins
-    /// only if its hit is strictly nearer, and the first of equals is kept; NaN is never nearer.
+    /// Intersects every pixel's ray with one object. Objects must be added in ascending order: an object
+    /// replaces the known one only if its hit is strictly nearer, so the first of equals is kept. NaN is
+    /// never nearer.
     #[inline(always)]
     fn add(&mut self, object: u32, first_hit: impl Fn(Vector<R>) -> R) {
         let [x, y, z] = &self.directions;
@@ -52,7 +54,7 @@ impl<R: Real> RoundedFrame<R> {
         let [width, height, distance] =
             [viewport.width, viewport.height, viewport.distance].map(R::from_f64);
         let (columns, rows) = (camera.image().width(), camera.image().height());
-        // Small integers, exact in every precision.
+        // The numerator and the count are small integers, exact in every precision.
         let share = |extent: R, numerator: f64, count: u32| {
             extent * (R::from_f64(numerator) / R::from_f64(2.0 * f64::from(count)))
         };

@@ -1,9 +1,9 @@
-//! The known ways to intersect rays with spheres, for comparison and teaching: each is named and
-//! sourced, and can be computed in `f32` and `f64`. Pictures are made by [`Method::Ladder`] unless the
+//! The known ways to intersect rays with spheres, for comparison and teaching. Each has a name and a
+//! source, and can be computed in `f32` and `f64`. Pictures are made by [`Method::Ladder`], unless the
 //! caller chooses another method to show its errors.
 //!
-//! [`Formula`] has each formula with its source; [`Method`] is the choice, at run time, between the
-//! ladder and the formulas. The loops over pixels and rays are compiled for each method.
+//! [`Formula`] lists the formulas with their sources. [`Method`] selects, at run time, the ladder or one
+//! of the formulas. The loops over pixels and rays are compiled for each method.
 //!
 //! ```
 //! use pinhole_core::methods::{Method, ray_kernel};
@@ -36,18 +36,18 @@ mod number;
 
 /// A formula for a ray and a sphere.
 ///
-/// With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all of them solve
+/// With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all formulas solve `f(t) = 0`:
 ///
 /// ```text
 /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 /// ```
 ///
-/// The formulas agree in real arithmetic. They differ in what rounding leaves of D; [`Method::about`]
-/// says where each formula fails. For planes, all of them use the textbook's `t = n.(q - p) / n.d`
+/// The formulas agree in real arithmetic. They differ in how much rounding changes D; [`Method::about`]
+/// says where each formula fails. For planes, all of them use the textbook formula `t = n.(q - p) / n.d`
 /// (Glassner, section 2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
-    /// The textbook's `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, both roots.
+    /// The textbook formula, `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, for both roots.
     ///
     /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
     /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
@@ -58,21 +58,21 @@ pub enum Formula {
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
     HalfB,
-    /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`, within
-    /// 1.5 ulp of the exact value for the given a, b, c.
+    /// Half-b with Kahan's algorithm for `b^2 - a c`, which uses fused multiply-adds: `w = a c`,
+    /// `D = (b b - w) + (w - a c)`, within 1.5 ulp of the exact value for the given a, b, c.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
     /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
     Kahan,
-    /// Half-b with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
-    /// centre at right angles to the ray.
+    /// Half-b with `D = a (r + l)(r - l)`, where l is the length of `oc - (b / a) d`, the vector from
+    /// the centre to the ray at right angles to it.
     ///
     /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
     /// intersection*, Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in
     /// Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
     Perpendicular,
     /// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
-    /// with l the distance of that point from the centre.
+    /// where l is the distance of that point from the centre.
     ///
     /// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient
     /// CPU ray tracing*, ACM Transactions on Graphics 33(4), 2014),
@@ -81,7 +81,7 @@ pub enum Formula {
     /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
     /// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
     ///
-    /// Source: Embree, which does so for curves ("move ray closer to make intersection stable",
+    /// Source: Embree, which uses this for curves ("move ray closer to make intersection stable",
     /// `kernels/geometry/curve_intersector_sweep.h`).
     Recentred,
     /// Half-b with `D = r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
@@ -100,25 +100,26 @@ pub enum Precision {
     F64,
 }
 
-/// A way to find the first hit of a ray.
+/// A way to find a ray's first hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Method {
-    /// The steps by which this crate decides: [`Scene::first_hit`](crate::Scene::first_hit) and
-    /// [`trace`](crate::trace).
+    /// [The ladder](crate#the-ladder), by which this crate decides, as in
+    /// [`Scene::first_hit`](crate::Scene::first_hit) and [`trace`](crate::trace).
     Ladder,
-    /// The ladder with `t` in `f32`, as pictures are made: [`trace_as::<f32>`](crate::trace_as). This
-    /// method traces whole frames, not single rays.
+    /// The ladder with `t` in `f32`, which makes the pictures: [`trace_as::<f32>`](crate::trace_as).
+    /// This method traces whole frames, not single rays.
     LadderF32,
-    /// [`Formula::HalfB`] in double-double, rounded at the end, with no filter and no exact step.
+    /// [`Formula::HalfB`] in double-double, rounded at the end, without error bounds and without an
+    /// exact step.
     DoubleDouble,
-    /// A known formula, every operation in one precision, with no error bound.
+    /// A known formula, with every operation in one precision and without error bounds.
     Known(Formula, Precision),
 }
 
 impl Method {
-    /// Returns all methods for single rays: the ladder, double-double, then the known formulas, beginning
-    /// with the plainest, `f32` before `f64`.
+    /// Returns all methods for single rays: the ladder, double-double, then the known formulas,
+    /// beginning with the simplest, each in `f32` before `f64`.
     pub fn all() -> impl Iterator<Item = Method> {
         use Formula::*;
         let formulas = [Textbook, HalfB, Kahan, Perpendicular, ClosestPoint, Recentred, Lagrange];
@@ -141,7 +142,7 @@ impl Method {
         Method::of_frames().find(|method| method.name() == name)
     }
 
-    /// Returns the precision of the answer, in whose ulps its error is measured.
+    /// Returns the precision of the method's `t`. Its error is measured in ulps of this precision.
     pub fn precision(self) -> Precision {
         match self {
             Method::Known(_, precision) => precision,
@@ -150,7 +151,7 @@ impl Method {
         }
     }
 
-    /// Returns the book or paper that the method is from, in one line.
+    /// Returns the book or paper that the method comes from, in one line.
     pub fn source(self) -> &'static str {
         self.facts()[1]
     }

@@ -1,5 +1,5 @@
-//! The kinds of numbers in which the [methods](crate::methods) compute, and rays and objects rounded to
-//! such numbers.
+//! The types of numbers in which the [methods](crate::methods) compute, and rays and objects rounded to
+//! these types.
 
 use std::cmp::Ordering;
 
@@ -12,10 +12,10 @@ use crate::scene::Scene;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 
-/// A floating-point number in which a method computes. Every operation rounds to this precision.
+/// A floating-point number in which a method computes. Every operation rounds to its precision.
 pub(crate) trait Real: Arithmetic + PartialOrd + Send + Sync + 'static {
     const ZERO: Self;
-    /// The `t` that stands for no hit, greater than every number.
+    /// The `t` that means no hit, greater than every number.
     const INFINITY: Self;
 
     /// Returns the nearest number of this precision.
@@ -26,7 +26,7 @@ pub(crate) trait Real: Arithmetic + PartialOrd + Send + Sync + 'static {
     fn sqrt(self) -> Self;
     /// Returns `|self|` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// Returns `self * factor + term`, in `f32` and `f64` rounded once.
+    /// Returns `self * factor + term`, rounded only once in `f32` and `f64`.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 }
 
@@ -77,8 +77,9 @@ impl Real for DoubleDouble {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        // The algorithm divides by the root, so of 0 and negative numbers the root of `f64` is taken. Both
-        // are computed and one is selected, without a branch, so that a loop can be vectorized.
+        // The algorithm divides by the root, so for 0 and negative numbers the root in `f64` is used
+        // instead. Both are computed and one is selected, without a branch, so that a loop can be
+        // vectorized.
         let (root, plain, has_root) = (self.square_root(), self.hi.sqrt(), self.hi > 0.0);
         DoubleDouble {
             hi: if has_root { root.hi } else { plain },
@@ -192,8 +193,8 @@ impl<R: Real> RoundedScene<R> {
         }
     }
 
-    /// Returns the outward unit normal of an object where the ray meets it at t, by the formulas taught in
-    /// courses: `(p + t d - center) / radius` of a sphere, `n / |n|` of a plane.
+    /// Returns an object's outward unit normal at the point t of the ray, by the formulas taught in
+    /// courses: `(p + t d - center) / radius` for a sphere, `n / |n|` for a plane.
     pub(crate) fn normal(&self, object: u32, ray: &RoundedRay<R>, t: R) -> DVec3 {
         let (vector, length) = match self.spheres.get(object as usize) {
             Some(sphere) => {
