@@ -229,7 +229,7 @@ fn unclosed(quote: usize) -> (usize, String) {
     (quote, "this quote is not closed: a second one must end its cell".to_owned())
 }
 
-/// Returns the error message for a table with other separators than commas.
+/// Returns the error message for a table whose separators are not commas.
 pub(crate) fn separated_by(separators: &str) -> String {
     format!(
         "the first line has {separators}: commas must stand between cells, and a point in a number"

@@ -56,12 +56,12 @@ impl FileError {
         FileError { location: Some(location), ..FileError::of_file(path, problem) }
     }
 
-    /// Creates an error about a file that the system cannot read.
+    /// Creates an error about a file that cannot be read, with the system's reason.
     pub fn unreadable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be read: {}", reason(error)))
     }
 
-    /// Creates an error about a file that the system cannot write.
+    /// Creates an error about a file that cannot be written, with the system's reason.
     pub fn unwritable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be written: {}", reason(error)))
     }

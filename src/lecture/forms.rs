@@ -37,11 +37,11 @@ const NOISE: f64 = 6.0 * f64::EPSILON;
 
 /// Maximum product of numerator and denominator of a recognised number, or of its square: 2^20.
 ///
-/// About `0.3 * 2^20` of the fractions N/M lie between a number and e times that number: the pairs with
-/// `N M <= P` number `P / 2` for each factor of e, and a fraction `6 / pi^2` of them have no common
-/// divisor. Each N/M matches the numbers within a relative difference of [`NOISE`], and the numbers
-/// whose square is within twice that. Together, a number with random digits is mistaken for a form with
-/// a probability below 3e-9.
+/// About `0.3 * 2^20` of the fractions N/M lie between a number and e times that number: for each
+/// factor of e, there are `P / 2` pairs with `N M <= P`, where P is this maximum, and a fraction
+/// `6 / pi^2` of them have no common divisor. Each N/M matches the numbers within a relative difference
+/// of [`NOISE`], and the numbers whose square is within twice that. Together, a number with random
+/// digits is mistaken for a form with a probability below 3e-9.
 const LIMIT: u64 = 1 << 20;
 
 /// Maximum whole number, and maximum number under a root, in a form that [is

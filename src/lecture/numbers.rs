@@ -65,7 +65,7 @@ pub fn written_whole(x: f64) -> String {
     if x.is_finite() { shortest(x).replace('-', "−") } else { BEYOND.to_owned() }
 }
 
-/// Maximum number of decimals with which a number is shown exactly: −0.00125.
+/// Maximum number of decimals with which a number is displayed exactly, as in −0.00125.
 const WHOLE: usize = 5;
 /// Number of significant digits to which a calculated number shows no rounding error.
 const TELLING: usize = 12;

@@ -65,8 +65,8 @@ impl<M> History<M> {
 pub struct StepName {
     /// The text after *Undo* in the menu.
     pub text: String,
-    /// True if the change is gradual, such as dragging a number or typing letters. Further changes of
-    /// the same kind then extend the step.
+    /// True if the change is gradual, such as the drag of a number or the typing of a name. Further
+    /// changes of the same kind then extend the step.
     pub gradual: bool,
 }
 

@@ -102,8 +102,9 @@ fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec
     (nodes, colors)
 }
 
-/// Returns the tables of the meshes, of which each colour has two, with their materials and vertices.
-/// The template contains the number of vertices of each shape, and their position in the buffer.
+/// Returns the glTF tables for these colours. Each colour has two meshes, with their materials and
+/// vertices. The template contains the number of vertices of each shape, and their position in the
+/// buffer.
 fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     let material = |color: &Rgb| {
         format!(

@@ -164,7 +164,7 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported
     Imported { camera: Camera { eye, orientation, viewport, image: at_hand.image }, notes }
 }
 
-/// Imports a matrix. Its `vectors`, which are called rows or columns, are right, up, backwards and eye.
+/// Imports a matrix. `vectors` says whether its rows or its columns are right, up, backwards and eye.
 fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Imported, String> {
     let taken = format!(
         "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"

@@ -81,8 +81,8 @@ pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     Toml::parse(source.text).map_err(|error| not_toml(source, &error))
 }
 
-/// Returns the position of the outermost bracket that is open where the nesting becomes too deep;
-/// `None` if it never does.
+/// Returns the position of the first open bracket at the place where the nesting becomes too deep.
+/// Returns `None` if it never does.
 fn too_deep(text: &str) -> Option<usize> {
     let mut open = Vec::new();
     for token in toml_parser::Source::new(text).lex() {

@@ -61,7 +61,7 @@ pub enum Given {
     ViewUp {
         /// The direction in which the camera looks.
         view: DVec3,
-        /// The direction that is up.
+        /// The up vector.
         up: DVec3,
     },
     /// Two points and up.
@@ -70,7 +70,7 @@ pub enum Given {
         eye: DVec3,
         /// The point that the camera looks at.
         at: DVec3,
-        /// The direction that is up.
+        /// The up vector.
         up: DVec3,
     },
     /// A ray and a sphere.

@@ -36,14 +36,14 @@ fn is_another(truth: &Answer, answer: &Answer) -> bool {
     }
 }
 
-/// A mistake, and the wrong answer to which it leads for a quantity.
+/// A mistake, a quantity, and the wrong answer for that quantity to which the mistake leads.
 type Wrong = (Mistake, Asked, Answer);
 
 /// The parts of a question, and the wrong answers to which mistakes lead.
 type Parts = (Vec<QuestionPart>, Vec<Wrong>);
 
-/// Returns the camera of a question, whose ray through the question's (u, v) is the question's ray;
-/// `None` if it has none.
+/// Returns the camera of a question; `None` if it has none. The ray of the question is the camera's ray
+/// through the question's (u, v).
 pub(super) fn camera(given: &Given) -> Option<Camera> {
     let looking = |view| Orientation::View { view, up: DVec3::Y };
     Some(match *given {

@@ -27,7 +27,7 @@ macro_rules! checks {
                 }
             }
 
-            /// Returns what it means that the check passes.
+            /// Returns the property that a camera has if it passes the check.
             pub fn meaning(self) -> &'static str {
                 match self {
                     $(Check::$name => $meaning,)*

@@ -368,7 +368,8 @@ mistakes! {
         ways: &[|p| p.distance = Distance::Plus],
     }
 
-    /// The step from the eye to the viewport is left out.
+    /// The component of the direction along w is left out, so that the direction stays in the
+    /// viewport's plane.
     FlatDirection "flat-direction" {
         exercise_feedback: "This stays in the viewport's plane. How far in front of the eye is the \
             viewport?",

@@ -8,8 +8,8 @@ use pinhole_core::{
 use crate::model::observer::{FOV, Observer};
 use crate::model::overlay_items::{Item, OverlayItems};
 
-/// Factor above which a sphere is out of scale: one that is this many times larger than the camera and
-/// all smaller spheres together need not be in sight.
+/// Factor above which a sphere is out of scale. It need not be in sight if it is this many times larger
+/// than the camera and all smaller spheres together.
 const OUT_OF_SCALE: f64 = 50.0;
 
 /// Ratio of radius to distance from the camera below which a sphere counts as a speck.
@@ -53,7 +53,8 @@ const ORDINARY_ASPECT: f64 = 1.25;
 /// old one.
 const NEAREST_REFIT: f64 = 0.45;
 
-/// Maximum distance from the eye at which an observer is kept, as a multiple of the fitted one's.
+/// Maximum distance from the eye at which an observer is kept, as a multiple of the fitted observer's
+/// distance.
 const FARTHEST_KEPT: f64 = 1.2;
 
 /// The size of the world view on the screen, in points.
@@ -342,7 +343,7 @@ impl Subject {
     }
 }
 
-/// Returns the point that a camera is given to look at; `None` if it is given in another way.
+/// Returns the point at which the camera looks; `None` if the camera is not given by such a point.
 fn given_at(camera: &Camera) -> Option<DVec3> {
     match camera.orientation {
         Orientation::At { at, .. } => Some(at),
@@ -437,8 +438,8 @@ pub const VIEW_LENGTH: f64 = 1.6;
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
-/// Space beyond an arrow's tip for its handle and its label: in points, and at most as a fraction of
-/// the view's height.
+/// Space beyond an arrow's tip for its handle and its label. The first value is in points; the second
+/// one is the maximum, as a fraction of the view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 

@@ -111,7 +111,7 @@ pub struct Start {
     pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
-    /// The distance at which a camera that is not given by `at` has its centre of orbit; `None` for the
+    /// The distance from the eye to the point around which [`Kind::Orbit`] moves; `None` if that is the
     /// point of [`Camera::pivot`].
     pub orbit: Option<f64>,
 }

@@ -124,7 +124,7 @@ pub struct Drag {
     pub begun_at: DVec2,
     /// Position of the handle in the world when the drag began.
     pub at: DVec3,
-    /// Length in the world at which an up vector of length 1 was drawn, used to keep the tip of up
+    /// Length in the world at which an up vector of length 1 was drawn. With it, the tip of up stays
     /// under the pointer. It is 1 for other handles.
     pub length: f64,
     /// Unit vector from a sphere's centre to the dragged point of its surface, which follows the

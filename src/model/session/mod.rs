@@ -117,8 +117,8 @@ pub struct Settings {
     pub splits: Splits,
     /// True if the plot of f(p + t d) compresses values beyond 1.
     pub plot_compressed: bool,
-    /// The method that draws the camera's picture. This is the ladder, unless the user wants to see the
-    /// errors of another method.
+    /// The method that draws the camera's picture. This is the exact [`Method::Ladder`], unless the
+    /// user wants to see the errors of another method.
     pub method: Method,
     /// The method whose errors the error map shows.
     pub compared: Method,

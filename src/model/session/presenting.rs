@@ -6,7 +6,7 @@ use crate::model::session::ViewLayout;
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
-    /// The layout that fills the window since a key was pressed, and the layout that it replaced.
+    /// The layout that fills the window because a key was pressed, and the layout that it replaced.
     pub replaced: Option<(ViewLayout, ViewLayout)>,
     /// True if the spotlight was on when presenter mode began.
     pub spotlight_before: bool,
@@ -19,8 +19,8 @@ impl Presenting {
         *layout = full;
     }
 
-    /// Returns the layout to return to. This is `now` if a lesson's step has set another layout in the
-    /// meantime.
+    /// Returns the layout to restore. If a lesson's step has set another layout in the meantime,
+    /// returns that one, which is `now`.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
     }
