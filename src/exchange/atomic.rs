@@ -40,7 +40,7 @@ pub fn write(
 pub struct Batch {
     /// Files that are complete except for their final names.
     files: Vec<Complete>,
-    /// Contents for devices and pipes, which cannot be replaced.
+    /// The contents to be copied to devices and pipes, which cannot be replaced.
     through: Vec<(PathBuf, File)>,
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pinhole_core::{Camera, Object, Plane, Rgb, Scene, SceneError, Sphere};
 
-/// The contents of a scene file: a camera and the objects in front of it.
+/// The contents of a scene file: a camera and the objects of the scene.
 ///
 /// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +81,7 @@ pub struct Item<S> {
 /// Many spheres from a CSV file, which cannot be edited. Clones of the document share them.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
-    /// The path in the scene file, relative to the scene file.
+    /// The path as it is written in the scene file, to which it is relative.
     pub path: String,
     /// The path from which the file was read.
     pub file: PathBuf,

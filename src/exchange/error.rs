@@ -24,7 +24,7 @@ pub struct FileError {
 pub struct Location {
     /// The line, counted from 1.
     pub line: usize,
-    /// The character in the line, counted from 1.
+    /// The position of the character in the line, counted from 1.
     pub column: usize,
 }
 

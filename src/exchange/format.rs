@@ -10,7 +10,8 @@ pub use crate::template::Text;
 use crate::template::{self, BEYOND, TemplateValue, n};
 use crate::{FileError, Location, legible};
 
-/// A program, a notation for cameras, or a programming language that Pinhole writes.
+/// A format in which Pinhole writes: that of another program, a notation for cameras, or a programming
+/// language.
 #[derive(Debug)]
 pub struct Format {
     /// Name on the command line, after `--to`.

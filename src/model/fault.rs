@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pinhole_core::{CameraError, SceneError};
 
-/// A reason why there is no new picture.
+/// An error in a document, because of which no new picture can be drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// The camera is invalid.

@@ -34,7 +34,7 @@ pub enum Given {
 }
 
 impl Given {
-    /// Returns the index of the object that the number belongs to.
+    /// Returns the index of the object to which the number belongs; `None` if it belongs to none.
     fn object(self) -> Option<u32> {
         match self {
             Given::Coordinate(

@@ -38,12 +38,12 @@ impl<M> History<M> {
         self.future.clear();
     }
 
-    /// Returns the name of the step that *Undo* would undo.
+    /// Returns the name of the step that *Undo* would undo; `None` if there is none.
     pub fn undo_name(&self) -> Option<&str> {
         self.past.last().map(|(name, _)| name.as_str())
     }
 
-    /// Returns the name of the step that *Redo* would redo.
+    /// Returns the name of the step that *Redo* would redo; `None` if there is none.
     pub fn redo_name(&self) -> Option<&str> {
         self.future.last().map(|(name, _)| name.as_str())
     }

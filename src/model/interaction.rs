@@ -5,7 +5,7 @@
 pub const HANDLE_REACH: f64 = 11.0;
 /// Maximum distance, in points, at which the mouse grabs the point on the selected ray.
 pub const RAY_POINT_REACH: f32 = 14.0;
-/// Maximum distance, in points, at which the mouse hovers a mark.
+/// Maximum distance, in points, at which the mouse pointer counts as being over a mark.
 pub const MARK_REACH: f32 = 8.0;
 /// Maximum movement, in points, for which a press on a handle counts as a click.
 pub const CLICK: f32 = 2.0;
@@ -19,7 +19,7 @@ pub const KEY_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 pub const KEY_NEARER: f64 = 0.1;
 /// Distance by which a key pans the observer, as a fraction of the picture's height.
 pub const KEY_PAN: f64 = 0.05;
-/// Factor by which a key moves the observer nearer.
+/// Factor by which a key divides the observer's distance to move it nearer.
 pub const KEY_ZOOM: f64 = 1.15;
 
 /// Logarithm of the zoom factor per point of wheel scrolling, for the observer and the lab of lines.

@@ -22,7 +22,7 @@ pub struct LinesLab {
     pub snap: bool,
     /// The visible part of the plane.
     pub window: Window,
-    /// The point by which the implicit line is dragged.
+    /// The point of the implicit line at which it is dragged.
     grip: DVec2,
     /// Offset from the grip to the handle that turns the line, as a multiple of the line's direction.
     reach: f64,
@@ -140,7 +140,7 @@ impl LinesLab {
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
 
-    /// Sets t and extends the trail to it.
+    /// Sets t, and extends the trail to it.
     pub fn set_t(&mut self, t: f64) {
         self.t = t;
         self.trail.first = self.trail.first.min(t);

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub enum Item {
     /// The camera's position.
     Eye,
-    /// The point that the camera looks at, if the camera is given by one.
+    /// The point at which the camera looks, if the camera is given by one.
     At,
     /// The view and up vectors as given.
     ViewAndUp,
@@ -128,14 +128,14 @@ impl OverlayItems {
         }
     }
 
-    /// Returns the same items with one switched on or off.
+    /// Returns a copy of the set in which one item is switched on or off.
     #[must_use]
     pub fn with(mut self, item: Item, on: bool) -> OverlayItems {
         self.set(item, on);
         self
     }
 
-    /// Returns the same items with all of `hidden` switched off.
+    /// Returns a copy of the set in which all items of `hidden` are switched off.
     #[must_use]
     pub fn without(self, hidden: OverlayItems) -> OverlayItems {
         OverlayItems { off: self.off | !hidden.off }

@@ -25,7 +25,7 @@ pub struct Remembered {
     pub selection: Option<RememberedRay>,
     /// The recently opened or saved files, newest first.
     pub recent: Vec<PathBuf>,
-    /// The renderer of the window, for bug reports.
+    /// The name of the window's renderer, for bug reports.
     pub renderer: String,
     /// The command-line argument for the scene that was open; if a lesson was open, for the scene that
     /// was open before the lesson.

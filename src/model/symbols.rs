@@ -85,7 +85,8 @@ pub(crate) fn meaning(kind: SymbolKind, name: &str) -> Option<&'static str> {
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
-/// Returns the italic letter of a scalar; characters other than A to Z and a to z stay as they are.
+/// Returns the italic letter of a scalar. Characters other than A to Z and a to z are returned
+/// unchanged.
 pub(crate) fn italic(letter: char) -> char {
     match letter {
         // U+1D455 is not assigned; the older U+210E is used instead.
@@ -96,8 +97,8 @@ pub(crate) fn italic(letter: char) -> char {
     }
 }
 
-/// Returns the bold upright letter of a vector; characters other than A to Z and a to z stay as
-/// they are.
+/// Returns the bold upright letter of a vector. Characters other than A to Z and a to z are returned
+/// unchanged.
 pub(crate) fn bold(letter: char) -> char {
     match letter {
         'a'..='z' => shifted(letter, 'a', 0x1d41a),

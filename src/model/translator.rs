@@ -48,7 +48,7 @@ impl Translator {
 pub struct Notice {
     /// The result in a few words.
     pub title: String,
-    /// Further details: the parts that were left out, or the error in the text.
+    /// Further details: the parts that were omitted, or the error in the text.
     pub notes: Vec<String>,
     /// True if the action succeeded.
     pub worked: bool,

@@ -118,7 +118,7 @@ impl Dyadic {
         self.mantissa.clone().into_parts().1
     }
 
-    /// Returns the number rounded to at most `bits` significant bits.
+    /// Returns the number rounded to at most `bits` significant bits, in the direction `toward`.
     pub(crate) fn rounded(&self, bits: usize, toward: Toward) -> Dyadic {
         let drop = self.length() as i64 - bits as i64;
         if drop <= 0 {
@@ -133,7 +133,9 @@ impl Dyadic {
         Dyadic::new(signed(magnitude, is_negative), self.exponent + drop)
     }
 
-    /// Returns `self / divisor`, rounded to at most `bits` significant bits.
+    /// Returns `self / divisor` rounded to at most `bits` significant bits, in the direction `toward`.
+    ///
+    /// # Panics Panics if `divisor` is 0.
     pub(crate) fn divided(&self, divisor: &Dyadic, bits: usize, toward: Toward) -> Dyadic {
         assert!(!divisor.is_zero(), "division by zero");
         let (n, d) = (self.magnitude(), divisor.magnitude());
@@ -146,7 +148,9 @@ impl Dyadic {
         with_rest(quotient, is_exact, is_negative, exponent).rounded(bits, toward)
     }
 
-    /// Returns the square root of a nonnegative number, rounded to at most `bits` significant bits.
+    /// Returns the square root, rounded to at most `bits` significant bits in the direction `toward`.
+    ///
+    /// # Panics Panics if the number is negative.
     pub(crate) fn sqrt(&self, bits: usize, toward: Toward) -> Dyadic {
         assert!(self.sign() != Ordering::Less, "square root of a negative number");
         let m = self.magnitude();

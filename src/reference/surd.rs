@@ -143,7 +143,7 @@ impl Field {
         sum
     }
 
-    /// Returns the proven sign of `x`: see the [module's documentation](self).
+    /// Returns the proven sign of `x`; see the [module's documentation](self).
     pub(crate) fn sign(&self, x: &Surd) -> Ordering {
         if x.0[1..].iter().all(Dyadic::is_zero) {
             return x.0[0].sign();

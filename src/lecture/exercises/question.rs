@@ -267,7 +267,7 @@ impl Asked {
 }
 
 impl QuestionPart {
-    /// Returns the number of numbers in the answer; 0 for a yes-or-no answer.
+    /// Returns how many numbers the answer consists of; 0 for a yes-or-no answer.
     pub fn count(&self) -> usize {
         match &self.truth {
             Answer::Numbers(numbers) => numbers.len(),

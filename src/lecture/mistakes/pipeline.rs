@@ -371,7 +371,7 @@ impl GivenCamera {
         let resolved = camera.resolve()?;
         let (view, up) = (camera.view(), camera.up());
         let conditioning = camera.up_angle().map_or(1.0, |angle| angle.conditioning);
-        // at - eye loses digits by cancellation if both are far from the origin.
+        // at - eye loses digits by cancellation if both points are far from the origin.
         let lost = match camera.orientation {
             Orientation::At { at, .. } => (length(at) + length(camera.eye)) / length(view),
             _ => 0.0,

@@ -267,7 +267,7 @@ mistakes! {
         ways: &[|p| p.single = true],
     }
 
-    /// `b = 2 d . (p - center)` and its half are confused in the quadratic formula.
+    /// `b = 2 d . (p - center)` and half of it are confused in the quadratic formula.
     BForHalfB "b-for-half-b" {
         advice: "Look at b in the quadratic formula: with b = d . (p - center) it is (-b - \
                  sqrt(b^2 - ac))/a, with twice that (-b - sqrt(b^2 - 4ac))/(2a).",

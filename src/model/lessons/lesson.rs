@@ -84,7 +84,7 @@ pub struct StepView {
     /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
     /// nothing.
     pub highlighted: Option<Option<Concept>>,
-    /// The mistake of the wrong camera that is compared with the right one.
+    /// The mistake whose wrong camera is compared with the right one.
     pub mistake: Option<Mistake>,
     /// The parameter t of the point on the selected ray; `None` if there is no such point.
     pub t: Option<f64>,

@@ -120,7 +120,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
     let objects = document.object_count();
     if !is_in_scene(view.highlighted.flatten(), objects) {
-        // The highlighted concept was an object of the previous step's scene.
+        // The highlighted concept belonged to an object of the previous step's scene.
         view.highlighted = Some(None);
     }
     read_view(section, &mut view, objects)?;

@@ -12,7 +12,7 @@ mod fit;
 /// The observer of the world view, which orbits around a target. World y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
-    /// The point that the observer looks at and turns around.
+    /// The point at which the observer looks and around which it turns.
     target: DVec3,
     /// Angle from +z towards +x, in radians.
     azimuth: f64,
@@ -48,7 +48,7 @@ impl Observer {
         Observer { target, azimuth, elevation, distance }.in_range()
     }
 
-    /// Returns the point that the observer looks at and turns around.
+    /// Returns the point at which the observer looks and around which it turns.
     pub fn target(&self) -> DVec3 {
         self.target
     }

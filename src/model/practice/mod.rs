@@ -90,7 +90,8 @@ impl MistakesView {
         }
     }
 
-    /// Returns to the gallery. If the vote's mistake was revealed, it becomes the chosen one.
+    /// Closes the vote and returns to the gallery. If the vote's mistake was revealed, it becomes the
+    /// chosen one.
     pub fn close_vote(&mut self) {
         if self.is_revealed() {
             self.chosen = self.shown();

@@ -28,7 +28,7 @@ pub enum Handle {
     Pixel,
 }
 
-/// A corner of the viewport, as the camera sees it.
+/// A corner of the viewport, as seen by the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Corner {
     /// True for the corners on the right, where u is positive.

@@ -225,7 +225,7 @@ impl Session {
         self.pointed_ray.unwrap_or(self.selection)
     }
 
-    /// Returns true if a vote on a wrong picture is shown, or is about to be.
+    /// Returns true if a vote about a wrong picture is shown or is about to be shown.
     pub fn shows_vote(&self) -> bool {
         let view = &self.mistakes_view;
         self.settings.layout == ViewLayout::Mistakes

@@ -75,7 +75,7 @@ impl Draw {
         (low + (self.next() % (high - low + 1) as u64) as i64) as f64
     }
 
-    /// Returns true once in `n` times on average.
+    /// Returns true with the probability `1 / n`.
     pub fn once_in(&mut self, n: u64) -> bool {
         self.next().is_multiple_of(n)
     }

@@ -219,7 +219,7 @@ impl RayCase {
 }
 
 impl Orientation {
-    /// Returns the orientation with each of its vectors mapped.
+    /// Returns the orientation with each of its vectors mapped by `vector`.
     #[must_use]
     pub fn map(self, vector: impl Fn([f64; 3]) -> [f64; 3]) -> Orientation {
         match self {
