@@ -380,12 +380,6 @@ pub(crate) struct Available {
 }
 
 impl Action {
-    /// Returns true if the action's effect may show in bars or dialogs, which are drawn before actions are
-    /// applied. Moving the camera or the observer changes only the views.
-    pub(crate) fn shows_above_views(&self) -> bool {
-        !matches!(self, Action::Steer(_) | Action::Observe(_) | Action::Figure(_))
-    }
-
     /// Returns true if the action is possible now. Undo, for example, needs a step to undo.
     pub(crate) fn is_possible(&self, there: Available) -> bool {
         match self {

@@ -14,8 +14,8 @@ use pinhole_exchange::document::Document;
 use crate::model::fault::caught;
 use crate::model::{Hovered, NumberStyle, Session, ViewLayout, Workspace};
 use crate::ui::action::{
-    Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
-    take_requested,
+    Action, Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested,
+    request, take_requested,
 };
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files};
@@ -46,7 +46,10 @@ impl App {
             let rects = self.rects(ui);
             self.view_inputs(ui, &rects);
             for action in take_requested(&ctx) {
-                is_old |= action.shows_above_views();
+                // Moving the camera or the observer changes only the views. Other actions may show in bars or
+                // dialogs, which are already drawn.
+                is_old |=
+                    !matches!(action, Action::Steer(_) | Action::Observe(_) | Action::Figure(_));
                 self.apply(&ctx, action);
             }
             self.derive(ui, &rects);

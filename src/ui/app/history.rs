@@ -110,7 +110,10 @@ impl App {
         let is_another = matches!(moment, Some(Moment::Elsewhere(_)));
         match moment {
             None => return,
-            Some(Moment::Edited(document)) => scene.edit_back(*document),
+            Some(Moment::Edited(document)) => {
+                scene.session.follow_camera(&scene.open.document.camera, &document.camera);
+                scene.open.document = *document;
+            }
             Some(Moment::Elsewhere(before)) => scene.go_back(*before),
         }
         self.history.take_as_settled(&scene.open.document);

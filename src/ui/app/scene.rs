@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::Context;
 use pinhole_core::{Camera, Selection};
-use pinhole_exchange::{Document, FileError, SceneSource};
+use pinhole_exchange::{FileError, SceneSource};
 
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
@@ -232,13 +232,6 @@ impl OpenScene {
             let selection = self.session.selection.inside(resolved.image());
             self.session.selection = selection.stepped(&resolved, rows, columns);
         }
-    }
-
-    /// Replaces the document with another version of the same scene. The selection follows the camera, as it
-    /// does after an edit.
-    pub(super) fn edit_back(&mut self, document: Document) {
-        self.session.follow_camera(&self.open.document.camera, &document.camera);
-        self.open.document = document;
     }
 
     /// Sets a given number, with the same effect as editing its field in the side panel.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Context, Key, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Button, Key, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
@@ -169,7 +169,7 @@ impl PathField {
         });
         let mut enter = None;
         let list = ScrollArea::vertical().auto_shrink([false, false]);
-        let height = list_height(ui.ctx());
+        let height = (ui.ctx().content_rect().height() - 360.0).clamp(64.0, 240.0);
         list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for entry in &self.entries {
                 let slash = if entry.is_file { "" } else { "/" };
@@ -256,10 +256,4 @@ impl PathField {
         }
         chosen
     }
-}
-
-/// Returns the height of the list of files. It depends only on the window, because the remaining height of an
-/// area is known only after several frames.
-fn list_height(ctx: &Context) -> f32 {
-    (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
 }

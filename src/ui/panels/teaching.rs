@@ -151,11 +151,6 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
     });
 }
 
-/// Shows the reason why there is no number.
-fn reason(ui: &mut Ui, text: String) {
-    ui.label(RichText::new(text).size(15.0).color(error_color(ui)));
-}
-
 /// Number of decades of the scale, which ends at 10^6.
 const DECADES: f32 = 6.0;
 const RADIUS: f32 = 64.0;
@@ -173,19 +168,18 @@ const VERY_SENSITIVE: f64 = 20.0;
 
 /// Shows the dial of this camera.
 fn dial(ui: &mut Ui, camera: &Camera) {
-    let angle = camera.up_angle();
-    let shown = match &angle {
-        Ok(UpAngle { conditioning, .. }) => Some(*conditioning),
-        // This is the end of the scale, where there is no valid camera.
-        Err(BasisError::UpParallelToView { .. }) => Some(f64::INFINITY),
-        Err(_) => None,
-    };
-    if let Some(conditioning) = shown {
-        face(ui, conditioning);
-    }
-    match angle {
-        Ok(UpAngle { conditioning, .. }) => words(ui, conditioning),
-        Err(fault) => reason(ui, format!("No camera: {}", typeset_message(fault))),
+    match camera.up_angle() {
+        Ok(UpAngle { conditioning, .. }) => {
+            face(ui, conditioning);
+            words(ui, conditioning);
+        }
+        Err(fault) => {
+            if matches!(fault, BasisError::UpParallelToView { .. }) {
+                face(ui, f64::INFINITY);
+            }
+            let text = format!("No camera: {}", typeset_message(fault));
+            ui.label(RichText::new(text).size(15.0).color(error_color(ui)));
+        }
     }
 }
 

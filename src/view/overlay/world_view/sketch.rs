@@ -425,7 +425,7 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
             let is_inside =
                 center.cmpge(margin).all() && center.cmple((size - margin).max(margin)).all();
             is_inside
-                && is_clear_of(&taken, center, half)
+                && taken.iter().all(|(at, h)| (center - *at).abs().cmpgt(half + *h).any())
                 && leader(&request, center, half, scale)
                     .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
         };
@@ -454,11 +454,6 @@ fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
     const SAMPLES: usize = 16;
     let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
     !is_in(from) && (1..=SAMPLES).any(|k| is_in(from.lerp(to, k as f64 / SAMPLES as f64)))
-}
-
-/// Returns true if a rectangle does not overlap any of the areas.
-fn is_clear_of(areas: &[Area], center: DVec2, half: DVec2) -> bool {
-    areas.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
 }
 
 /// Returns the areas covered by handles.
