@@ -1,8 +1,8 @@
-//! Bench of what certainty costs: the ladder against the textbook's formula in the same kind of
-//! loop, one sphere, one megapixel, one thread, side by side in one run.
+//! Measures the cost of certainty: compares the ladder with the textbook formula in the same kind of
+//! loop, for one sphere, one megapixel and one thread, in a single run.
 //!
-//! `cargo bench -p pinhole-core --bench certainty`; the level of instructions is the processor's
-//! best, or AVX2 with `-- avx2`.
+//! `cargo bench -p pinhole-core --bench certainty`; the SIMD level is the processor's best, or AVX2 with
+//! `-- avx2`.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 mod textbook;
@@ -23,12 +23,12 @@ fn camera() -> ResolvedCamera {
     Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
-/// One sphere on the camera's axis that covers about this share of the picture.
+/// Returns a sphere on the camera's axis that covers about this share of the picture.
 fn sphere(share: f64) -> Sphere {
     let ahead = DVec3::new(0.1, 0.0, -5.0);
     match share {
         0.0 => Sphere { center: DVec3::new(40.0, 0.0, -5.0), radius: 1.0 },
-        // From inside, every ray hits; so does every ray that a wide sphere covers.
+        // So wide a sphere is hit by every ray.
         1.0 => Sphere { center: ahead, radius: 4.5 },
         _ => {
             // The outline is a circle of radius rho in the viewport: sin(angle) = r / |q|.

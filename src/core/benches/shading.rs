@@ -1,4 +1,4 @@
-//! Bench of colours: milliseconds a frame of 1920 x 1080 pixels, one thread, medians.
+//! Measures colouring: median milliseconds per frame of 1920 x 1080 pixels, in one thread.
 //!
 //! `cargo bench -p pinhole-core --bench shading`
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
@@ -17,7 +17,7 @@ fn camera() -> ResolvedCamera {
     Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
-/// A grid of equal spheres before the eye, which cover about 60 % of the picture.
+/// Returns a grid of equal spheres in front of the eye that cover about 60 % of the picture.
 fn grid(across: u32, down: u32, away: f64) -> Scene {
     let step = 1.92 * away / f64::from(across);
     let at = |k: u32, count: u32| (f64::from(k) - 0.5 * f64::from(count - 1)) * step;

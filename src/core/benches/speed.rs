@@ -1,18 +1,21 @@
-//! Time against the number of spheres, and in scenes that are hard to be fast in: the ladder, the
-//! textbook's loop, the same with a tree, streaming stores of the result and, if asked for, Embree,
-//! frame by frame in turn. A sample of the ladder's pixels is checked against their exact rays.
+//! Measures the time per frame for growing numbers of spheres, and in scenes that are hard to draw fast.
+//! The contestants are the ladder, the textbook's loop, that loop with a tree, streaming stores of the
+//! result and, on request, Embree. They draw frame by frame in turn. A sample of the ladder's pixels is
+//! checked against their exact rays.
 //!
 //! `cargo bench -p pinhole-core --bench speed -- [WORD...] [embree] [threads=N,...] [avx2] [quick]`
 //!
 //! - A word chooses scenes: `growth`, `adversarial`, `sizes`, a name (`N=1000`), or part of one
-//!   (`overdraw`). Without one, those in which speed is stated.
-//! - `embree` sets Embree in the place of the textbook's ways: its own spheres, and user geometry with
-//!   a test 16 rays wide. It needs the library (Debian's `libembree-dev`) and a C++ compiler.
-//! - `threads=1,2` is the default. `avx2` holds the ladder to AVX2; `quick` takes few frames.
+//!   (`overdraw`). Without a word, the scenes for which speeds are published are chosen.
+//! - `embree` replaces the textbook's loops by Embree, with its built-in spheres, and with user geometry
+//!   whose test takes 16 rays at a time. It needs the library (Debian's `libembree-dev`) and a C++
+//!   compiler.
+//! - `threads=1,2` is the default. `avx2` limits the ladder to AVX2; `quick` times only a few frames.
 //!
-//! Streaming stores are the limit of whoever leaves nothing in the caches. They are built by the C++
-//! compiler, `c++` or what `CXX` names; without one the limit is not known. On a machine that others
-//! use too, which is told where the system tells it, minima say more than medians.
+//! Streaming stores are the limit for a program that leaves nothing in the caches. They are compiled by
+//! the C++ compiler `c++`, or the one that `CXX` names; without a compiler, the limit is unknown. If
+//! other processes use the machine, too, which is reported if the system shows it, minima are more
+//! meaningful than medians.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 mod yardstick;
@@ -28,13 +31,13 @@ use yardstick::rounds::Times;
 use yardstick::scenes::{self, Listed, STATED};
 use yardstick::{Setting, check};
 
-/// Scenes of at least so many spheres have fewer pixels checked, as each ray is asked of all.
+/// Minimum number of spheres for which fewer pixels are checked, because each check tests all spheres.
 const MANY: usize = 100_000;
 
-/// Number of processors in use by others from which on the machine is called shared.
+/// Number of processors used by other processes from which the machine counts as shared.
 const SHARED: f64 = 0.1;
 
-/// What was measured of a scene.
+/// The measurements of a scene.
 struct Measured {
     name: &'static str,
     group: &'static str,
@@ -45,7 +48,7 @@ struct Measured {
     decided: f64,
     /// For each number of threads.
     outcomes: Vec<Outcome>,
-    /// Number of processors that others kept busy meanwhile.
+    /// Number of processors that other processes kept busy meanwhile.
     others: f64,
 }
 
@@ -67,7 +70,7 @@ fn main() {
         scenes::all().into_iter().filter(|listed| is_wanted(listed, &wanted)).collect();
     assert!(!chosen.is_empty(), "no scene is called {wanted:?}");
     let programs = programs(has("embree"));
-    // Only the name of the level, not what is in it.
+    // Only the name of the level, without its fields.
     let level = format!("{:?}", limits.level);
     println!("{}, t as f32 and object as u32 of every pixel", level.split('(').next().unwrap());
     println!("ratio: a method's median time over the ladder's\n");
@@ -95,7 +98,7 @@ fn is_wanted(listed: &Listed, wanted: &[&str]) -> bool {
         || wanted.iter().any(|word| !word.starts_with("N=") && listed.name.contains(word))
 }
 
-/// The programs in C++ that there are. Embree is there if it was asked for.
+/// Returns the C++ programs that could be built; Embree only on request.
 fn programs(with_embree: bool) -> Vec<Program> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("speed");
     let stores = Program::stores(&folder)
@@ -183,7 +186,7 @@ fn show(measured: &Measured, setting: &Setting, threads: &[usize], rigs: &mut [R
     }
 }
 
-/// Speeds and ratios by the time that is picked, for each number of threads.
+/// Prints speeds and ratios of the times that `picked` selects, for each number of threads.
 fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(&Times) -> f64) {
     let threads: Vec<String> = threads.iter().map(|threads| format!("{threads}t")).collect();
     let threads = threads.join(" / ");
@@ -223,7 +226,8 @@ fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(
     println!();
 }
 
-/// The factor of the ladder's median time from each number of spheres to ten times as many.
+/// Prints the factor by which the ladder's median time grows from each number of spheres to ten times as
+/// many.
 fn show_growth(measured: &[Measured]) {
     println!("growth of the ladder's median time with the number of spheres\n");
     let growth = || measured.iter().filter(|scene| scene.group == "growth");

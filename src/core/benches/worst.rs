@@ -1,9 +1,9 @@
-//! Bench of the scenes that cost most: spheres that no f32 tells apart, nested and equal ones, spheres
-//! that touch the eye, and lengths over the whole range, each beside an ordinary scene of as many
-//! spheres.
+//! Measures the most expensive scenes: spheres that `f32` cannot distinguish, nested and equal spheres,
+//! spheres that touch the eye, and lengths over the whole range. Each is compared with an ordinary scene
+//! of as many spheres.
 //!
-//! `cargo bench -p pinhole-core --bench worst`; a family's name behind `--` runs it alone. The frame has
-//! 320 x 180 pixels, and is traced by all threads.
+//! `cargo bench -p pinhole-core --bench worst`; a family's name after `--` runs only that family. The
+//! frame has 320 x 180 pixels, and is traced by all threads.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::time::{Duration, Instant};
@@ -14,11 +14,11 @@ const WIDTH: u32 = 320;
 const HEIGHT: u32 = 180;
 const ROUNDS: usize = 3;
 
-/// A time after which a measurement is not repeated.
+/// A measurement that takes longer than this is not repeated.
 const LONG: Duration = Duration::from_secs(2);
 
-/// Numbers from 0 to 1 that are the same in every run (SplitMix64: Steele, Lea, Flood, *Fast splittable
-/// pseudorandom number generators*, 2014).
+/// Pseudorandom numbers from 0 to 1, equal in every run (SplitMix64: Steele, Lea, Flood, *Fast
+/// splittable pseudorandom number generators*, 2014).
 struct Random(u64);
 
 impl Random {
@@ -30,7 +30,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A point of the cube from -1 to 1.
+    /// Returns a point of the cube from -1 to 1.
     fn point(&mut self) -> DVec3 {
         DVec3::from_array([(); 3].map(|()| 2.0 * self.next() - 1.0))
     }
@@ -40,7 +40,7 @@ type Family<T = Sphere> = (&'static str, usize, fn(usize) -> Vec<T>);
 
 /// Families of planes: name, number of planes, and the planes.
 const PLANE_FAMILIES: [Family<Plane>; 2] = [
-    // The same plane, but for the rounding of normals.
+    // The same plane, except for the rounding of the normals.
     ("planes alike", 11, |count| {
         let normal = |k: usize| (k + 1) as f64 * DVec3::new(0.1, 0.2, 0.7);
         (0..count).map(|k| Plane { point: AHEAD, normal: normal(k) }).collect()
@@ -70,7 +70,7 @@ const FAMILIES: [Family; 8] = [
     ("touch the eye", 200, |count| {
         (1..=count).map(|k| ball([0.0, -(k as f64), 0.0], k as f64)).collect()
     }),
-    // Within the rounding of their centres.
+    // They touch the eye, except for the rounding of their centres.
     ("nearly touch it", 200, |count| {
         let (down, step) = (DVec3::new(0.1, -0.7, 0.0).normalize(), 0.1);
         (1..=count).map(|k| ball(step * k as f64 * down, step * k as f64)).collect()
@@ -94,7 +94,7 @@ const FAMILIES: [Family; 8] = [
     }),
 ];
 
-/// Spheres apart from one another that fill the picture.
+/// Returns spheres that lie apart from one another and fill the picture.
 fn ordinary(count: usize) -> Vec<Sphere> {
     let mut random = Random(4);
     let radius = 2.0 / (count as f64).cbrt();
@@ -173,7 +173,7 @@ fn main() {
     single_rays();
 }
 
-/// The first hits of 2000 rays among 100,000 spheres, asked one by one.
+/// Measures the first hits of 2000 rays among 100,000 spheres, one ray at a time.
 fn single_rays() {
     let scene = Scene::new(ordinary(100_000), vec![]).unwrap();
     scene.make_index();

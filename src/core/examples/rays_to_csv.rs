@@ -1,4 +1,4 @@
-//! The view ray of every pixel and what it hits first, as CSV on standard output:
+//! Prints the view ray of every pixel and its first hit as CSV:
 //! `cargo run --release -p pinhole-core --example rays_to_csv > rays.csv`.
 #![allow(clippy::print_stdout, reason = "this is where the table goes")]
 
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for row in 0..resolved.image().height() {
         for column in 0..resolved.image().width() {
             let pixel = Pixel { row, column };
-            // The ray in digits, and the hit of the same ray with nothing rounded.
+            // The ray is printed rounded; the hit is that of the exact ray.
             let ray = resolved.ray_of_pixel(pixel);
             let hit = scene.first_hit_of(&resolved.exact_ray(pixel));
             let numbers = [ray.origin, ray.direction].map(|v| v.to_array().map(shortest).join(","));

@@ -1,4 +1,4 @@
-//! A shaded picture in the terminal: `cargo run --release -p pinhole-core --example terminal`.
+//! Prints a shaded picture to the terminal: `cargo run --release -p pinhole-core --example terminal`.
 #![allow(clippy::print_stdout, reason = "this is where the picture is shown")]
 
 use std::error::Error;
@@ -19,8 +19,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     let floor = Plane::new([0.0, 0.0, 0.0], [0.0, 1.0, 0.0])?;
     let scene = Scene::new(spheres, vec![floor])?;
-    // A letter is about twice as high as wide: the image has half as many rows as the viewport's
-    // shape would make it.
+    // A character is about twice as high as wide, so the image has half as many rows as the viewport's
+    // shape suggests.
     let camera = Camera {
         eye: [0.0, 2.2, 6.0].into(),
         orientation: Orientation::At { at: [0.0, 0.7, 0.0].into(), up: [0.0, 1.0, 0.0].into() },

@@ -1,15 +1,15 @@
-//! The textbook's formula in vectors of the processor's width, as fast as plain code gets.
+//! The textbook formula in vectors of the processor's width, as fast as plain code can be.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use pinhole_core::{NO_OBJECT, ResolvedCamera, Sphere};
 
-/// The roots that are computed of the quadratic.
+/// Which roots of the quadratic are computed.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Form {
     /// `(-b -+ sqrt(b^2 - 4ac)) / 2a`, the smaller positive one.
     TwoRoots,
-    /// `c / (sqrt D - b)` with half of b: right for an eye outside.
+    /// `c / (sqrt D - b)` with half of b, which is right if the eye is outside the sphere.
     OneRoot,
 }
 
@@ -104,7 +104,7 @@ macro_rules! textbook {
                     };
                     found.store_slice(&mut t[i..i + n]);
                 }
-                // Which object: as many bytes again, in a loop of its own, which vectorises.
+                // The objects, as many bytes again, are written in a separate loop, which is vectorized.
                 for (t, object) in t.iter().zip(object) {
                     *object = if *t < $real::INFINITY { 0 } else { NO_OBJECT };
                 }

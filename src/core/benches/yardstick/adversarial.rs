@@ -1,4 +1,4 @@
-//! Scenes that are hard to be fast in: what helps in an ordinary scene does not help there.
+//! Scenes that are hard to draw fast, because the usual optimizations do not help.
 
 use glam::DVec3;
 use pinhole_core::{Camera, Pixel, Sphere};
@@ -6,7 +6,7 @@ use pinhole_core::{Camera, Pixel, Sphere};
 use super::random::Random;
 use super::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for, spheres_at};
 
-/// All of them, and two other sizes of image.
+/// Returns all these scenes, and scenes with two other image sizes.
 pub(crate) fn all() -> Vec<Listed> {
     let hard = |name, make: fn() -> Setting| Listed::new(name, "adversarial", make);
     vec![
@@ -42,7 +42,7 @@ fn setting(spheres: Vec<Sphere>) -> Setting {
     Setting::new(spheres, camera())
 }
 
-/// 10^5 spheres, all hidden by one that fills the view.
+/// 10^5 spheres, all hidden by one more, which fills the view.
 fn behind_one() -> Setting {
     let mut spheres = spheres_at(100_000, COVERAGE, 1.0).scene.spheres().to_vec();
     // sin(angle) = r / |q| = 0.75: 48.6 degrees, and the view's corners are at 45.6.
@@ -50,14 +50,14 @@ fn behind_one() -> Setting {
     setting(spheres)
 }
 
-/// 10^6 spheres a fifth of a pixel across, most of which no pixel's centre meets.
+/// 10^6 spheres a fifth of a pixel wide, most of which are hit by no pixel's ray.
 fn sub_pixel() -> Setting {
     let centers = centers_ahead(1_000_000, &mut Random::new(2));
     let sphere = |center: DVec3| Sphere { center, radius: 0.1 * pixel_at(-center.z) };
     setting(centers.into_iter().map(sphere).collect())
 }
 
-/// The height of a pixel in the world, so far ahead.
+/// Returns the height of a pixel in the world at this depth.
 fn pixel_at(depth: f64) -> f64 {
     let Camera { viewport, image, .. } = camera();
     depth * viewport.height / (viewport.distance * f64::from(image.height()))
@@ -95,20 +95,20 @@ fn in_cloud(count: usize) -> Setting {
     alike((0..count).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect())
 }
 
-/// Spheres of the radius with which they cover 60 % of the pixels.
+/// Returns spheres of equal radius, chosen so that they cover 60 % of the pixels.
 fn alike(centers: Vec<DVec3>) -> Setting {
     let radius = scale_for(COVERAGE, &centers, &|_| 1.0);
     setting(centers.into_iter().map(|center| Sphere { center, radius }).collect())
 }
 
-/// 10^4 spheres, and one around them and the eye.
+/// 10^4 spheres, and one that contains them and the eye.
 fn in_sphere() -> Setting {
     let mut spheres = vec![Sphere { center: DVec3::new(0.0, 0.0, -3.0), radius: 40.0 }];
     spheres.extend(spheres_at(10_000, COVERAGE, 1.0).scene.spheres());
     setting(spheres)
 }
 
-/// 10^5 spheres of about a pixel's size, which all cover the centre of the same one.
+/// 10^5 spheres of about a pixel's size, all of which cover the centre of the same pixel.
 fn one_pixel() -> Setting {
     let resolved = setting(Vec::new()).camera(0);
     let direction = resolved.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
@@ -137,7 +137,8 @@ fn planet() -> Setting {
     setting(spheres)
 }
 
-/// A thousand spheres beside the eye, each cut by the plane through it and reaching into the view.
+/// A thousand spheres to the sides of the eye, each of which crosses the plane through the eye and
+/// reaches into the view.
 fn eye_plane() -> Setting {
     let mut random = Random::new(7);
     let sphere = |_| {

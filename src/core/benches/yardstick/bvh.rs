@@ -1,6 +1,6 @@
-//! The textbook's loop over a tree of boxes instead of all spheres: binned surface-area heuristic
-//! (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), up to four spheres
-//! a leaf, a stack, the near child first.
+//! The textbook's loop with a bounding volume hierarchy. It is built by the binned surface-area
+//! heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007) with up to
+//! four spheres per leaf, and traversed with a stack, near child first.
 
 use glam::Vec3;
 use pinhole_core::{ResolvedCamera, Scene};
@@ -12,18 +12,18 @@ use super::textbook::{self, Ball, Nearest, each_pixel};
 #[derive(Clone, Debug)]
 pub(crate) struct Bvh {
     nodes: Vec<Node>,
-    /// The spheres in the order of the leaves, and which objects they are.
+    /// The spheres in the order of the leaves.
     balls: Vec<Ball>,
     objects: Vec<u32>,
 }
 
-/// A box, and either two children side by side or some spheres.
+/// A node: a box with two children, which are adjacent, or with some spheres.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Bounds,
     /// The left child, or the first sphere.
     first: u32,
-    /// Number of spheres; 0 of an inner node.
+    /// Number of spheres; 0 for an inner node.
     count: u32,
 }
 
@@ -37,8 +37,7 @@ struct Bounds {
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// Depth from which on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
-/// spheres.
+/// Depth from which nodes are halved regardless of cost, so that [`STACK`] suffices for 2^24 spheres.
 const DEEP: usize = 40;
 const STACK: usize = 64;
 
@@ -60,7 +59,7 @@ impl Bounds {
         size.x * size.y + size.y * size.z + size.z * size.x
     }
 
-    /// Returns where a ray enters, if it does so before `t`.
+    /// Returns the `t` at which a ray enters the box, or `None` if that is not before `t`.
     #[inline]
     fn entry(&self, origin: Vec3, inverse: Vec3, t: f32) -> Option<f32> {
         let (a, b) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
@@ -128,7 +127,7 @@ impl Bvh {
             {
                 found.swap(0, 1);
             }
-            // The near one last, so that it comes first from the stack.
+            // The near child is pushed last, so that it is popped first.
             for child in found.into_iter().flatten() {
                 stack[height] = child;
                 height += 1;
@@ -149,7 +148,7 @@ impl Bvh {
     }
 }
 
-/// Puts the spheres of the left child before those of the right one; returns how many are left.
+/// Puts the spheres of the left child before those of the right one; returns the number of the former.
 fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     let center = |object: &u32| balls[*object as usize].center;
     let centers = objects.iter().map(center);
@@ -187,8 +186,8 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     left
 }
 
-/// Costs of a cut before each bin: surface times number, of both sides together. Cuts that
-/// leave a side empty are none.
+/// Returns, for a cut before each bin, the cost: surface times number of spheres, summed over both
+/// sides. Cuts that leave a side empty are left out.
 fn cuts(bins: [(usize, Bounds); BINS]) -> impl Iterator<Item = (f32, usize)> {
     let join = |a: (usize, Bounds), b: &(usize, Bounds)| (a.0 + b.0, a.1.with(b.1));
     let sum = move |bins: &[(usize, Bounds)]| bins.iter().fold((0, Bounds::NONE), join);

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::random::Random;
 
-/// A pixel that is not what the exact ray says.
+/// A pixel that differs from the hit of its exact ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fault {
     /// Row in the frame's raster.
@@ -30,12 +30,12 @@ impl fmt::Display for Fault {
     }
 }
 
-/// Compares `count` pixels of a frame of a scene with [`Scene::first_hit_of`] of their exact rays:
-/// the same object, and t within one ulp of `f32`. Every other one stands where the object changes
-/// along its row, if there is such a place to the right of it.
+/// Compares `count` pixels of a frame of a scene with [`Scene::first_hit_of`] of their exact rays: the
+/// objects must be equal, and t within one ulp of `f32`. Every second pixel is moved to the next place
+/// to the right at which the object changes, if there is one.
 ///
 /// # Errors
-/// Returns the first pixel that differs.
+/// Returns an error with the first pixel that differs.
 pub(crate) fn sample(
     scene: &Scene,
     frame: &Frame<f32>,
@@ -76,17 +76,17 @@ fn is_within_one_ulp(found: f32, truth: f64) -> bool {
     [rounded.next_down(), rounded, rounded.next_up()].contains(&found)
 }
 
-/// The share of pixels, 0 to 1, in which two frames see the same object.
+/// Returns the share of pixels, from 0 to 1, in which two frames show the same object.
 ///
 /// # Panics
-/// Returns an error if they differ in size.
+/// Panics if the frames differ in size.
 pub(crate) fn alike(a: &[u32], b: &[u32]) -> f64 {
     assert_eq!(a.len(), b.len());
     let same = a.iter().zip(b).filter(|(a, b)| a == b).count();
     same as f64 / a.len().max(1) as f64
 }
 
-/// The share of pixels, 0 to 1, that hit something.
+/// Returns the share of pixels, from 0 to 1, that hit something.
 pub(crate) fn coverage(objects: &[u32]) -> f64 {
     1.0 - alike(objects, &vec![NO_OBJECT; objects.len()])
 }

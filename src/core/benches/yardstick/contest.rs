@@ -16,21 +16,21 @@ use super::rounds::{self, Times, each};
 use super::scenes::Setting;
 use super::textbook;
 
-/// Name of `pinhole-core` among the contestants, every decision certified.
+/// Name of `pinhole-core` among the contestants. All its decisions are certain.
 pub(crate) const LADDER: &str = "ladder";
 
-/// Limits of the time to spend.
+/// Settings and time limits of a contest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
-    /// The ladder's instructions.
+    /// The SIMD level of the ladder.
     pub(crate) level: Level,
     /// Number of threads that make a frame.
     pub(crate) threads: usize,
     /// Maximum time that each contestant spends on frames, if one frame does not take longer.
     pub(crate) share: Duration,
-    /// Maximum number of frames of each that are timed.
+    /// Maximum number of timed frames of each contestant.
     pub(crate) most: usize,
-    /// A rival is left out where a frame of it would take longer, roughly, on one thread.
+    /// A rival is left out if one frame would take it longer than about this on one thread.
     pub(crate) patience: Duration,
 }
 
@@ -44,23 +44,23 @@ impl Default for Limits {
 /// The results of a contest.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
-    /// Names of those who took part, the ladder first, and their seconds a frame.
+    /// The names of the contestants, the ladder first, and their seconds per frame.
     pub(crate) rows: Vec<(&'static str, Times)>,
     /// The ladder's last frame.
     pub(crate) frame: Frame<f32>,
 }
 
-/// Number of spheres up to which the textbook asks all of them, and from which on it has a tree.
+/// Number of spheres up to which the textbook's loop tests all of them, and from which it uses a tree.
 pub(crate) const TREE_FROM: usize = 100;
 
-/// A contestant's way to make a frame for each camera, and how long each took.
+/// A contestant: a function that makes a frame for each camera, and returns how long each took.
 type Run<'a> = Box<dyn FnMut(&[ResolvedCamera]) -> Vec<Duration> + 'a>;
 
-/// Lets the contestants, and the programs that were started for a setting, trace it frame by frame, in
-/// turn.
+/// Runs a contest: the contestants, and the programs started for the setting, trace it frame by frame,
+/// in turn.
 ///
 /// # Panics
-/// Returns an error if one of the programs ends before its time.
+/// Panics if one of the programs ends early.
 pub(crate) fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outcome {
     let Limits { level, threads, share, most, patience } = *limits;
     let (scene, image, count) = (&setting.scene, setting.image(), setting.scene.len());
@@ -81,7 +81,7 @@ pub(crate) fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outco
             })
         }),
     )];
-    // Of the usual size of things: 5 ns a sphere, 100 ns a level of the tree, on one thread.
+    // Typical times: 5 ns per sphere, 100 ns per level of the tree, on one thread.
     let is_quick = |seconds: f64| setting.pixels() as f64 * seconds <= patience.as_secs_f64();
     if count <= TREE_FROM && is_quick(5e-9 * count as f64) {
         let (balls, mut buffers) = (textbook::balls(scene), Buffers::new(image));
@@ -115,8 +115,8 @@ pub(crate) fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outco
     Outcome { rows, frame }
 }
 
-/// Works on threads that are new. Where they are as old as the process, and slept while others had
-/// their turn, Linux may wake all of them on one processor, and takes tens of milliseconds to part them.
+/// Runs work on new threads. If old threads slept during the turns of other contestants, Linux may wake
+/// all of them on one processor, and then take tens of milliseconds to distribute them.
 fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     pool.install(work)

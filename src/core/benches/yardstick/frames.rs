@@ -1,4 +1,4 @@
-//! Buffers that every contestant but the ladder writes, and a frame's rays as the textbook has them.
+//! The buffers that every contestant but the ladder writes, and a frame's rays as in textbooks.
 
 use glam::Vec3;
 use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
@@ -8,15 +8,15 @@ use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
 pub(crate) struct Buffers {
     /// Columns.
     pub(crate) width: usize,
-    /// t of the first hit; infinite where there is none.
+    /// t of the first hit; infinite if there is none.
     pub(crate) t: Vec<f32>,
     /// The object hit, or [`NO_OBJECT`].
     pub(crate) object: Vec<u32>,
 }
 
 impl Buffers {
-    /// The buffers of an image. All of their memory has been written to, so that no page of it is
-    /// new to the system when times are taken.
+    /// Creates the buffers of an image. All their memory has been written to, so that the system need
+    /// not provide new pages while times are measured.
     pub(crate) fn new(image: ImageSize) -> Buffers {
         let width = image.width() as usize;
         let pixels = width * image.height() as usize;
@@ -52,15 +52,15 @@ impl Rays {
         }
     }
 
-    /// The eye, the direction of the first pixel, and its changes from column to column and from row to
-    /// row.
+    /// Returns the eye, the direction of the first pixel, and the change of the direction per column and
+    /// per row.
     pub(crate) fn numbers(&self) -> [f32; 12] {
         let (column, row) = (self.width / self.columns * self.u, -self.height / self.rows * self.v);
         let vectors = [self.eye, self.direction(0, 0), column, row].map(|vector| vector.to_array());
         std::array::from_fn(|k| vectors[k / 3][k % 3])
     }
 
-    /// `u*U + v*V - distance*W` of a pixel's centre.
+    /// Returns `u*U + v*V - distance*W` for a pixel's centre.
     #[inline]
     pub(crate) fn direction(&self, row: usize, column: usize) -> Vec3 {
         let u = self.width * ((column as f32 + 0.5) / self.columns - 0.5);

@@ -1,9 +1,9 @@
-//! Whether the machine was one's own while times were taken.
+//! Measures whether other processes used the machine while times were measured.
 
 use std::fs;
 use std::time::Instant;
 
-/// A moment from which on the use of the machine's processors is watched.
+/// A moment from which the use of the machine's processors is observed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch {
     start: Instant,
@@ -11,7 +11,7 @@ pub(crate) struct Watch {
     ticks: Option<[f64; 2]>,
 }
 
-/// Length of a tick in seconds: `USER_HZ`, which is 100 wherever Linux has Rust.
+/// Length of a tick in seconds, `1 / USER_HZ`. `USER_HZ` is 100 on every Linux that Rust supports.
 const TICK: f64 = 0.01;
 
 impl Watch {
@@ -20,8 +20,9 @@ impl Watch {
         Watch { start: Instant::now(), ticks: ticks() }
     }
 
-    /// Number of processors that others kept busy since, on average: what this process and its ended
-    /// children did not use of their time. `None` where the system does not tell.
+    /// Returns the average number of processors that other processes have kept busy since: the busy time
+    /// minus that of this process and its ended children. Returns `None` if the system does not provide
+    /// the numbers.
     pub(crate) fn others(&self) -> Option<f64> {
         let ([busy, own], [busy_then, own_then]) = (ticks()?, self.ticks?);
         let others = (busy - busy_then) - (own - own_then);
@@ -36,7 +37,8 @@ fn ticks() -> Option<[f64; 2]> {
     let all: Vec<f64> = all.lines().next()?.split_whitespace().filter_map(number).collect();
     let busy = all.get(..8)?.iter().sum::<f64>() - all[3] - all[4];
     let own = fs::read_to_string("/proc/self/stat").ok()?;
-    // Behind the name: state, ten more, then user and system of the process and of its children.
+    // After the name: the state, ten more fields, then user and system time of the process and of its
+    // children.
     let own = own.rsplit(')').next()?.split_whitespace().skip(11).take(4);
     Some([busy, own.filter_map(number).sum()])
 }

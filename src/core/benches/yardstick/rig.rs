@@ -1,5 +1,5 @@
-//! Programs in C++ beside which frames are timed: streaming stores, which need intrinsics, and Embree.
-//! They are built where a compiler is, and live as long as a scene is measured.
+//! C++ programs with which frame times are compared: streaming stores, which need intrinsics, and
+//! Embree. They are built if there is a compiler, and run while a scene is measured.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Error, Write};
@@ -12,11 +12,11 @@ use pinhole_core::ResolvedCamera;
 use super::frames::Rays;
 use super::scenes::Setting;
 
-/// Name of the limit: streaming stores of t and object of every pixel, and nothing else.
+/// Name of the limit: streaming stores of every pixel's t and object, and nothing else.
 pub(crate) const STREAMING: &str = "streaming stores";
 
-/// Names of Embree's ways: its own spheres, and user geometry with a test as wide as a packet of 16 rays,
-/// which are declared coherent or not.
+/// Names of Embree's modes: its built-in spheres, and user geometry whose test takes packets of 16 rays,
+/// declared coherent or not.
 pub(crate) const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
 
 const SOURCES: [(&str, &str); 3] = [
@@ -36,16 +36,16 @@ impl Program {
     /// Builds the streaming stores into a folder.
     ///
     /// # Errors
-    /// Returns what the compiler says, or that there is none.
+    /// Returns the compiler's messages, or a message that there is no compiler.
     pub(crate) fn stores(folder: &Path) -> Result<Program, String> {
         build(folder, "stores", &[])?;
         Ok(Program { path: folder.join("stores"), modes: &[STREAMING] })
     }
 
-    /// Builds the one that asks Embree 4 or 3 into a folder.
+    /// Builds the program that uses Embree 4 or 3 into a folder.
     ///
     /// # Errors
-    /// Returns what the compiler says of both, or that there is none.
+    /// Returns the compiler's messages for both versions, or a message that there is no compiler.
     pub(crate) fn embree(folder: &Path) -> Result<Program, String> {
         let with = |version: &str| {
             build(
@@ -58,10 +58,10 @@ impl Program {
         Ok(Program { path: folder.join("embree"), modes: &EMBREE })
     }
 
-    /// Starts it for a scene, and waits until it is ready.
+    /// Starts the program for a scene, and waits until it is ready.
     ///
     /// # Errors
-    /// Returns what keeps it from starting.
+    /// Returns an error if the program cannot be started.
     pub(crate) fn start(&self, setting: &Setting) -> Result<Rig, Error> {
         let [frame, spheres] = ["frame", "spheres"].map(|kind| self.path.with_extension(kind));
         let numbers = |sphere: &pinhole_core::Sphere| {
@@ -79,7 +79,7 @@ impl Program {
             .spawn()?;
         let answers = BufReader::new(child.stdout.take().ok_or(Error::other("no stdout"))?);
         let mut rig = Rig { child, answers, frame, modes: self.modes };
-        // It answers when the scene is ready.
+        // The program answers when the scene is ready.
         rig.frames(0, 1, &[])?;
         Ok(rig)
     }
@@ -100,13 +100,13 @@ fn build(folder: &Path, name: &str, flags: &[&str]) -> Result<(), String> {
     output.status.success().then_some(()).ok_or_else(|| format!("{compiler}: {}", told.trim_end()))
 }
 
-/// A program that makes frames of a scene as it is told.
+/// A running program that makes frames of a scene on request.
 #[derive(Debug)]
 pub(crate) struct Rig {
     child: Child,
     answers: BufReader<ChildStdout>,
     frame: PathBuf,
-    /// The names of its ways to make a frame.
+    /// The names of the program's modes.
     pub(crate) modes: &'static [&'static str],
 }
 
@@ -131,7 +131,7 @@ impl Rig {
         seconds.collect::<Result<_, _>>().map_err(Error::other)
     }
 
-    /// Objects of the last frame's pixels.
+    /// Returns the objects of the last frame's pixels.
     ///
     /// # Errors
     /// Returns an error if the program has ended or cannot write the file.
@@ -153,7 +153,7 @@ impl Rig {
 }
 
 impl Drop for Rig {
-    /// Waits for its end, so that its time counts among this process's children's.
+    /// Waits for the program's end, so that its time counts as that of an ended child process.
     fn drop(&mut self) {
         drop(self.child.stdin.take());
         _ = self.child.wait();

@@ -1,29 +1,29 @@
-//! Times of several pieces of work, taken in turn.
+//! Measures the times of several pieces of work in turn.
 
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
-/// Times that a piece of work took, in seconds.
+/// The times that a piece of work took, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Times {
-    /// The middle one of all measurements.
+    /// The median of all measurements.
     pub(crate) median: f64,
-    /// The shortest one.
+    /// The shortest of all measurements.
     pub(crate) min: f64,
     /// Number of times.
     pub(crate) count: usize,
 }
 
-/// Work that is quicker than this is repeated about so long in each turn, the first time untimed: a
-/// frame is followed by frames, not by what another contestant leaves in the caches, and threads have
-/// had the time to wake up.
+/// Work that is quicker than this is repeated for about this long in each turn, the first time without
+/// timing. So a timed frame follows a frame of the same contestant, not the cache contents of another
+/// one, and threads have had time to wake up.
 const TURN: Duration = Duration::from_millis(25);
 
 /// Times `count` pieces of work in turn, until each has spent its `share` or was timed `most` times.
 ///
-/// `run(index, frames)` does the work of these frames and returns how long each took; the frames are
-/// counted through, so that no two are alike. The first run of each is not timed, but where it alone
-/// uses up half of the share.
+/// `run(index, frames)` does the work of these frames and returns how long each took. Frames are
+/// numbered consecutively, so that no two are equal. The first run of each piece of work is not counted,
+/// unless it alone takes half of the share.
 pub(crate) fn interleaved(
     count: usize,
     share: Duration,

@@ -1,4 +1,5 @@
-//! Scenes to be fast in, each with a camera that moves a little every frame. The same every time.
+//! Scenes for measuring speed, each with a camera that moves a little every frame. They are equal in
+//! every run.
 
 use glam::DVec3;
 use pinhole_core::{
@@ -8,7 +9,7 @@ use pinhole_core::{
 use super::random::Random;
 use super::{adversarial, check};
 
-/// A scene and who looks at it.
+/// A scene and its camera.
 #[derive(Clone, Debug)]
 pub(crate) struct Setting {
     /// The objects.
@@ -17,14 +18,14 @@ pub(crate) struct Setting {
     resolved: ResolvedCamera,
 }
 
-/// Distance that the eye moves from frame to frame, in widths of the viewport.
+/// Radius of the circle on which the eye moves, in widths of the viewport.
 const STRIDE: f64 = 1e-3;
 
 impl Setting {
-    /// Spheres seen by a camera.
+    /// Creates a setting of spheres and a camera.
     ///
     /// # Panics
-    /// Returns an error if a sphere is invalid, or the camera sees nothing.
+    /// Panics if a sphere or the camera is invalid.
     pub(crate) fn new(spheres: Vec<Sphere>, camera: Camera) -> Setting {
         let scene = Scene::new(spheres, Vec::new()).expect("valid spheres");
         Setting { scene, camera, resolved: camera.resolve().expect("a camera that sees") }
@@ -40,7 +41,8 @@ impl Setting {
         self.camera.image.width() as usize * self.camera.image.height() as usize
     }
 
-    /// The camera of a frame: on a small circle around its position, at another point in every frame.
+    /// Returns the camera of a frame, whose eye lies on a small circle around its position, at a
+    /// different point in every frame.
     pub(crate) fn camera(&self, frame: usize) -> ResolvedCamera {
         let basis = self.resolved.basis();
         let (sin, cos) = (0.7 * frame as f64).sin_cos();
@@ -52,7 +54,7 @@ impl Setting {
     /// Returns the scene in an image of another size, through the same viewport.
     ///
     /// # Panics
-    /// Returns an error if the size is no [`ImageSize`].
+    /// Panics if the size is not a valid [`ImageSize`].
     #[must_use]
     pub(crate) fn with_image(self, width: u32, height: u32) -> Setting {
         let camera = Camera { image: image(width, height), ..self.camera };
@@ -61,8 +63,8 @@ impl Setting {
     }
 }
 
-/// The camera of all scenes that do not say otherwise: at the origin, along -z, 53 degrees from bottom
-/// to top.
+/// Returns the default camera: at the origin, looking along -z, with a vertical field of view of 53
+/// degrees.
 pub(crate) fn camera() -> Camera {
     Camera {
         eye: DVec3::ZERO,
@@ -76,11 +78,11 @@ fn image(width: u32, height: u32) -> ImageSize {
     ImageSize::new(width, height).expect("a size of an image")
 }
 
-/// Distances of the nearest and the farthest centres.
+/// Depths of the nearest and the farthest centres.
 const DEPTH: [f64; 2] = [4.0, 12.0];
 
-/// Centres spread evenly over a box ahead, as wide and high as what is seen half way through it; the
-/// first stands in its middle.
+/// Returns centres spread evenly over a box in front of the camera. The box is as wide and high as the
+/// view at half its depth. The first centre lies in its middle.
 pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
     let [near, far] = DEPTH;
     let middle = 0.5 * (near + far);
@@ -95,10 +97,10 @@ pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
     centers
 }
 
-/// Spheres of one radius, spread evenly over a box ahead, which together cover this share of the
-/// pixels; then `radius_factor` times as large.
+/// Returns spheres of equal radius, spread evenly over a box in front of the camera. The radius is
+/// `radius_factor` times the one with which they cover this share of the pixels.
 ///
-/// The radius is searched for, by tracing one pixel of 64.
+/// The radius is found by search, tracing one pixel in 64.
 pub(crate) fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
@@ -106,11 +108,12 @@ pub(crate) fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Set
     Setting::new(spheres, camera())
 }
 
-/// More spheres than this are not asked how much they cover: that depends on their number and radius
-/// only by the sum of their areas, as long as they are small.
+/// Maximum number of spheres whose coverage is traced. For more spheres it is extrapolated: as long as
+/// they are small, coverage depends only on the sum of their areas.
 const MOST_ASKED: usize = 100_000;
 
-/// Returns the factor of radii with which [`camera`] sees this share of its pixels covered.
+/// Returns the factor by which to multiply the radii so that the spheres cover this share of the pixels
+/// of [`camera`].
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
     let camera = camera();
@@ -121,7 +124,8 @@ pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usi
         };
         covered(&Setting::new(asked.iter().enumerate().map(sphere).collect(), camera))
     };
-    // Where spheres overlap at random, a share exp(-area) stays free, and area grows with scale^2.
+    // If spheres overlap at random, a share exp(-area) of the pixels stays free, and area grows with
+    // scale^2.
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let mut scale = (1.0 / asked.len().max(1) as f64).sqrt();
     for _ in 0..40 {
@@ -144,7 +148,7 @@ pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usi
     scale * (asked.len() as f64 / centers.len().max(1) as f64).sqrt()
 }
 
-/// The share of the pixels that hit something, from every eighth row and column.
+/// Returns the share of pixels that hit something, computed from every eighth row and column.
 pub(crate) fn covered(setting: &Setting) -> f64 {
     let image = setting.image();
     let raster = Raster::shown_on(image, image.width().div_ceil(8), image.height().div_ceil(8));
@@ -152,7 +156,7 @@ pub(crate) fn covered(setting: &Setting) -> f64 {
     check::coverage(&frame.object)
 }
 
-/// A scene of the list, before it is made.
+/// A scene of the list, which is made only when needed.
 pub(crate) struct Listed {
     /// Its name.
     pub(crate) name: &'static str,
@@ -176,8 +180,8 @@ impl Listed {
 /// The share of pixels that is covered in the scenes of the group `growth`.
 pub(crate) const COVERAGE: f64 = 0.6;
 
-/// Names of the scenes in which speed is stated: growth, overdraw, crowds in the middle and in clusters,
-/// the eye inside.
+/// Names of the scenes for which speeds are published: growth, overdraw, crowds in the middle and in
+/// clusters, and the eye inside a cloud.
 pub(crate) const STATED: [&str; 18] = [
     "N=1",
     "N=3",
@@ -199,7 +203,7 @@ pub(crate) const STATED: [&str; 18] = [
     "in-cloud",
 ];
 
-/// All scenes: growth up to 10^7, the adversarial ones, other images.
+/// Returns all scenes: growth up to 10^7, the adversarial ones, and other image sizes.
 pub(crate) fn all() -> Vec<Listed> {
     let names = ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6", "N=1e7"];
     let counts = [1, 3, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000];

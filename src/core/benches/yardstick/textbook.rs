@@ -1,5 +1,5 @@
-//! The rival that every course writes first: for each pixel a ray, for each ray all spheres, for each
-//! of them the quadratic and its two roots; in `f32`, rows in parallel.
+//! The rival that every course writes first: a ray for each pixel, intersected with every sphere by the
+//! two roots of the quadratic, in `f32`, with rows in parallel.
 
 use glam::Vec3;
 use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene, Sphere};
@@ -49,7 +49,7 @@ pub(crate) fn trace(balls: &[Ball], camera: &ResolvedCamera, buffers: &mut Buffe
     });
 }
 
-/// Fills the buffers, rows in parallel.
+/// Fills the buffers, with rows in parallel.
 pub(crate) fn each_pixel(buffers: &mut Buffers, hit: impl Fn(usize, usize) -> Nearest + Sync) {
     let Buffers { width, t, object } = buffers;
     let rows = t.par_chunks_mut(*width).zip(object.par_chunks_mut(*width)).enumerate();
@@ -62,7 +62,7 @@ pub(crate) fn each_pixel(buffers: &mut Buffers, hit: impl Fn(usize, usize) -> Ne
 }
 
 impl Ball {
-    /// The smallest positive root of `a t^2 + b t + c = 0`:
+    /// Returns the smallest positive root of `a t^2 + b t + c = 0` with
     ///
     /// ```text
     /// a = d.d    b = 2 oc.d    c = oc.oc - r^2    t = (-b -+ sqrt(b^2 - 4ac)) / 2a
