@@ -185,13 +185,7 @@ struct DrawnCurve {
 }
 
 /// Shows the drawing, and handles drags of t in it.
-fn draw(
-    ui: &Ui,
-    rect: Rect,
-    plot: &Plot,
-    first: Option<(u32, f64)>,
-    ray_point_t: &mut Option<f64>,
-) {
+fn draw(ui: &Ui, rect: Rect, plot: &Plot, first: Option<(u32, f64)>, ray_t: &mut Option<f64>) {
     let colors = theme::style(ui).colors();
     // Leaves space for the numbers of f on the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
@@ -201,7 +195,7 @@ fn draw(
     let heights = [bottom, top].map(|value| height_of(value, plot.compressed));
     let t = Scale::even([*plot.range.start(), *plot.range.end()], [inner.left(), inner.right()]);
     let height = Scale::even(heights, [inner.bottom(), inner.top()]);
-    input(ui, inner, &t, ray_point_t);
+    input(ui, inner, &t, ray_t);
     let painter = ui.painter_at(inner);
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);

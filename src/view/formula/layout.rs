@@ -238,8 +238,7 @@ fn fraction(above: Layout, below: Layout, size: f32) -> Layout {
 }
 
 fn root(inner: Layout, size: f32) -> Layout {
-    let sign = 0.62 * size;
-    let over = 0.1 * size;
+    let (sign, over) = (0.62 * size, 0.1 * size);
     let top = -(inner.ascent + over);
     let (bottom, end) = (inner.descent - 0.1 * size, sign + inner.width + 0.06 * size);
     let middle = 0.45 * (top + bottom);

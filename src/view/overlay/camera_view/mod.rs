@@ -161,7 +161,7 @@ impl CameraSketch<'_> {
 
     fn label(&mut self, pen: LineStyle, text: &str, anchor: DVec2, toward: DVec2, font: LabelFont) {
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
-            let (anchors, halo) = ((anchor, toward), self.colors.halo);
+            let (anchors, halo) = ([anchor, toward], self.colors.halo);
             self.requests.push(Request::new(pen, text.to_owned(), anchors, font, halo));
         }
     }

@@ -268,16 +268,11 @@ impl Sketch<'_> {
     }
 
     /// Highlights a concept of the selected ray.
-    fn highlight_selected(
-        &mut self,
-        resolved: &ResolvedCamera,
-        highlighted: Highlighted,
-        pen: LineStyle,
-    ) {
+    fn highlight_selected(&mut self, resolved: &ResolvedCamera, lit: Highlighted, pen: LineStyle) {
         let view = self.view;
         let Some(inspection) = &view.inspection else { return };
         let ray = &inspection.ray;
-        match highlighted.concept {
+        match lit.concept {
             Concept::Pixel => {
                 inspection.touched(resolved).into_iter().for_each(|p| self.pixel(resolved, p));
                 self.highlight_point(ray.at(1.0), pen, "(𝑢, 𝑣)");
@@ -300,7 +295,7 @@ impl Sketch<'_> {
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, LineStyle { width: ACCOMPANYING, ..pen });
-                let text = format!("𝑡 = {}", highlighted.number(root.t));
+                let text = format!("𝑡 = {}", lit.number(root.t));
                 self.highlight_point(root.point, pen, &text);
             }
             Concept::Normal => {

@@ -265,19 +265,12 @@ impl Sketch<'_> {
         }
     }
 
-    /// Requests a label, which is placed later. Ignores the request if the anchor is outside the
-    /// picture.
-    pub(crate) fn label(
-        &mut self,
-        pen: LineStyle,
-        text: &str,
-        [anchor, toward]: [DVec2; 2],
-        font: LabelFont,
-    ) {
-        let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
+    /// Requests a label at an anchor, on its preferred side; the label is placed later. Ignores the request if
+    /// the anchor is outside the picture.
+    pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
+        let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
-            let anchors = (anchor, toward);
-            self.requests.push(Request::new(pen, text.to_owned(), anchors, font, self.colors.halo));
+            self.requests.push(Request::new(pen, text.to_owned(), at, font, self.colors.halo));
         }
     }
 
@@ -368,7 +361,7 @@ impl Request {
     pub(crate) fn new(
         pen: LineStyle,
         text: String,
-        (anchor, toward): (DVec2, DVec2),
+        [anchor, toward]: [DVec2; 2],
         (size, bold): LabelFont,
         halo: Color32,
     ) -> Request {
