@@ -4,7 +4,7 @@
 //! ends.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File, Metadata, Permissions};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -247,12 +247,8 @@ pub(crate) struct Temporary {
 impl Temporary {
     /// Creates a temporary file in a folder.
     pub(crate) fn in_folder(folder: &Path) -> io::Result<Temporary> {
-        let mut builder = builder();
-        if let Some(permissions) = default_permissions() {
-            builder.permissions(permissions);
-        }
         let mut live = live();
-        let file = builder.tempfile_in(folder)?;
+        let file = builder().tempfile_in(folder)?;
         live.insert(file.path().to_owned());
         let name = Known(file.path().to_owned());
         Ok(Temporary { file, name })
@@ -297,20 +293,10 @@ pub fn abandon() {
 pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
+    // The permissions of any new file, before the umask is applied. The crate's own are the owner's alone.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder
-}
-
-/// Returns the permissions that the system gives to a new file before applying the umask. A temporary
-/// file would be accessible only to its owner.
-#[cfg(unix)]
-fn default_permissions() -> Option<Permissions> {
-    use std::os::unix::fs::PermissionsExt;
-    Some(Permissions::from_mode(0o666))
-}
-
-#[cfg(not(unix))]
-fn default_permissions() -> Option<Permissions> {
-    None
 }
 
 /// Returns the folder that contains a file.

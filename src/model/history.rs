@@ -1,7 +1,7 @@
 //! The history of changes, for undo and redo: two stacks of named steps. A name says what the step did,
 //! such as `move eye` or `add sphere 2`.
 
-use pinhole_core::{Camera, Orientation, Plane, Sphere};
+use pinhole_core::{Camera, Orientation};
 use pinhole_exchange::document::{Document, Item};
 
 /// Maximum number of steps; beyond it, the oldest are dropped.
@@ -131,8 +131,12 @@ fn camera_name(before: &Camera, after: &Camera) -> &'static str {
 
 /// Returns the name of a change of the objects; `None` if the objects did not change.
 fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
-    let spheres = change(&before.spheres, &after.spheres, sphere_name);
-    let planes = change(&before.planes, &after.planes, plane_name);
+    let spheres = change(&before.spheres, &after.spheres, "resize", |a, b| {
+        [a.center != b.center, a.radius != b.radius]
+    });
+    let planes = change(&before.planes, &after.planes, "turn", |a, b| {
+        [a.point != b.point, a.normal != b.normal]
+    });
     let is_same_file = before.csv_spheres == after.csv_spheres;
     let (change, counts) = match (spheres, planes) {
         (Change::None, Change::None) if is_same_file => return None,
@@ -165,10 +169,13 @@ enum Change {
     Many,
 }
 
+/// Returns how a list of objects changed. `differ` tells whether the position and the rest of a shape differ;
+/// `reshape` is the verb for the rest.
 fn change<S: PartialEq>(
     before: &[Item<S>],
     after: &[Item<S>],
-    shape: impl Fn(&S, &S) -> &'static str,
+    reshape: &'static str,
+    differ: impl Fn(&S, &S) -> [bool; 2],
 ) -> Change {
     let pairs = || before.iter().zip(after);
     let first = pairs().take_while(|(a, b)| a == b).count();
@@ -178,27 +185,15 @@ fn change<S: PartialEq>(
         (old, new) if old != new => Change::Many,
         _ => match pairs().filter(|(a, b)| a != b).collect::<Vec<_>>()[..] {
             [] => Change::None,
-            [(a, b)] if a.shape != b.shape => Change::Edited(first, shape(&a.shape, &b.shape)),
+            [(a, b)] if a.shape != b.shape => match differ(&a.shape, &b.shape) {
+                [true, false] => Change::Edited(first, "move"),
+                [false, true] => Change::Edited(first, reshape),
+                _ => Change::Edited(first, "change"),
+            },
             [(a, b)] if a.name != b.name => Change::Edited(first, "rename"),
             [_] => Change::Edited(first, "colour"),
             _ => Change::Many,
         },
-    }
-}
-
-fn sphere_name(before: &Sphere, after: &Sphere) -> &'static str {
-    match (before.center != after.center, before.radius != after.radius) {
-        (true, false) => "move",
-        (false, true) => "resize",
-        _ => "change",
-    }
-}
-
-fn plane_name(before: &Plane, after: &Plane) -> &'static str {
-    match (before.point != after.point, before.normal != after.normal) {
-        (true, false) => "move",
-        (false, true) => "turn",
-        _ => "change",
     }
 }
 
@@ -264,7 +259,7 @@ mod names_tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use pinhole_core::steering::Keep;
-    use pinhole_core::{DVec3, ImageSize, OrientationKind};
+    use pinhole_core::{DVec3, ImageSize, OrientationKind, Plane, Sphere};
 
     use super::*;
 

@@ -143,22 +143,9 @@ impl Measurement {
 fn describe_cpu() -> String {
     let arch = std::env::consts::ARCH;
     let name = cpu_name().unwrap_or_else(|| arch.to_owned());
-    format!("{name} ({arch}; every method compiled for {})", level())
-}
-
-/// Returns the name of the vector instructions that `pinhole_core` uses.
-fn level() -> &'static str {
-    match Level::new() {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx512(_) => "avx512",
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Avx2(_) => "avx2 and fma",
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        Level::Sse4_2(_) => "sse4.2",
-        #[cfg(target_arch = "aarch64")]
-        Level::Neon(_) => "neon",
-        _ => "the architecture's least",
-    }
+    let level = format!("{:?}", Level::new()).to_lowercase();
+    let level = level.split('(').next().unwrap_or_default();
+    format!("{name} ({arch}; every method compiled for {level})")
 }
 
 fn cpu_name() -> Option<String> {
