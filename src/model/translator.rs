@@ -341,13 +341,6 @@ mod tests {
     }
 
     #[test]
-    fn a_pasted_scene_reads_no_file() {
-        let text = "pinhole = 1\nspheres = \"/dev/zero\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\n\
-                    up = [0, 1, 0]\n";
-        assert!(pasted(text, &Camera::CANONICAL).1.worked);
-    }
-
-    #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
         let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
         let exact = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
