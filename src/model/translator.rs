@@ -87,15 +87,12 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
         Ok(read) => {
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
-            let title = format!("Camera pasted: {}", importer.label());
-            taken_over(title, read.camera, notes.collect())
+            let (title, notes) = (format!("Camera pasted: {}", importer.label()), notes.collect());
+            let camera = Some(read.camera);
+            (camera, Notice { title, notes, worked: true, camera, shown_at: None })
         }
         Err(error) => failed("Not pasted: this camera cannot be read", error.to_string()),
     }
-}
-
-fn taken_over(title: String, camera: Camera, notes: Vec<String>) -> (Option<Camera>, Notice) {
-    (Some(camera), Notice { title, notes, worked: true, camera: Some(camera), shown_at: None })
 }
 
 /// Returns what is written besides the camera: the objects, if the user wants them and there are not
