@@ -91,15 +91,13 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
     let mut degrees = kept.degrees;
     let hint = "Turns up around view: the camera rolls, and looks along the same line";
     row(ui, "roll", hint, camera.basis().is_ok(), |ui| {
-        let slider = ui
-            .add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false))
-            .named("roll slider");
+        let slider = Slider::new(&mut degrees, -180.0..=180.0).show_value(false);
+        let slider = ui.add(slider).named("roll slider");
         let field = NumberField::new("roll", &mut degrees);
         let field = NumberField { suffix: "°", width: FIELD, ..field }.show(ui);
-        if !(slider.changed() || field.changed()) {
-            return;
-        }
-        if let Ok(swung) = kept.from.swung(degrees) {
+        if (slider.changed() || field.changed())
+            && let Ok(swung) = kept.from.swung(degrees)
+        {
             *camera = swung;
             Kept { made: swung, degrees, ..kept }.keep(ui.ctx(), "swung camera");
         }
@@ -116,19 +114,17 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
         // The scale is logarithmic, and so fine near both ends, where it matters.
         let mut exponent = (0.5 * degrees.to_radians()).tan().log10();
-        let slider = ui
-            .add(Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false))
-            .named("up from view slider");
+        let slider = Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false);
+        let slider = ui.add(slider).named("up from view slider");
         if slider.changed() {
             degrees = (2.0 * 10f64.powf(exponent).atan()).to_degrees();
         }
         let field = NumberField::new("up from view", &mut degrees);
         let range = SMALLEST..=180.0 - SMALLEST;
         let field = NumberField { suffix: "°", width: FIELD, range, ..field }.show(ui);
-        if !(slider.changed() || field.changed()) {
-            return;
-        }
-        if let Ok(tilted) = kept.from.up_tilted(degrees) {
+        if (slider.changed() || field.changed())
+            && let Ok(tilted) = kept.from.up_tilted(degrees)
+        {
             *camera = tilted;
             Kept { made: tilted, ..kept }.keep(ui.ctx(), "tilted camera");
         }

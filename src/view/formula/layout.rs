@@ -226,8 +226,7 @@ pub(super) fn row(parts: &[Formula], size: f32, measure: Measure<'_>) -> Layout 
 
 fn fraction(above: Layout, below: Layout, size: f32) -> Layout {
     let pad = 0.12 * size;
-    let width = above.width.max(below.width) + 2.0 * pad;
-    let axis = -AXIS * size;
+    let (width, axis) = (above.width.max(below.width) + 2.0 * pad, -AXIS * size);
     let mut whole = Layout { width, ..Layout::default() };
     let (x_above, x_below) = (0.5 * (width - above.width), 0.5 * (width - below.width));
     let (up, down) = (axis - 0.1 * size - above.descent, axis + 0.1 * size + below.ascent);
