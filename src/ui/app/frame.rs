@@ -38,7 +38,8 @@ impl App {
         let mut input = ViewInput { ctx: &ctx, shown, document, session, chosen_object };
         self.dragging.take(&mut input, self.over.covers());
         self.window_inputs(&ctx);
-        let mut start = self.scene.pass_start();
+        let (document, session) = (self.scene.open.document.clone(), self.scene.session.clone());
+        let mut start = PassStart { document, session, marks: self.scene.marks() };
         self.panels(ui, &mut start);
         // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
@@ -331,12 +332,6 @@ struct PassStart {
 }
 
 impl OpenScene {
-    /// Returns the state that the panels are about to draw.
-    fn pass_start(&self) -> PassStart {
-        let (document, session) = (self.open.document.clone(), self.session.clone());
-        PassStart { document, session, marks: self.marks() }
-    }
-
     /// Returns true if anything that panels show has changed since the start of the pass, in which case the
     /// pass must run again.
     fn has_changed_since(&self, start: PassStart) -> bool {

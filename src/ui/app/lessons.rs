@@ -91,12 +91,6 @@ impl OpenScene {
         Some(Opened { is_another: !same_scene, play })
     }
 
-    /// Shows another step, without the ghost.
-    pub(super) fn go_to(&mut self, id: StepId) -> Opened {
-        self.session.ghost = None;
-        self.open_lesson(id, None).unwrap_or_default()
-    }
-
     /// Shows the answer to the step's question, with its lines of the derivation. If no question is open,
     /// shows the next line while presenting. Returns false if everything is already shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {

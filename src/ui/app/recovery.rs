@@ -66,7 +66,7 @@ impl Recovery {
             ("Not now", "Asks again at the next start", None),
         ];
         let file = found.file().map(|file| file.display().to_string()).unwrap_or_default();
-        Some(Dialog::Question(Question::new(title, text, answers).about_file(file)))
+        Some(Dialog::Question(Question { title, text, file, answers }))
     }
 
     /// Removes and returns the changes that were offered last.

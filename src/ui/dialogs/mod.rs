@@ -30,11 +30,11 @@ pub(crate) enum Dialog {
 
 /// A question to the user, or a message.
 pub(crate) struct Question {
-    title: String,
-    text: String,
+    pub(crate) title: String,
+    pub(crate) text: String,
     /// The path of the file that the question is about; empty for none.
-    file: String,
-    answers: Vec<Choice>,
+    pub(crate) file: String,
+    pub(crate) answers: Vec<Choice>,
 }
 
 /// A button that answers a question: its text, its tooltip (empty for none), and its action. Without an
@@ -50,11 +50,6 @@ impl Question {
     /// Creates a message.
     pub(crate) fn message(title: &str, text: impl ToString) -> Question {
         Question::new(title.to_owned(), text, vec![("Close", "", None)])
-    }
-
-    /// Shows the path of a file below the text.
-    pub(crate) fn about_file(self, file: String) -> Question {
-        Question { file, ..self }
     }
 
     /// Shows the question. Returns true if it was answered.
