@@ -145,7 +145,7 @@ impl ResolvedCamera {
 }
 
 impl<'a> ExactRay<'a> {
-    /// Returns the exact ray of a ray as given.
+    /// Returns a ray, as given, as an exact ray.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the direction is zero.

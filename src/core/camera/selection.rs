@@ -61,7 +61,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection, with a pixel outside the image, which may have shrunk, moved back into it.
+    /// Returns the selection. A selected pixel that lies outside the image, which may have shrunk, is
+    /// moved back into it.
     pub fn inside(self, image: ImageSize) -> Selection {
         match self {
             Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {

@@ -129,7 +129,7 @@ fn trace_by_known<M: Intersect<R>, R: Real>(frame: &RoundedFrame<R>, raster: &Ra
 ///
 /// The ladder for a raster is an exception: it calls [`retrace`], which runs in the current thread pool.
 pub trait MethodKernel: Send + Sync {
-    /// Finds every ray's first hit anew, without its normal. For a raster, this includes all
+    /// Computes every ray's first hit again, without its normal. For a raster, this includes all
     /// preparation, starting from the scene and the camera. The results are kept in the kernel's own
     /// memory.
     fn run(&mut self);

@@ -40,9 +40,9 @@ use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 /// margin = log2(|value| / bound)      so that     |exact value| >= (2^margin - 1) * bound
 /// ```
 ///
-/// in bits: the error could have been larger by this many bits without changing the decision. It is
-/// never below 0. A decision for which double-double does not suffice, and which is made in integers,
-/// has a margin of 0.
+/// in bits: an error larger by this many bits would not have changed the decision. It is never below 0.
+/// A decision for which double-double does not suffice, and which is made in integers, has a margin of
+/// 0.
 ///
 /// A certificate describes the decisions for a single ray. A frame may manage with lower steps: for
 /// example, it distinguishes nearly equal spheres in `f64`, by their difference.

@@ -117,8 +117,8 @@ impl Scene {
     }
 
     /// Returns the spheres near the ray's line, in ascending order of their indices, possibly with a few
-    /// others. A sphere is near if its distance from the line is less than `share` times the sum of the
-    /// coordinates of the ray's origin, of the vector to the sphere, and of the radius.
+    /// others. A sphere is near if its distance from the line is less than `share` times a sum of sizes:
+    /// the absolute coordinates of the ray's origin and of the vector to the sphere, and the radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
         let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {

@@ -270,7 +270,7 @@ pub(crate) const BLOCK: usize = 16;
 /// Maximum number of blocks in a group.
 pub(crate) const GROUP: usize = 64;
 
-/// A sphere's centre and index, which are moved while the spheres are put in order.
+/// A sphere's centre and index, the items that are sorted to put the spheres in order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
     pub(crate) center: [f64; 3],

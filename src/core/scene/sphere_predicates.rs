@@ -241,7 +241,7 @@ impl SphereFromOrigin {
     }
 
     /// Returns `t` in `f64` and its relative error, in the units of [`SphereFromOrigin::fine_t`]; `None`
-    /// where D may be 0.
+    /// if D may be 0.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
     }

@@ -125,7 +125,8 @@ pub enum SteerError {
         .angle.to_degrees()
     )]
     OnEdge {
-        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`].
+        /// The angle between the axis or plane and the line of sight, in radians. It is less than
+        /// [`LEAST_ANGLE`].
         angle: f64,
     },
     /// The pointer is past the horizon of the drag's axis or plane, or nearly there.

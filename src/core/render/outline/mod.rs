@@ -96,7 +96,7 @@ pub(crate) struct Outlines {
     pub(crate) is_plain: u64,
     /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
-    /// Lanes whose spheres no ray inside the image's borders can meet.
+    /// Lanes whose spheres lie outside the view: no ray through the image can meet them.
     pub(crate) is_outside: u64,
 }
 
@@ -386,7 +386,7 @@ impl Extent {
     }
 }
 
-/// The data of a camera and a raster that the extents of all spheres need.
+/// The data of a camera and a raster from which the extents of spheres are computed.
 pub(crate) struct Extents<'a> {
     camera: &'a ResolvedCamera,
     raster: &'a Raster,

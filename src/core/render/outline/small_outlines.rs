@@ -75,7 +75,7 @@ pub(crate) struct SmallOutlines {
     pub(crate) is_small: u64,
     /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
-    /// Lanes whose spheres no ray inside the image's borders can meet.
+    /// Lanes whose spheres lie outside the view: no ray through the image can meet them.
     pub(crate) is_outside: u64,
 }
 
@@ -154,9 +154,9 @@ struct Bounds<S: Simd> {
     size: S::f32s,
     /// Error bound of `w^2`.
     square_doubt: S::f32s,
-    /// Rows from the centre's row to the middle of the two rows where `w^2 = 0`.
+    /// Distance, in rows, from the centre's row to the middle of the two rows where `w^2 = 0`.
     middle: S::f32s,
-    /// Rows from that middle to each of the two rows where `w^2 = 0`.
+    /// Distance, in rows, from that middle to each of the two rows where `w^2 = 0`.
     half: S::f32s,
     reach: S::f32s,
     /// Upper bound of `inverse S`, the part of |e| that the root contributes.

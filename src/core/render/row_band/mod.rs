@@ -118,8 +118,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws the near and the large ones of many spheres, which hide many of the others. Draws nothing
-    /// if there are few spheres.
+    /// Draws the near and the large spheres first, because they hide many of the others. Does nothing if
+    /// there are few spheres.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
         for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
