@@ -46,7 +46,9 @@ fn style(primitives: &[Primitive]) -> Result<String, String> {
     let mut letters: BTreeMap<FontName, BTreeSet<char>> = BTreeMap::new();
     for primitive in primitives {
         let Primitive::Text(text) = primitive else { continue };
-        text.runs.iter().for_each(|r| letters.entry(r.face).or_default().extend(r.text.chars()));
+        for run in &text.runs {
+            letters.entry(run.face).or_default().extend(run.text.chars());
+        }
     }
     let rule = |(face, letters): (FontName, BTreeSet<char>)| {
         let font = STANDARD.encode(face.subset(&letters)?);

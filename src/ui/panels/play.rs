@@ -20,7 +20,9 @@ const SCAN_PLACE: f32 = 196.0;
 
 /// Shows the menu of animations.
 pub(crate) fn menu(ui: &mut Ui) {
-    Kind::ALL.into_iter().for_each(|kind| ui.button(kind.label()).asks(PlayAction::Open(kind)));
+    for kind in Kind::ALL {
+        ui.button(kind.label()).asks(PlayAction::Open(kind));
+    }
 }
 
 /// Shows the strip. Changes that cannot be made in place are requested as actions.

@@ -55,7 +55,9 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
                 ui.label(RichText::new(objects_at(plot, values)).strong());
             }
             ui.separator();
-            (0..plot.curves.len()).for_each(|k| curve_text(ui, plot, k, first, digits));
+            for k in 0..plot.curves.len() {
+                curve_text(ui, plot, k, first, digits);
+            }
             let text = "Compress values beyond ±1 unit";
             let hint = "The axis is then logarithmic there: lines and parabolas are bent";
             ui.checkbox(plot_compressed, text).on_hover_text(hint);
@@ -327,7 +329,9 @@ impl PlotDrawing<'_> {
             let dashes = DASHES[curve.index % DASHES.len()];
             // The casing is dashed like the curve, so that an equal curve below shows in the gaps.
             for stroke in [Stroke::new(5.0, self.colors.halo), Stroke::new(3.0, color_of(curve))] {
-                drawn.parts.iter().for_each(|p| chart::line(&self.painter, p, stroke, dashes));
+                for part in &drawn.parts {
+                    chart::line(&self.painter, part, stroke, dashes);
+                }
             }
             for (at, direction) in &drawn.exits {
                 chart::arrowhead(&self.painter, *at, 12.0 * *direction, color_of(curve));

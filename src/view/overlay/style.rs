@@ -184,7 +184,9 @@ impl Style {
     /// Applies the style to a finished picture: a grey style removes the hue of every dot.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
-            dots.iter_mut().for_each(|dot| *dot = grey(*dot));
+            for dot in dots {
+                *dot = grey(*dot);
+            }
         }
     }
 }

@@ -101,7 +101,9 @@ pub(crate) fn install(ctx: &Context, look: Look) {
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
-        styles.values_mut().for_each(|font| font.size = font.size.max(WRITTEN + 1.0));
+        for font in styles.values_mut() {
+            font.size = font.size.max(WRITTEN + 1.0);
+        }
         styles.insert(TextStyle::Heading, FontId::new(19.0, FontFamily::Proportional));
     }
     styles

@@ -183,7 +183,9 @@ impl Sketch<'_> {
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
-        inspection.touched(resolved).into_iter().for_each(|pixel| self.pixel(resolved, pixel));
+        for pixel in inspection.touched(resolved) {
+            self.pixel(resolved, pixel);
+        }
         let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
         let hit = inspection.first_hit();
         let end = match hit {

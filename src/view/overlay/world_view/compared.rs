@@ -70,7 +70,9 @@ impl Sketch<'_> {
         let ink = self.colors.ink;
         let edge = LineStyle::new(Item::Frustum, ink, 1.8).dashed();
         let outline = LineStyle::new(Item::Viewport, ink, 2.4).dashed();
-        corners.into_iter().for_each(|corner| self.line(eye, eye + FRUSTUM * corner, edge));
+        for corner in corners {
+            self.line(eye, eye + FRUSTUM * corner, edge);
+        }
         self.sides(corners.map(|corner| eye + corner), outline);
         let length = self.screen.arrow_length(eye);
         let arrows = ghost.basis.into_iter().zip(BASIS).zip(self.colors.basis);
@@ -105,7 +107,9 @@ impl Sketch<'_> {
         // The right answers are drawn first, so that the student's answers lie on top.
         let mut marks: Vec<&AnswerMark> = self.view.answer_marks.iter().collect();
         marks.sort_by_key(|mark| mark.is_dashed);
-        marks.into_iter().for_each(|mark| self.answer_mark(mark));
+        for mark in marks {
+            self.answer_mark(mark);
+        }
     }
 
     fn answer_mark(&mut self, mark: &AnswerMark) {

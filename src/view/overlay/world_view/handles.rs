@@ -95,7 +95,9 @@ impl Sketch<'_> {
         if !self.items.shows(Item::Handles) {
             return;
         }
-        handles.guides.iter().for_each(|guide| self.guide(*guide));
+        for guide in &handles.guides {
+            self.guide(*guide);
+        }
         for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
             self.knob(mark, spot);
         }

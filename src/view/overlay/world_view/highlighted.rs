@@ -274,7 +274,9 @@ impl Sketch<'_> {
         let ray = &inspection.ray;
         match lit.concept {
             Concept::Pixel => {
-                inspection.touched(resolved).into_iter().for_each(|p| self.pixel(resolved, p));
+                for pixel in inspection.touched(resolved) {
+                    self.pixel(resolved, pixel);
+                }
                 self.highlight_point(ray.at(1.0), pen, "(𝑢, 𝑣)");
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {

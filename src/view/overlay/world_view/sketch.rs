@@ -249,7 +249,9 @@ impl Sketch<'_> {
 
     /// Draws the sides of a polygon in the world.
     pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) {
-        (0..N).for_each(|k| self.line(corners[k], corners[(k + 1) % N], pen));
+        for k in 0..N {
+            self.line(corners[k], corners[(k + 1) % N], pen);
+        }
     }
 
     /// Draws the visible part of a flat convex polygon, unless objects hide all of its corners.
