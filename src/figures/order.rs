@@ -83,7 +83,8 @@ impl Content {
             FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
             _ => (&CONTENTS[..3], "SVG, PDF or PNG"),
         };
-        let is = |ending: &str| path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
+        let is =
+            |ending: &str| path.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
         if let Some((_, content)) = contents.iter().find(|(ending, _)| is(ending)) {
             return Ok(*content);
         }

@@ -141,7 +141,8 @@ impl AdaptiveResolution {
             let finer = (step - 1.0).max(1.0);
             if share * (step / finer).powi(2) <= COMFORT { finer } else { step }
         };
-        let in_range = |s: f64| Subsampling(s.clamp(1.0, f64::from(Subsampling::MOST.0)) as u32);
+        let in_range =
+            |step: f64| Subsampling(step.clamp(1.0, f64::from(Subsampling::MOST.0)) as u32);
         self.moving = in_range(next);
         self.full = traced_in.mul_f64(step * step);
         self.resting = in_range(self.full.div_duration_f64(LONGEST).sqrt().ceil());

@@ -225,7 +225,9 @@ impl HandleDrag<'_> {
                 sphere.radius = self.number(out.length(), 1.0)?;
                 dragged.toward = out.try_normalize().unwrap_or(dragged.toward);
             }
-            (Some((_, Object::Sphere(s))), _) => s.center = self.readable(at, point, 1.0)?,
+            (Some((_, Object::Sphere(sphere))), _) => {
+                sphere.center = self.readable(at, point, 1.0)?
+            }
             (Some((_, Object::Plane(plane))), _) => plane.point = self.readable(at, point, 1.0)?,
             (None, _) => {}
         }

@@ -244,7 +244,9 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
             Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
         },
         Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => match (part.object, handle) {
-            (Some((_, Object::Sphere(s))), Handle::Center(_)) => named("centre", s.center),
+            (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
+                named("centre", sphere.center)
+            }
             (Some((_, Object::Sphere(sphere))), _) => format!("radius = {}", number(sphere.radius)),
             (Some((_, Object::Plane(plane))), _) => named("point", plane.point),
             (None, _) => String::new(),

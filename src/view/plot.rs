@@ -194,7 +194,8 @@ impl Curve {
 
     /// Describes the curve in words.
     pub(crate) fn description(&self, digits: usize) -> String {
-        let zeros: Vec<String> = self.derivation.roots().map(|r| number(r.t, digits)).collect();
+        let zeros: Vec<String> =
+            self.derivation.roots().map(|root| number(root.t, digits)).collect();
         let zero = |k: usize| zeros.get(k).cloned().unwrap_or_else(|| "beyond f64".to_owned());
         match &self.derivation {
             ObjectDerivation::Sphere(sphere) => match sphere.meeting {

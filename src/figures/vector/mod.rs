@@ -253,7 +253,8 @@ impl LetterRun {
     /// Distributes the width of a ligature over its letters. egui assigns the whole width to the first
     /// letter and, apart from rounding, a width of zero to the others.
     fn spread(&mut self) {
-        let natural: Vec<_> = self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
+        let natural: Vec<f32> =
+            self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
         let mut first = 0;
         for end in 1..=natural.len() {
             if end < natural.len() && self.advances[end] < 0.2 * natural[end] {

@@ -87,7 +87,8 @@ fn element(Path { outline, color, ink }: &Path) -> String {
     match outline {
         PathOutline::Chain { points, closed } => {
             let name = if *closed { "polygon" } else { "polyline" };
-            let points: Vec<_> = points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
+            let points: Vec<String> =
+                points.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
             format!("<{name} points=\"{}\"{ink}/>\n", points.join(" "))
         }
         PathOutline::Circle { center: [x, y], radius } => {

@@ -171,7 +171,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
 /// differ only in direction share one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
-    let with_keys: Vec<&UiCommand> = all().iter().filter(|one| !one.keys.is_empty()).collect();
+    let with_keys: Vec<&UiCommand> =
+        all().iter().filter(|command| !command.keys.is_empty()).collect();
     let same = |a: &&UiCommand, b: &&UiCommand| {
         let name = |command: &UiCommand| family(&command.action);
         name(a).is_some() && name(a) == name(b)

@@ -155,7 +155,8 @@ impl ExportForm {
     fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
         let dots = |value| DragValue::new(value).range(1..=LARGEST).suffix(" dots");
         let [across, down] = shown.points;
-        let follow = |n: u32, ratio: f32| ((n as f32 * ratio).round() as u32).clamp(1, LARGEST);
+        let follow =
+            |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
         let [width, height] = &mut self.size;
         let is_wider = number(ui, "width", "figure width", dots(width));
         if shown.subject == FigureSubject::Derivation {

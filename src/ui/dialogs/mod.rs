@@ -121,8 +121,9 @@ pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
         FileAnswer::Cancelled => *dialog = None,
         FileAnswer::Unavailable => field.ask_by_list(),
         FileAnswer::Elsewhere(uri) => {
-            let reason = format!("{uri} is not on this computer. Choose a file in a local folder.");
-            *dialog = Some(Dialog::message("This place cannot be reached", reason));
+            let problem =
+                format!("{uri} is not on this computer. Choose a file in a local folder.");
+            *dialog = Some(Dialog::message("This place cannot be reached", problem));
         }
     }
 }

@@ -121,8 +121,9 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut Option<usize>) {
                     swatch(ui, theme::object_color(ui, document, index as u32));
                     // Truncate a long name: it must not widen the panel.
                     let title = document.title_of(index);
-                    let row = ui.add(Button::selectable(*chosen == Some(index), title).truncate());
-                    if row.clicked() {
+                    let label =
+                        ui.add(Button::selectable(*chosen == Some(index), title).truncate());
+                    if label.clicked() {
                         *chosen = Some(index).filter(|_| *chosen != Some(index));
                     }
                 });

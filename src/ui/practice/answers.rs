@@ -59,8 +59,9 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, h
 /// Shows the legend of the map's colours, from right to left. On a narrow map, it omits the colour of
 /// missing answers.
 fn legend(ui: &mut Ui, whole: bool) {
-    let all = [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
-    for (cell, text) in all.into_iter().skip(usize::from(!whole)) {
+    let cells =
+        [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
+    for (cell, text) in cells.into_iter().skip(usize::from(!whole)) {
         ui.label(text);
         let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
         let [r, g, b] = cell.color();

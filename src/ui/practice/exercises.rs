@@ -46,7 +46,8 @@ fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
     let question = exercises.question();
     let has_room = |size: &f32| {
         let paragraphs = exercises::question(&question.given);
-        let texts = paragraphs.iter().map(|text| (&**text, *size)).chain([(HINT, size - 1.0)]);
+        let texts =
+            paragraphs.iter().map(|text| (text.as_str(), *size)).chain([(HINT, size - 1.0)]);
         let text = texts.map(|(text, size)| marked_text::height(ui, text, size));
         let height = text.sum::<f32>() + (question.parts.len() as f32 + 0.5) * ROW;
         height <= ui.available_height() - BAR * size

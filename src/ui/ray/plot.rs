@@ -201,7 +201,8 @@ fn draw(ui: &Ui, rect: Rect, plot: &Plot, first: Option<(u32, f64)>, ray_t: &mut
     let painter = ui.painter_at(inner);
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);
-    let curves: Vec<DrawnCurve> = plot.samples.iter().map(|one| drawing.drawn(one)).collect();
+    let curves: Vec<DrawnCurve> =
+        plot.samples.iter().map(|samples| drawing.drawn(samples)).collect();
     drawing.curves(&curves);
     let mut words = LabelLayout::new(ui.painter_at(inner), colors.halo, inner.shrink(2.0));
     drawing.roots(&mut words);
@@ -282,7 +283,8 @@ impl PlotDrawing<'_> {
             let at = self.height.position(height_of(*value, compressed));
             Tick { value: *value, at, text: number(*value, 3) }
         };
-        let ticks: Vec<Tick> = values.iter().map(row).filter(|t| t.at < rect.bottom()).collect();
+        let ticks: Vec<Tick> =
+            values.iter().map(row).filter(|tick| tick.at < rect.bottom()).collect();
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);
@@ -342,7 +344,8 @@ impl PlotDrawing<'_> {
     /// Returns the curve and the t of every visible zero except the first hit.
     fn zeros(&self) -> impl Iterator<Item = (&Curve, f64)> {
         let curves = self.plot.curves.iter();
-        let all = curves.flat_map(|c| c.derivation.roots().map(move |root| (c, root.t)));
+        let all =
+            curves.flat_map(|curve| curve.derivation.roots().map(move |root| (curve, root.t)));
         let is_first = |curve: &Curve, t| self.first == Some((curve.named.object, t));
         all.filter(move |(curve, t)| self.plot.range.contains(t) && !is_first(curve, *t))
     }

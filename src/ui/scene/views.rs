@@ -236,7 +236,8 @@ pub(crate) fn hovered(
     let per_point = ui.ctx().pixels_per_point();
     let position = |rect: Rect, name| Some((pointer_in(ui, name)? - rect.min) * per_point);
     let mark = |view: &Option<Shown>, at: Vec2| {
-        let follows = |c| matches!(c, Concept::Ray | Concept::Direction | Concept::Pixel);
+        let follows =
+            |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
         let marks = view.iter().flat_map(|shown| shown.marks.iter());
         let asked = marks.filter(|mark| !(ray_follows && mark.concept.is_some_and(follows)));
         overlay::concept_at(asked, at.into(), MARK_REACH * per_point)
@@ -406,8 +407,9 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let height = (galley.size().y + 40.0).min(rect.height());
     let band = Rect::from_center_size(rect.center(), vec2(rect.width(), height));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
-    let place = Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
-    let response = ui.put(place, egui::Label::new(galley));
+    let position =
+        Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
+    let response = ui.put(position, egui::Label::new(galley));
     // Screen readers get the text without the non-breaking spaces.
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
 }

@@ -200,7 +200,9 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
         // All digits are shown, because the difference is in the last ones.
-        hit => format!("hits {} at t = {}", document.title_of(hit as usize), written_whole(t)),
+        object => {
+            format!("hits {} at t = {}", document.title_of(object as usize), written_whole(t))
+        }
     };
     let verdict = match Comparison::new(&truth, &traced).errors[0] {
         PixelError::Wrong => "wrong".to_owned(),

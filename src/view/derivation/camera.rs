@@ -23,7 +23,8 @@ pub(super) fn basis_lines(camera: &Camera, numbers: NumberFormat) -> Vec<Derived
 
 fn derived(derivation: &BasisFromUp, numbers: NumberFormat) -> Vec<DerivedLine> {
     let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
-    let vector = |name, given, value, concept| given_line(name, given, value, concept, numbers);
+    let vector =
+        |name, as_given, value, concept| given_line(name, as_given, value, concept, numbers);
     lines.extend(derivation.at.map(|at| vector(AT, GivenVector::At, at, Concept::At)));
     lines.extend(derivation.up.map(|up| vector(UP, GivenVector::Up, up.vector, Concept::Up)));
     if let Some(view) = derivation.view {

@@ -47,9 +47,10 @@ impl<K: PartialEq> Memo<K, Subsampling> {
     /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key. A
     /// coarser picture thus never replaces a finer one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
-        let chosen = self.known(|known| *known == key).map_or(wanted, |known| wanted.min(*known));
-        self.0 = Some((key, chosen));
-        chosen
+        let subsampling =
+            self.known(|known| *known == key).map_or(wanted, |known| wanted.min(*known));
+        self.0 = Some((key, subsampling));
+        subsampling
     }
 }
 

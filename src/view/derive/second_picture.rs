@@ -270,7 +270,8 @@ fn ghost_picture(
     let resolved = resolve(ghost, camera).ok()?;
     let colors = (shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
-    let trace = |by| trace_picture(&world.scene, by, raster, outputs, colors, (None, watch));
+    let trace =
+        |camera| trace_picture(&world.scene, camera, raster, outputs, colors, (None, watch));
     let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
     let pairs = now_frame.object.iter().zip(&frame.object);
     let differing = pairs.filter(|(a, b)| a != b).count();

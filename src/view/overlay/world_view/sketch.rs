@@ -307,9 +307,10 @@ impl Sketch<'_> {
                 Some(last) => {
                     let (mut before, mut after) = (last.to, share);
                     for _ in 0..HALVINGS {
-                        let half = 0.5 * (before + after);
-                        let side = if is_hidden(half) == hidden { &mut after } else { &mut before };
-                        *side = half;
+                        let middle = 0.5 * (before + after);
+                        let side =
+                            if is_hidden(middle) == hidden { &mut after } else { &mut before };
+                        *side = middle;
                     }
                     last.to = 0.5 * (before + after);
                     let from = last.to;
