@@ -1,13 +1,14 @@
 //! Writes files in such a way that a crash, a signal or a full disk leaves existing files intact.
 //!
 //! A file is written under a temporary name and then renamed. A run removes its temporary files when it
-//! ends.
+//! ends; a later run removes those of killed runs.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, SystemTime};
 
 use tempfile::NamedTempFile;
 
@@ -237,6 +238,9 @@ const SUFFIX: &str = ".tmp";
 /// The number of random letters and digits between the prefix and the suffix.
 const RANDOM: usize = 12;
 
+/// Age at which a temporary file is considered abandoned: no run will finish it.
+const ABANDONED: Duration = Duration::from_secs(3600);
+
 /// A temporary file. Its name is listed, so that [`abandon`] removes it.
 #[derive(Debug)]
 pub(crate) struct Temporary {
@@ -247,6 +251,7 @@ pub(crate) struct Temporary {
 impl Temporary {
     /// Creates a temporary file in a folder.
     pub(crate) fn in_folder(folder: &Path) -> io::Result<Temporary> {
+        clear_abandoned(folder);
         let mut live = live();
         let file = builder().tempfile_in(folder)?;
         live.insert(file.path().to_owned());
@@ -285,9 +290,34 @@ impl Drop for Known {
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
+        // A later run removes the file if it cannot be removed now.
         let _ = fs::remove_file(path);
     }
     std::mem::forget(live);
+}
+
+/// Removes the temporary files that killed runs left in this folder. Each run does this once per folder.
+fn clear_abandoned(folder: &Path) {
+    static SEEN: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+    if !SEEN.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.to_owned()) {
+        return;
+    }
+    let Ok(entries) = fs::read_dir(folder) else { return };
+    for entry in entries.flatten().filter(|entry| is_ours(&entry.file_name())) {
+        let written = entry.metadata().and_then(|data| data.modified());
+        let age = written.map(|time| SystemTime::now().duration_since(time).unwrap_or_default());
+        if age.is_ok_and(|age| age > ABANDONED) && !live().contains(&entry.path()) {
+            // A file that cannot be removed belongs to somebody else.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+fn is_ours(name: &std::ffi::OsStr) -> bool {
+    let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX));
+    random.is_some_and(|random| {
+        random.len() == RANDOM && random.bytes().all(|byte| byte.is_ascii_alphanumeric())
+    })
 }
 
 pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {

@@ -10,7 +10,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use pinhole_core::{DVec3, Viewport};
+use pinhole_core::DVec3;
 use pinhole_exchange::{Document, FileError, SceneSource, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
@@ -58,28 +58,76 @@ struct ChangedScene {
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
+    /// Numbers of the document that a scene file may not contain.
+    faults: Faults,
 }
 
-/// Replaces the numbers that no scene file may have: measures and radii of at most 0, and normals that are
-/// (0, 0, 0).
-fn make_valid(document: &mut Document) {
-    let Viewport { width, height, distance } = &mut document.camera.viewport;
-    let radii = document.spheres.iter_mut().map(|sphere| &mut sphere.shape.radius);
-    for number in [width, height, distance].into_iter().chain(radii).filter(|x| **x <= 0.0) {
-        *number = 1.0;
+/// Numbers of an edited document that are invalid, which the user may be about to correct.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Faults {
+    /// Width, height and distance of the viewport, if any of them is invalid.
+    viewport: Option<[f64; 3]>,
+    /// Indices and radii of the spheres with invalid radii.
+    radii: Vec<(usize, f64)>,
+    /// Indices of planes whose normal is zero.
+    normals: Vec<usize>,
+}
+
+impl Faults {
+    /// Moves the invalid numbers out of a document, and puts valid ones in their place.
+    fn take(document: &mut Document) -> Faults {
+        let mut faults = Faults::default();
+        let viewport = &mut document.camera.viewport;
+        let numbers = [viewport.width, viewport.height, viewport.distance];
+        if numbers.iter().any(|number| *number <= 0.0) {
+            faults.viewport = Some(numbers);
+            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
+        }
+        let spheres = document.spheres.iter().enumerate();
+        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
+        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
+        for (index, _) in &faults.radii {
+            document.spheres[*index].shape.radius = 1.0;
+        }
+        let planes = document.planes.iter().enumerate();
+        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
+        faults.normals = normals.map(|(index, _)| index).collect();
+        for index in &faults.normals {
+            document.planes[*index].shape.normal = DVec3::Y;
+        }
+        faults
     }
-    let normals = document.planes.iter_mut().map(|plane| &mut plane.shape.normal);
-    normals.filter(|normal| **normal == DVec3::ZERO).for_each(|normal| *normal = DVec3::Y);
+
+    /// Puts the invalid numbers back into the document.
+    fn put_into(&self, document: &mut Document) {
+        if let Some([width, height, distance]) = self.viewport {
+            let viewport = &mut document.camera.viewport;
+            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
+        }
+        for (index, radius) in &self.radii {
+            if let Some(sphere) = document.spheres.get_mut(*index) {
+                sphere.shape.radius = *radius;
+            }
+        }
+        for index in &self.normals {
+            if let Some(plane) = document.planes.get_mut(*index) {
+                plane.shape.normal = DVec3::ZERO;
+            }
+        }
+    }
 }
 
 impl Unsaved {
     /// Copies the unsaved changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
-        let (title, argument) = (title_of(origin), argument_of(origin));
-        let source = ChangedScene { title, argument, stamp: open.stamp() };
         let mut document = open.document.clone();
-        make_valid(&mut document);
+        let source = ChangedScene {
+            title: title_of(origin),
+            argument: argument_of(origin),
+            stamp: open.stamp(),
+            faults: Faults::take(&mut document),
+        };
         Unsaved { document, source }
     }
 
@@ -172,8 +220,9 @@ impl Found {
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
-        let document = document.map_err(|error| error.to_string())?;
-        let ChangedScene { title, argument, stamp } = self.source;
+        let mut document = document.map_err(|error| error.to_string())?;
+        let ChangedScene { title, argument, stamp, faults } = self.source;
+        faults.put_into(&mut document);
         let open = if as_new {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {

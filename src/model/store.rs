@@ -132,6 +132,11 @@ impl Store {
         self.path.with_file_name("unsaved")
     }
 
+    /// Returns true if this is the program's first run, which has no stored state yet.
+    pub fn is_new(&self) -> bool {
+        !self.path.exists()
+    }
+
     /// Loads the stored state, with the default for every value that is missing or cannot be read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();

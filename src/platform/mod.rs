@@ -16,6 +16,7 @@
 
 use std::path::Path;
 
+use etcetera::{BaseStrategy as _, choose_base_strategy};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
 
 use crate::cli::CommandError;
@@ -62,6 +63,11 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
     let store = Store::of_user();
     let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    if store.as_ref().is_none_or(Store::is_new) {
+        let folders = choose_base_strategy();
+        remembered.settings.reduced_motion =
+            folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
+    }
     let lesson = match (lesson, scene) {
         (Some(lesson), _) => Some(lesson.load()?),
         (None, Some(_)) => None,
@@ -103,5 +109,49 @@ fn canonical() -> Result<OpenDocument, FileError> {
     match BuiltinScene::find("canonical") {
         Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
         None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+    }
+}
+
+/// Files below the user's configuration folder, each with the key and the values that switch animations
+/// off.
+const SETTINGS: [(&str, &str, &[&str]); 3] = [
+    ("gtk-4.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("gtk-3.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("kdeglobals", "AnimationDurationFactor", &["0"]),
+];
+
+/// Returns true if the desktop's settings in `folder` switch animations off; false if the settings
+/// do not mention animations.
+fn is_reduced(folder: &Path) -> bool {
+    SETTINGS.iter().any(|(file, key, off)| {
+        let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+        let mut entries = text.lines().filter_map(|line| line.split_once('='));
+        entries.any(|(name, value)| name.trim() == *key && off.contains(&value.trim()))
+    })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot write its input has failed")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn either_desktop_can_switch_motion_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| {
+            let path = folder.path().join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations=true\n");
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations = 0\n");
+        assert!(is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "");
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0.5\n");
+        assert!(!is_reduced(folder.path()));
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0\n");
+        assert!(is_reduced(folder.path()));
     }
 }

@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 use super::{command_in, entries, run_in};
 
@@ -164,4 +164,35 @@ fn ignores_interrupts() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     set.is_some_and(|set| u64::from_str_radix(set.trim(), 16).unwrap() & 2 != 0)
+}
+
+#[test]
+fn what_a_killed_run_has_left_is_removed_by_a_later_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let old = SystemTime::now() - Duration::from_secs(2 * 3600);
+    let names = [
+        ".pinhole-aB3xYz12aB3x.tmp",
+        ".pinhole-my-notes",
+        ".pinhole-backup",
+        ".other-aB3xYz12aB3x.tmp",
+    ];
+    for name in names {
+        fs::write(folder.path().join(name), "").unwrap();
+        fs::File::options()
+            .write(true)
+            .open(folder.path().join(name))
+            .and_then(|file| file.set_modified(old))
+            .unwrap();
+    }
+    // Another run may be at work on it.
+    fs::write(folder.path().join(".pinhole-123456789012.tmp"), "").unwrap();
+    run_in(folder.path(), &["render", "canonical", "--width", "8", "-o", "a.png"]).done();
+    let kept = [
+        ".other-aB3xYz12aB3x.tmp",
+        ".pinhole-123456789012.tmp",
+        ".pinhole-backup",
+        ".pinhole-my-notes",
+        "a.png",
+    ];
+    assert_eq!(entries(folder.path()), kept);
 }
