@@ -21,7 +21,7 @@
 //!
 //! # What stays
 //!
-//! The stability rules are those in pinhole-core's changelog. [`Mistake`](mistakes::Mistake),
+//! The stability rules are those in pinhole-core's changelog. [`Mistake`],
 //! [`Check`](mistakes::Check) and the derivations may be extended, and the texts of errors may change.
 //! The [`exercises`] and their verdicts are exhaustive, so that the compiler reports a new one to code
 //! that must show them all.

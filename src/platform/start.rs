@@ -118,7 +118,7 @@ pub(super) fn surface(
     #[cfg(not(feature = "wgpu"))]
     let on_adapter = |_| {
         let _ = ctx;
-        Ok(Err("this build has no feature wgpu".to_owned()))
+        Ok::<Result<OpenWindow, String>, String>(Err("this build has no feature wgpu".to_owned()))
     };
     let detail = if choice == Some(Renderer::Cpu) {
         "chosen by hand".to_owned()

@@ -31,7 +31,7 @@ pub struct Plot {
     pub left_out: usize,
     /// The range of t.
     pub range: RangeInclusive<f64>,
-    /// True if heights beyond 1 are compressed; see [`height_of`].
+    /// True if heights beyond 1 are compressed; see `height_of`.
     pub compressed: bool,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
