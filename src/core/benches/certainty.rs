@@ -1,5 +1,6 @@
-//! Measures the cost of certainty: compares the ladder with the textbook formula in the same kind of
-//! loop, for one sphere, one megapixel and one thread, in a single run.
+//! Measures what exact decisions cost: compares `pinhole-core`, whose every hit or miss is exact, with
+//! a SIMD loop over the plain textbook formula, for one sphere, one megapixel and one thread, in a
+//! single run.
 //!
 //! `cargo bench -p pinhole-core --bench certainty`; the SIMD level is the processor's best, or AVX2 with
 //! `-- avx2`.
@@ -23,12 +24,13 @@ fn camera() -> ResolvedCamera {
     Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
-/// Returns a sphere on the camera's axis that covers about this share of the picture.
+/// Returns a sphere on the camera's axis that covers about `share` of the picture. For a share of 0,
+/// the sphere lies outside the picture.
 fn sphere(share: f64) -> Sphere {
     let ahead = DVec3::new(0.1, 0.0, -5.0);
     match share {
         0.0 => Sphere { center: DVec3::new(40.0, 0.0, -5.0), radius: 1.0 },
-        // So wide a sphere is hit by every ray.
+        // This sphere is large enough for every ray to hit it.
         1.0 => Sphere { center: ahead, radius: 4.5 },
         _ => {
             // The outline is a circle of radius rho in the viewport: sin(angle) = r / |q|.

@@ -1,4 +1,5 @@
-//! Measures colouring: median milliseconds per frame of 1920 x 1080 pixels, in one thread.
+//! Measures shading, that is, computing the pixels' colours: median milliseconds per frame of 1920 x
+//! 1080 pixels, on one thread.
 //!
 //! `cargo bench -p pinhole-core --bench shading`
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]

@@ -1,21 +1,24 @@
-//! Measures the time per frame for growing numbers of spheres, and in scenes that are hard to draw fast.
-//! The contestants are the ladder, the textbook's loop, that loop with a tree, streaming stores of the
-//! result and, on request, Embree. They draw frame by frame in turn. A sample of the ladder's pixels is
-//! checked against their exact rays.
+//! Measures the time per frame for growing numbers of spheres, and in scenes that are hard to draw
+//! fast. It compares `pinhole-core` (called the ladder, because its decisions escalate from `f64` to
+//! exact integers) with the textbook's loop over all spheres, that loop with a bounding volume
+//! hierarchy, non-temporal stores of a frame's bytes and, on request, Embree. The contestants draw
+//! frames in turn. A sample of the ladder's pixels is checked against exactly computed hits.
 //!
 //! `cargo bench -p pinhole-core --bench speed -- [WORD...] [embree] [threads=N,...] [avx2] [quick]`
 //!
-//! - A word chooses scenes: `growth`, `adversarial`, `sizes`, a name (`N=1000`), or part of one
-//!   (`overdraw`). Without a word, the scenes for which speeds are published are chosen.
-//! - `embree` replaces the textbook's loops by Embree, with its built-in spheres, and with user geometry
-//!   whose test takes 16 rays at a time. It needs the library (Debian's `libembree-dev`) and a C++
-//!   compiler.
-//! - `threads=1,2` is the default. `avx2` limits the ladder to AVX2; `quick` times only a few frames.
+//! - A word selects scenes: a group (`growth`, `adversarial`, `sizes`), a scene's name (`N=1000`), or
+//!   part of a name (`overdraw`). Without a word, the scenes whose speeds are published are selected.
+//! - `embree` times Embree instead of the textbook's loops: once with its built-in spheres, and with
+//!   user geometry whose intersection test takes 16 rays at a time. This needs the library (Debian's
+//!   `libembree-dev`) and a C++ compiler.
+//! - `threads=1,2` (the default) lists the numbers of threads to measure with. `avx2` limits the ladder
+//!   to AVX2; `quick` times only a few frames.
 //!
-//! Streaming stores are the limit for a program that leaves nothing in the caches. They are compiled by
-//! the C++ compiler `c++`, or the one that `CXX` names; without a compiler, the limit is unknown. If
-//! other processes use the machine, too, which is reported if the system shows it, minima are more
-//! meaningful than medians.
+//! Writing a frame with non-temporal (streaming) stores, and doing nothing else, takes the least time
+//! in which any program can write a frame past the caches. This program is compiled by `c++`, or by the
+//! C++ compiler that `CXX` names; without a compiler, it is left out. If other processes use the
+//! machine at the same time, minima are more meaningful than medians; a warning says so where the
+//! system reports such use.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 mod yardstick;
@@ -31,10 +34,10 @@ use yardstick::rounds::Times;
 use yardstick::scenes::{self, Listed, STATED};
 use yardstick::{Setting, check};
 
-/// Minimum number of spheres for which fewer pixels are checked, because each check tests all spheres.
+/// Number of spheres from which fewer pixels are checked, because each check tests all spheres.
 const MANY: usize = 100_000;
 
-/// Number of processors used by other processes from which the machine counts as shared.
+/// The machine counts as shared if other processes keep this many processors busy on average.
 const SHARED: f64 = 0.1;
 
 /// The measurements of a scene.
@@ -98,7 +101,8 @@ fn is_wanted(listed: &Listed, wanted: &[&str]) -> bool {
         || wanted.iter().any(|word| !word.starts_with("N=") && listed.name.contains(word))
 }
 
-/// Returns the C++ programs that could be built; Embree only on request.
+/// Builds the C++ programs to compare with: the streaming stores, unless they fail to compile and, if
+/// `with_embree` is true, Embree.
 fn programs(with_embree: bool) -> Vec<Program> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("speed");
     let stores = Program::stores(&folder)
@@ -186,7 +190,8 @@ fn show(measured: &Measured, setting: &Setting, threads: &[usize], rigs: &mut [R
     }
 }
 
-/// Prints speeds and ratios of the times that `picked` selects, for each number of threads.
+/// Prints a table of speeds and ratios for each number of threads. `picked` selects the median or the
+/// minimum of the measured times.
 fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(&Times) -> f64) {
     let threads: Vec<String> = threads.iter().map(|threads| format!("{threads}t")).collect();
     let threads = threads.join(" / ");
@@ -226,8 +231,7 @@ fn show_table(title: &str, measured: &[Measured], threads: &[usize], picked: fn(
     println!();
 }
 
-/// Prints the factor by which the ladder's median time grows from each number of spheres to ten times as
-/// many.
+/// Prints by which factor the ladder's median time grows when the number of spheres grows tenfold.
 fn show_growth(measured: &[Measured]) {
     println!("growth of the ladder's median time with the number of spheres\n");
     let growth = || measured.iter().filter(|scene| scene.group == "growth");

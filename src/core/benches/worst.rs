@@ -1,9 +1,9 @@
 //! Measures the most expensive scenes: spheres that `f32` cannot distinguish, nested and equal spheres,
-//! spheres that touch the eye, and lengths over the whole range. Each is compared with an ordinary scene
-//! of as many spheres.
+//! spheres that touch the eye, and spheres of sizes from 1e-290 to 1e290. Each is compared with an
+//! ordinary scene of as many spheres.
 //!
-//! `cargo bench -p pinhole-core --bench worst`; a family's name after `--` runs only that family. The
-//! frame has 320 x 180 pixels, and is traced by all threads.
+//! `cargo bench -p pinhole-core --bench worst`; words after `--` run only the families of scenes whose
+//! names contain one of them. The frame has 320 x 180 pixels, and is traced by all threads.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::time::{Duration, Instant};
@@ -17,8 +17,8 @@ const ROUNDS: usize = 3;
 /// A measurement that takes longer than this is not repeated.
 const LONG: Duration = Duration::from_secs(2);
 
-/// Pseudorandom numbers from 0 to 1, equal in every run (SplitMix64: Steele, Lea, Flood, *Fast
-/// splittable pseudorandom number generators*, 2014).
+/// A generator of pseudorandom numbers from 0 to 1, the same in every run (SplitMix64: Steele, Lea,
+/// Flood, *Fast splittable pseudorandom number generators*, 2014).
 struct Random(u64);
 
 impl Random {
@@ -70,7 +70,7 @@ const FAMILIES: [Family; 8] = [
     ("touch the eye", 200, |count| {
         (1..=count).map(|k| ball([0.0, -(k as f64), 0.0], k as f64)).collect()
     }),
-    // They touch the eye, except for the rounding of their centres.
+    // These spheres would touch the eye if their centres were not rounded.
     ("nearly touch it", 200, |count| {
         let (down, step) = (DVec3::new(0.1, -0.7, 0.0).normalize(), 0.1);
         (1..=count).map(|k| ball(step * k as f64 * down, step * k as f64)).collect()
@@ -94,7 +94,7 @@ const FAMILIES: [Family; 8] = [
     }),
 ];
 
-/// Returns spheres that lie apart from one another and fill the picture.
+/// Returns `count` equal spheres at random places in front of the eye.
 fn ordinary(count: usize) -> Vec<Sphere> {
     let mut random = Random(4);
     let radius = 2.0 / (count as f64).cbrt();
@@ -173,7 +173,8 @@ fn main() {
     single_rays();
 }
 
-/// Measures the first hits of 2000 rays among 100,000 spheres, one ray at a time.
+/// Measures how long it takes to find the first hits of 2000 rays among 100,000 spheres, one ray at a
+/// time.
 fn single_rays() {
     let scene = Scene::new(ordinary(100_000), vec![]).unwrap();
     scene.make_index();

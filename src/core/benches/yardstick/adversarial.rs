@@ -1,4 +1,4 @@
-//! Scenes that are hard to draw fast, because the usual optimizations do not help.
+//! Scenes in which the usual optimizations, such as bounding volumes, help little.
 
 use glam::DVec3;
 use pinhole_core::{Camera, Pixel, Sphere};
@@ -6,7 +6,7 @@ use pinhole_core::{Camera, Pixel, Sphere};
 use super::random::Random;
 use super::scenes::{COVERAGE, Listed, Setting, camera, centers_ahead, scale_for, spheres_at};
 
-/// Returns all these scenes, and scenes with two other image sizes.
+/// Returns all scenes of this module, and two scenes with other image sizes.
 pub(crate) fn all() -> Vec<Listed> {
     let hard = |name, make: fn() -> Setting| Listed::new(name, "adversarial", make);
     vec![
@@ -50,20 +50,21 @@ fn behind_one() -> Setting {
     setting(spheres)
 }
 
-/// 10^6 spheres a fifth of a pixel wide, most of which are hit by no pixel's ray.
+/// 10^6 spheres a fifth of a pixel wide, most of which lie between the rays of the pixel centres.
 fn sub_pixel() -> Setting {
     let centers = centers_ahead(1_000_000, &mut Random::new(2));
     let sphere = |center: DVec3| Sphere { center, radius: 0.1 * pixel_at(-center.z) };
     setting(centers.into_iter().map(sphere).collect())
 }
 
-/// Returns the height of a pixel in the world at this depth.
+/// Returns the height in world units that one pixel covers at this depth.
 fn pixel_at(depth: f64) -> f64 {
     let Camera { viewport, image, .. } = camera();
     depth * viewport.height / (viewport.distance * f64::from(image.height()))
 }
 
-/// 10^5 spheres whose radii are spread evenly over six decades; the large ones cover 60 %.
+/// 10^5 spheres whose radii are spread over six orders of magnitude, evenly on a logarithmic scale;
+/// together they cover 60 % of the pixels.
 fn six_decades() -> Setting {
     let mut random = Random::new(3);
     let centers = centers_ahead(100_000, &mut random);
@@ -108,7 +109,7 @@ fn in_sphere() -> Setting {
     setting(spheres)
 }
 
-/// 10^5 spheres of about a pixel's size, all of which cover the centre of the same pixel.
+/// 10^5 spheres of about a pixel's size, all of which are hit by the ray of the same pixel.
 fn one_pixel() -> Setting {
     let resolved = setting(Vec::new()).camera(0);
     let direction = resolved.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;

@@ -1,4 +1,4 @@
-//! The textbook's loop with a bounding volume hierarchy. It is built by the binned surface-area
+//! A textbook ray tracer with a bounding volume hierarchy. The tree is built by the binned surface-area
 //! heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007) with up to
 //! four spheres per leaf, and traversed with a stack, near child first.
 
@@ -17,7 +17,8 @@ pub(crate) struct Bvh {
     objects: Vec<u32>,
 }
 
-/// A node: a box with two children, which are adjacent, or with some spheres.
+/// A node of the tree: a bounding box with either two children, which are adjacent in the array, or, in
+/// a leaf, a range of spheres.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Bounds,
@@ -37,7 +38,8 @@ struct Bounds {
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// Depth from which nodes are halved regardless of cost, so that [`STACK`] suffices for 2^24 spheres.
+/// Depth of the tree from which nodes are split at the median, whatever the cost, so that a stack of
+/// [`STACK`] entries suffices for 2^24 spheres.
 const DEEP: usize = 40;
 const STACK: usize = 64;
 
@@ -59,7 +61,8 @@ impl Bounds {
         size.x * size.y + size.y * size.z + size.z * size.x
     }
 
-    /// Returns the `t` at which a ray enters the box, or `None` if that is not before `t`.
+    /// Returns the `t >= 0` at which a ray enters the box, or `None` if it misses the box or enters it
+    /// no earlier than at the given `t`. `inverse` is the componentwise reciprocal of the direction.
     #[inline]
     fn entry(&self, origin: Vec3, inverse: Vec3, t: f32) -> Option<f32> {
         let (a, b) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
@@ -148,7 +151,8 @@ impl Bvh {
     }
 }
 
-/// Puts the spheres of the left child before those of the right one; returns the number of the former.
+/// Partitions the spheres of a node into those of the left child, which come first, and those of the
+/// right child. Returns the number of spheres in the left child.
 fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     let center = |object: &u32| balls[*object as usize].center;
     let centers = objects.iter().map(center);
@@ -186,8 +190,9 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     left
 }
 
-/// Returns, for a cut before each bin, the cost: surface times number of spheres, summed over both
-/// sides. Cuts that leave a side empty are left out.
+/// Returns, for each way to split a node between two bins, its cost and the index of the first bin on
+/// the right. The cost is half of the bounding box's surface area times the number of spheres, summed
+/// over both sides. Splits that leave a side empty are left out.
 fn cuts(bins: [(usize, Bounds); BINS]) -> impl Iterator<Item = (f32, usize)> {
     let join = |a: (usize, Bounds), b: &(usize, Bounds)| (a.0 + b.0, a.1.with(b.1));
     let sum = move |bins: &[(usize, Bounds)]| bins.iter().fold((0, Bounds::NONE), join);

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::random::Random;
 
-/// A pixel that differs from the hit of its exact ray.
+/// A pixel of a frame whose object or `t` differs from the exactly computed first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fault {
     /// Row in the frame's raster.
@@ -30,9 +30,10 @@ impl fmt::Display for Fault {
     }
 }
 
-/// Compares `count` pixels of a frame of a scene with [`Scene::first_hit_of`] of their exact rays: the
-/// objects must be equal, and t within one ulp of `f32`. Every second pixel is moved to the next place
-/// to the right at which the object changes, if there is one.
+/// Compares `count` random pixels of a frame with the results of [`Scene::first_hit_of`] for the same
+/// pixels' exact rays: the objects must be equal, and t within one ulp of `f32`. Every second pixel of
+/// the sample is moved to the right, to the next pixel in its row whose object differs from its left
+/// neighbour's, if there is one.
 ///
 /// # Errors
 /// Returns an error with the first pixel that differs.

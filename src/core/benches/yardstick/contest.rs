@@ -16,7 +16,8 @@ use super::rounds::{self, Times, each};
 use super::scenes::Setting;
 use super::textbook;
 
-/// Name of `pinhole-core` among the contestants. All its decisions are certain.
+/// Name of `pinhole-core` among the contestants, after its decisions, which escalate from `f64` through
+/// double-double to exact integers.
 pub(crate) const LADDER: &str = "ladder";
 
 /// Settings and time limits of a contest.
@@ -26,11 +27,12 @@ pub(crate) struct Limits {
     pub(crate) level: Level,
     /// Number of threads that make a frame.
     pub(crate) threads: usize,
-    /// Maximum time that each contestant spends on frames, if one frame does not take longer.
+    /// Time after which a contestant starts no further frame. Each is timed for at least one frame.
     pub(crate) share: Duration,
     /// Maximum number of timed frames of each contestant.
     pub(crate) most: usize,
-    /// A rival is left out if one frame would take it longer than about this on one thread.
+    /// One of the textbook's loops is left out if a single frame would take it longer than about this
+    /// on one thread.
     pub(crate) patience: Duration,
 }
 
@@ -44,20 +46,22 @@ impl Default for Limits {
 /// The results of a contest.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
-    /// The names of the contestants, the ladder first, and their seconds per frame.
+    /// The contestants' names and their times per frame, with [`LADDER`] first.
     pub(crate) rows: Vec<(&'static str, Times)>,
     /// The ladder's last frame.
     pub(crate) frame: Frame<f32>,
 }
 
-/// Number of spheres up to which the textbook's loop tests all of them, and from which it uses a tree.
+/// With up to this many spheres, the textbook's loop that tests every sphere takes part; with at least
+/// this many, the one with a bounding volume hierarchy.
 pub(crate) const TREE_FROM: usize = 100;
 
-/// A contestant: a function that makes a frame for each camera, and returns how long each took.
+/// A contestant: a function that traces one frame for each camera, and returns how long each frame
+/// took.
 type Run<'a> = Box<dyn FnMut(&[ResolvedCamera]) -> Vec<Duration> + 'a>;
 
-/// Runs a contest: the contestants, and the programs started for the setting, trace it frame by frame,
-/// in turn.
+/// Times all contestants, including the running C++ programs `rigs`, on the same scene and cameras.
+/// They trace frames in turn.
 ///
 /// # Panics
 /// Panics if one of the programs ends early.
@@ -115,8 +119,9 @@ pub(crate) fn run(setting: &Setting, limits: &Limits, rigs: &mut [Rig]) -> Outco
     Outcome { rows, frame }
 }
 
-/// Runs work on new threads. If old threads slept during the turns of other contestants, Linux may wake
-/// all of them on one processor, and then take tens of milliseconds to distribute them.
+/// Runs `work` in a new thread pool. A pool that slept during the turns of other contestants is slower:
+/// Linux may wake all its threads on one processor, and then take tens of milliseconds to distribute
+/// them.
 fn on<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     pool.install(work)

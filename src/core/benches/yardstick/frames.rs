@@ -1,4 +1,5 @@
-//! The buffers that every contestant but the ladder writes, and a frame's rays as in textbooks.
+//! The buffers into which all contestants but `pinhole-core` write a frame, and the pixels' rays,
+//! computed in `f32` as in textbooks.
 
 use glam::Vec3;
 use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
@@ -15,8 +16,8 @@ pub(crate) struct Buffers {
 }
 
 impl Buffers {
-    /// Creates the buffers of an image. All their memory has been written to, so that the system need
-    /// not provide new pages while times are measured.
+    /// Creates the buffers of an image. It writes to all their memory, so that no page faults occur
+    /// while times are measured.
     pub(crate) fn new(image: ImageSize) -> Buffers {
         let width = image.width() as usize;
         let pixels = width * image.height() as usize;
@@ -52,8 +53,8 @@ impl Rays {
         }
     }
 
-    /// Returns the eye, the direction of the first pixel, and the change of the direction per column and
-    /// per row.
+    /// Returns four vectors, which determine all rays, as twelve numbers: the eye, the direction of
+    /// pixel (0, 0), and the change of the direction per column and per row.
     pub(crate) fn numbers(&self) -> [f32; 12] {
         let (column, row) = (self.width / self.columns * self.u, -self.height / self.rows * self.v);
         let vectors = [self.eye, self.direction(0, 0), column, row].map(|vector| vector.to_array());

@@ -1,13 +1,14 @@
-//! Measures whether other processes used the machine while times were measured.
+//! Measures how busy other processes kept the machine while times were measured.
 
 use std::fs;
 use std::time::Instant;
 
-/// A moment from which the use of the machine's processors is observed.
+/// The processors' busy times at one moment, with which later ones are compared.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Watch {
     start: Instant,
-    /// Ticks of all processors that were not idle, and those of this process and its ended children.
+    /// Two times in clock ticks: the time for which the processors were not idle, summed over all of
+    /// them, and the time used by this process and its ended children.
     ticks: Option<[f64; 2]>,
 }
 
@@ -20,9 +21,9 @@ impl Watch {
         Watch { start: Instant::now(), ticks: ticks() }
     }
 
-    /// Returns the average number of processors that other processes have kept busy since: the busy time
-    /// minus that of this process and its ended children. Returns `None` if the system does not provide
-    /// the numbers.
+    /// Returns the average number of processors that other processes have kept busy since
+    /// [`Watch::start`]: the processors' busy time minus the time used by this process and its ended
+    /// children. Returns `None` if the system does not provide these times.
     pub(crate) fn others(&self) -> Option<f64> {
         let ([busy, own], [busy_then, own_then]) = (ticks()?, self.ticks?);
         let others = (busy - busy_then) - (own - own_then);

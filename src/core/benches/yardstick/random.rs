@@ -1,6 +1,7 @@
 //! Pseudorandom numbers that are equal in every run.
 
-/// SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// A generator of pseudorandom numbers, SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom
+/// number generators", OOPSLA 2014.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 

@@ -1,5 +1,6 @@
-//! C++ programs with which frame times are compared: streaming stores, which need intrinsics, and
-//! Embree. They are built if there is a compiler, and run while a scene is measured.
+//! C++ programs whose frame times are compared with those of `pinhole-core`: one that only writes a
+//! frame with streaming (non-temporal) stores, for which it needs intrinsics, and one that uses Embree.
+//! They are built if there is a compiler, and run while a scene is measured.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Error, Write};
@@ -12,11 +13,12 @@ use pinhole_core::ResolvedCamera;
 use super::frames::Rays;
 use super::scenes::Setting;
 
-/// Name of the limit: streaming stores of every pixel's t and object, and nothing else.
+/// Name of the contestant that only writes every pixel's t and object, with streaming stores, and
+/// traces nothing.
 pub(crate) const STREAMING: &str = "streaming stores";
 
-/// Names of Embree's modes: its built-in spheres, and user geometry whose test takes packets of 16 rays,
-/// declared coherent or not.
+/// Names of the ways in which Embree is used: with its built-in spheres, and with user geometry whose
+/// intersection test takes packets of 16 rays, which are declared coherent or not.
 pub(crate) const EMBREE: [&str; 3] = ["Embree's spheres", "Embree, 16 wide", "Embree, incoherent"];
 
 const SOURCES: [(&str, &str); 3] = [
@@ -33,7 +35,7 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// Builds the streaming stores into a folder.
+    /// Compiles the program that makes the streaming stores, into a folder.
     ///
     /// # Errors
     /// Returns the compiler's messages, or a message that there is no compiler.
@@ -42,7 +44,8 @@ impl Program {
         Ok(Program { path: folder.join("stores"), modes: &[STREAMING] })
     }
 
-    /// Builds the program that uses Embree 4 or 3 into a folder.
+    /// Compiles the program that uses Embree, into a folder: with Embree 4 or, if that fails, with
+    /// Embree 3.
     ///
     /// # Errors
     /// Returns the compiler's messages for both versions, or a message that there is no compiler.
@@ -58,7 +61,7 @@ impl Program {
         Ok(Program { path: folder.join("embree"), modes: &EMBREE })
     }
 
-    /// Starts the program for a scene, and waits until it is ready.
+    /// Starts the program for a scene, and waits until it has read the scene.
     ///
     /// # Errors
     /// Returns an error if the program cannot be started.
@@ -79,7 +82,7 @@ impl Program {
             .spawn()?;
         let answers = BufReader::new(child.stdout.take().ok_or(Error::other("no stdout"))?);
         let mut rig = Rig { child, answers, frame, modes: self.modes };
-        // The program answers when the scene is ready.
+        // The program answers once it has built the scene.
         rig.frames(0, 1, &[])?;
         Ok(rig)
     }
@@ -100,7 +103,7 @@ fn build(folder: &Path, name: &str, flags: &[&str]) -> Result<(), String> {
     output.status.success().then_some(()).ok_or_else(|| format!("{compiler}: {}", told.trim_end()))
 }
 
-/// A running program that makes frames of a scene on request.
+/// A running C++ program that makes frames of a scene on request.
 #[derive(Debug)]
 pub(crate) struct Rig {
     child: Child,
@@ -111,7 +114,8 @@ pub(crate) struct Rig {
 }
 
 impl Rig {
-    /// Makes a frame for each camera in one of the modes. Returns how long each took.
+    /// Makes a frame for each camera, in the mode with this index in [`Rig::modes`]. Returns how long
+    /// each frame took.
     ///
     /// # Errors
     /// Returns an error if the program has ended.
@@ -153,7 +157,8 @@ impl Rig {
 }
 
 impl Drop for Rig {
-    /// Waits for the program's end, so that its time counts as that of an ended child process.
+    /// Closes the program's input and waits for it to exit, so that the processor time that it used is
+    /// counted as that of an ended child process.
     fn drop(&mut self) {
         drop(self.child.stdin.take());
         _ = self.child.wait();

@@ -1,4 +1,4 @@
-//! Measures the times of several pieces of work in turn.
+//! Times several programs' frames in turn.
 
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -14,16 +14,17 @@ pub(crate) struct Times {
     pub(crate) count: usize,
 }
 
-/// Work that is quicker than this is repeated for about this long in each turn, the first time without
-/// timing. So a timed frame follows a frame of the same contestant, not the cache contents of another
-/// one, and threads have had time to wake up.
+/// Minimum length of a turn. A contestant whose frame is quicker makes several in each turn, of which
+/// the first is not timed. Timed frames therefore start with the contestant's own data in the caches,
+/// and with its threads awake.
 const TURN: Duration = Duration::from_millis(25);
 
-/// Times `count` pieces of work in turn, until each has spent its `share` or was timed `most` times.
+/// Times `count` contestants in turn, until each has used up the time `share` or was timed `most`
+/// times.
 ///
-/// `run(index, frames)` does the work of these frames and returns how long each took. Frames are
-/// numbered consecutively, so that no two are equal. The first run of each piece of work is not counted,
-/// unless it alone takes half of the share.
+/// `run(index, frames)` makes the contestant `index` draw the frames with these numbers, and returns
+/// how long each took. No number occurs twice. Each contestant's first frame is not counted, unless it
+/// alone takes more than half of `share`.
 pub(crate) fn interleaved(
     count: usize,
     share: Duration,
@@ -47,7 +48,7 @@ pub(crate) fn interleaved(
     runners.iter().map(Runner::times).collect()
 }
 
-/// Does the work of each frame. Returns how long each took.
+/// Calls `work` for each of the frames, and returns how long each call took.
 pub(crate) fn each<T>(frames: &[T], mut work: impl FnMut(&T)) -> Vec<Duration> {
     let timed = |frame: &T| {
         let start = Instant::now();

@@ -1,5 +1,5 @@
-//! Scenes for measuring speed, each with a camera that moves a little every frame. They are equal in
-//! every run.
+//! Scenes for measuring speed, the same in every run, each with a camera that moves a little every
+//! frame.
 
 use glam::DVec3;
 use pinhole_core::{
@@ -18,7 +18,7 @@ pub(crate) struct Setting {
     resolved: ResolvedCamera,
 }
 
-/// Radius of the circle on which the eye moves, in widths of the viewport.
+/// Radius of the circle on which the eye moves from frame to frame, in widths of the viewport.
 const STRIDE: f64 = 1e-3;
 
 impl Setting {
@@ -41,8 +41,8 @@ impl Setting {
         self.camera.image.width() as usize * self.camera.image.height() as usize
     }
 
-    /// Returns the camera of a frame, whose eye lies on a small circle around its position, at a
-    /// different point in every frame.
+    /// Returns the camera of the frame with this number. Its eye is moved from the original one to a
+    /// point on a small circle, a different one in every frame.
     pub(crate) fn camera(&self, frame: usize) -> ResolvedCamera {
         let basis = self.resolved.basis();
         let (sin, cos) = (0.7 * frame as f64).sin_cos();
@@ -51,7 +51,7 @@ impl Setting {
         Camera { eye, ..self.camera }.resolve().unwrap_or(self.resolved)
     }
 
-    /// Returns the scene in an image of another size, through the same viewport.
+    /// Returns the same scene and viewport with an image of this size in pixels.
     ///
     /// # Panics
     /// Panics if the size is not a valid [`ImageSize`].
@@ -81,8 +81,9 @@ fn image(width: u32, height: u32) -> ImageSize {
 /// Depths of the nearest and the farthest centres.
 const DEPTH: [f64; 2] = [4.0, 12.0];
 
-/// Returns centres spread evenly over a box in front of the camera. The box is as wide and high as the
-/// view at half its depth. The first centre lies in its middle.
+/// Returns random centres of spheres, distributed uniformly over a box in front of the camera. The box
+/// is as wide and high as the view is halfway between its near and far side. The first centre lies in
+/// the middle of the box.
 pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
     let [near, far] = DEPTH;
     let middle = 0.5 * (near + far);
@@ -97,10 +98,10 @@ pub(crate) fn centers_ahead(count: usize, random: &mut Random) -> Vec<DVec3> {
     centers
 }
 
-/// Returns spheres of equal radius, spread evenly over a box in front of the camera. The radius is
-/// `radius_factor` times the one with which they cover this share of the pixels.
+/// Returns spheres of equal radius at random places in a box in front of the camera. The radius is
+/// `radius_factor` times the one with which they cover the share `coverage` of the pixels.
 ///
-/// The radius is found by search, tracing one pixel in 64.
+/// The radius is found by iteration, tracing one pixel in 64.
 pub(crate) fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
@@ -108,12 +109,13 @@ pub(crate) fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Set
     Setting::new(spheres, camera())
 }
 
-/// Maximum number of spheres whose coverage is traced. For more spheres it is extrapolated: as long as
-/// they are small, coverage depends only on the sum of their areas.
+/// Maximum number of spheres whose coverage of the picture is traced. For more spheres it is
+/// extrapolated, because the coverage by small spheres depends only on the sum of their areas.
 const MOST_ASKED: usize = 100_000;
 
-/// Returns the factor by which to multiply the radii so that the spheres cover this share of the pixels
-/// of [`camera`].
+/// Returns the factor by which all radii must be multiplied for the spheres to cover the share
+/// `coverage` of the pixels, as seen by [`camera`]. `radius_of` returns the unscaled radius of the
+/// sphere with this index.
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
     let camera = camera();
@@ -156,12 +158,12 @@ pub(crate) fn covered(setting: &Setting) -> f64 {
     check::coverage(&frame.object)
 }
 
-/// A scene of the list, which is made only when needed.
+/// A scene in the list of the benchmark's scenes. It is built only when it is measured.
 pub(crate) struct Listed {
     /// Its name.
     pub(crate) name: &'static str,
-    /// The reason why it is in the list: `growth` of time with the number of spheres, `adversarial`,
-    /// or other `sizes` of image.
+    /// What the scene measures: `growth` (of the time with the number of spheres), `adversarial` (a
+    /// scene that is hard to draw fast), or `sizes` (of the image).
     pub(crate) group: &'static str,
     /// Makes it.
     pub(crate) make: Box<dyn Fn() -> Setting + Send + Sync>,
@@ -180,8 +182,8 @@ impl Listed {
 /// The share of pixels that is covered in the scenes of the group `growth`.
 pub(crate) const COVERAGE: f64 = 0.6;
 
-/// Names of the scenes for which speeds are published: growth, overdraw, crowds in the middle and in
-/// clusters, and the eye inside a cloud.
+/// Names of the scenes whose speeds are published: growing numbers of spheres, high overdraw, spheres
+/// crowded in the middle of the view or in clusters, and the eye inside a cloud of spheres.
 pub(crate) const STATED: [&str; 18] = [
     "N=1",
     "N=3",
@@ -203,7 +205,8 @@ pub(crate) const STATED: [&str; 18] = [
     "in-cloud",
 ];
 
-/// Returns all scenes: growth up to 10^7, the adversarial ones, and other image sizes.
+/// Returns all scenes of the benchmark: those with 1 to 10^7 spheres, the adversarial ones, and those
+/// with other image sizes.
 pub(crate) fn all() -> Vec<Listed> {
     let names = ["N=1", "N=3", "N=10", "N=100", "N=1000", "N=1e4", "N=1e5", "N=1e6", "N=1e7"];
     let counts = [1, 3, 10, 100, 1000, 10_000, 100_000, 1_000_000, 10_000_000];

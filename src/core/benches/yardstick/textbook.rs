@@ -1,5 +1,5 @@
-//! The rival that every course writes first: a ray for each pixel, intersected with every sphere by the
-//! two roots of the quadratic, in `f32`, with rows in parallel.
+//! The ray tracer that students write first, as a rival: in `f32`, it intersects each pixel's ray with
+//! every sphere by solving the quadratic equation. Rows are traced in parallel.
 
 use glam::Vec3;
 use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene, Sphere};

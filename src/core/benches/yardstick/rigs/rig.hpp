@@ -1,4 +1,5 @@
-// What every rig does: reads orders from stdin, lets threads make frames, prints how long each took.
+// The loop of all programs here: reads orders from stdin, lets threads make frames, prints how long
+// each took.
 //
 //   MODE THREADS COUNT, then a camera for each of COUNT frames: the seconds of each, on one line
 //   save: writes t and object of the last frame to the file FRAME, and says so
@@ -41,8 +42,8 @@ struct Frame {
   std::atomic<int> taken; // parts of the image that a thread has taken, for those who share it so
 };
 
-// Moves a thread to a processor of its own, from which it may go again: Linux starts threads that wait
-// for each other on one, and takes tens of milliseconds to part them.
+// Moves a thread to a processor of its own, without pinning it there. Otherwise, Linux may start all
+// threads on one processor, and take tens of milliseconds to distribute them.
 static inline void part(int thread) {
 #if defined __linux__
   cpu_set_t all, one;
@@ -81,7 +82,7 @@ template <class Work> int serve(const Image &image, const char *saved, Work work
       std::atomic<int> arrivals{0};
       auto meet = [&](int times) {
         arrivals++;
-        // Who yields at once to another program gets the processor back milliseconds later.
+        // A thread that yields at once may get the processor back only milliseconds later.
         for (int looks = 0; arrivals < times * frame.threads; looks++)
           if (looks > 20000) sched_yield();
       };

@@ -1,4 +1,4 @@
-// The limit: streaming stores of t and object of every pixel, and nothing else.
+// Writes t and object of every pixel with streaming (non-temporal) stores, and does nothing else.
 //
 //   stores WIDTH HEIGHT FRAME
 #include "rig.hpp"
@@ -6,7 +6,7 @@
 #include <immintrin.h>
 #endif
 
-// Stores one value to a cache line that is not read for it.
+// Fills a cache line with one value, without reading the line first.
 static inline void stream(void *line, int value) {
 #if defined __AVX512F__
   _mm512_stream_si512(static_cast<__m512i *>(line), _mm512_set1_epi32(value));
