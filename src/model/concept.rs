@@ -1,5 +1,5 @@
-//! The concepts of the scene and of the camera's derivation: what a line of the derivation is about,
-//! and what the views can highlight.
+//! Concepts: the named parts of the scene and of the camera's derivation, such as the eye or up x w. Every
+//! line of the derivation is about a concept, and the views can highlight it.
 
 use crate::model::symbols;
 
@@ -55,7 +55,7 @@ pub enum Concept {
     Normal,
 }
 
-/// The concept under the pointer, and the part of the window where the pointer is.
+/// The concept under the pointer, and which part of the window the pointer is over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hovered {
     /// The concept under the pointer.
@@ -120,8 +120,8 @@ impl Concept {
         NAMES.map(|(_, name, _)| name)
     }
 
-    /// Returns the concept's description. The description of an object or a root contains the object's
-    /// title, which `title` returns for an index.
+    /// Returns the concept's description. `title` maps an object's index to its title, which the
+    /// descriptions of objects and roots contain.
     pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Concept::Object(object) => title(object),

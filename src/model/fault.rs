@@ -1,4 +1,4 @@
-//! Errors in a document, and internal errors of the program, which are reported as messages instead of
+//! Invalid documents, and internal errors of the program (panics): both are reported as messages instead of
 //! ending the program.
 
 use std::any::Any;
@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use pinhole_core::{CameraError, SceneError};
 
-/// An error in a document, because of which no new picture can be drawn.
+/// An error in a document that prevents a new picture from being drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
     /// The camera is invalid.
@@ -28,12 +28,12 @@ impl fmt::Display for Fault {
 }
 
 thread_local! {
-    /// The message of this thread's last panic, with its place in the code.
+    /// The message of this thread's last panic, with its location in the source code.
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Installs a panic hook that reports each panic on standard error in a sentence and stores its
-/// message.
+/// Installs a panic hook that prints a message about each panic to standard error and stores the panic's
+/// text for [`caught`].
 pub fn watch() {
     std::panic::set_hook(Box::new(|panic| {
         let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();
@@ -48,7 +48,7 @@ pub fn watch() {
     }));
 }
 
-/// Runs a function and catches a panic, which is an internal error of the program.
+/// Runs a function and catches its panic, which is an internal error of the program.
 ///
 /// # Errors
 /// Returns the message of the panic.

@@ -19,7 +19,7 @@ const UNNAMED: &str = "Unnamed scene";
 pub enum Origin {
     /// A scene.
     Scene(SceneSource),
-    /// A lesson's step with this title, or another scene that belongs to no file.
+    /// The title of a lesson's step, or of another scene that belongs to no file.
     Step(String),
 }
 
@@ -45,8 +45,8 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The modification time and size of a file when it was read or written, by which a later change of the
-/// file is detected.
+/// The modification time and size of a file when this window read or wrote it. A later change of the file
+/// is detected by comparing stamps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Stamp {
     modified: Option<SystemTime>,
@@ -54,16 +54,17 @@ pub struct Stamp {
 }
 
 impl Stamp {
-    /// Returns the file's current stamp; `None` if there is no such file.
+    /// Returns the stamp of the file as it is now; `None` if there is no such file.
     fn of(path: &Path) -> Option<Stamp> {
         let data = fs::metadata(path).ok()?;
-        // A time before 1970 is dropped: it cannot be stored with unsaved changes.
+        // A modification time before 1970 is dropped: it could not be serialized with the unsaved
+        // changes.
         let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
         Some(Stamp { modified, length: data.len() })
     }
 }
 
-/// The stamps of the scene file and of the CSV file with its spheres.
+/// The stamps (modification times and sizes) of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
 /// Returns the current stamp of the file with a document's spheres; `None` if there is no such file.
@@ -81,7 +82,8 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
-    /// The stamps when this window last read or wrote the files; `None` for a file that did not exist.
+    /// The stamps of the files when this window last read or wrote them; `None` for a file that did not
+    /// exist.
     stamps: Stamps,
     /// The document's origin.
     origin: Origin,
@@ -132,8 +134,8 @@ impl OpenDocument {
         OpenDocument { forgiving: false, ..Self::of_step(document, title) }
     }
 
-    /// Leaves the lesson: from now on, changes count as unsaved. If the scene of the step equals a
-    /// scene in `known`, the document belongs to the first such scene; otherwise it is unnamed.
+    /// Leaves the lesson: from now on, changes count as unsaved. If the step's scene equals one of the
+    /// scenes in `known`, the document belongs to the first such scene; otherwise it is unnamed.
     pub fn leave_lesson(&mut self, known: impl Iterator<Item = SceneSource>) {
         if !std::mem::take(&mut self.forgiving) {
             return;
@@ -178,7 +180,7 @@ impl OpenDocument {
         }
     }
 
-    /// Returns the stamp of the source when this window last read or wrote it.
+    /// Returns the source's stamp (modification time and size) when this window last read or wrote it.
     pub fn stamp(&self) -> Option<Stamp> {
         self.stamps[0]
     }
@@ -188,9 +190,9 @@ impl OpenDocument {
         [self.scene_file().and_then(Stamp::of), csv_stamp(&self.saved)]
     }
 
-    /// Returns the current stamps of the scene file and of its CSV file if either differs from the
-    /// stored one; `None` if nothing has changed or the scene file is missing. Compares only times and
-    /// sizes.
+    /// Returns the current stamps of the scene file and of its CSV file if either differs from the stored
+    /// one; `None` if nothing has changed or the scene file is missing. A stamp holds only a time and a
+    /// size: the contents are not compared.
     pub fn touched(&self) -> Option<Stamps> {
         let now = self.stamps_now();
         (now[0].is_some() && now != self.stamps).then_some(now)

@@ -1,5 +1,5 @@
-//! The given numbers, which the user can edit: those of the scene file and of the selected ray.
-//! Everything else is calculated from them.
+//! The given numbers, which the user can edit: those of the scene file and the pixel or (u, v) of the
+//! selected ray. All other numbers are calculated from them.
 
 use std::ops::RangeInclusive;
 
@@ -49,7 +49,7 @@ impl Given {
     }
 }
 
-/// A vector or point that is given. Those of an object contain the object's index.
+/// A vector or point that the user gives. The variants for objects hold the object's index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the lecture's own names")]
 pub enum GivenVector {
@@ -57,7 +57,7 @@ pub enum GivenVector {
     At,
     View,
     Up,
-    /// u, v, w of a basis that is set by hand.
+    /// The vector u of a basis that the user enters directly; `V` and `W` are v and w.
     U,
     V,
     W,
@@ -100,8 +100,8 @@ pub struct Givens<'a> {
 }
 
 impl Givens<'_> {
-    /// Returns the number in the form in which it is displayed. Returns `None` if it does not exist
-    /// because the camera or the ray is specified by other quantities.
+    /// Returns the number as it is displayed: rows and columns are counted from 0 or 1 as set. Returns
+    /// `None` if the number does not exist because the camera or the ray is specified by other quantities.
     pub fn value(&self, given: Given) -> Option<f64> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match (given, self.selection) {
@@ -117,7 +117,7 @@ impl Givens<'_> {
         }
     }
 
-    /// Returns the range of a number that must be whole; `None` if the number need not be whole.
+    /// Returns the range of a number that must be an integer; `None` if the number may be fractional.
     pub fn whole_range(&self, given: Given) -> Option<RangeInclusive<f64>> {
         let (image, from) = (self.document.camera.image, f64::from(u8::from(self.from_one)));
         match given {
@@ -152,8 +152,9 @@ impl Givens<'_> {
     }
 }
 
-/// Sets a given number to a value in the form in which it is displayed. Does nothing if the number does
-/// not exist, or if it must be whole and the value is fractional or out of range.
+/// Sets a given number to a value as it is displayed (rows and columns counted from 0 or 1 as set). Does
+/// nothing if the number does not exist, or if it must be an integer and the value is fractional or out of
+/// range.
 pub fn set(
     given: Given,
     value: f64,
@@ -189,7 +190,8 @@ pub fn set(
     }
 }
 
-/// Returns a reference to a stored number that need not be whole; `None` if there is no such number.
+/// Returns a mutable reference to a given number that may be fractional; `None` if it does not exist or
+/// must be an integer.
 fn place<'a>(
     given: Given,
     camera: &'a mut Camera,

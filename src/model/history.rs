@@ -7,13 +7,14 @@ use pinhole_exchange::document::{Document, Item};
 /// Maximum number of steps; beyond it, the oldest are dropped.
 const LIMIT: usize = 500;
 
-/// The steps that can be undone and redone, each with its name. `M` is a snapshot from which a state is
+/// The steps that can be undone and redone, each with its name. `M` is a snapshot of the state, to be
 /// restored. The current state is not stored here.
 #[derive(Clone, Debug)]
 pub struct History<M> {
-    /// The steps that can be undone, oldest first, each with the state before it.
+    /// The steps that can be undone, oldest first, each with a snapshot of the state before it.
     past: Vec<(String, M)>,
-    /// The steps that can be redone, next one last, each with the state after it.
+    /// The steps that can be redone, each with a snapshot of the state after it. The last one is redone
+    /// first.
     future: Vec<(String, M)>,
 }
 
@@ -33,7 +34,8 @@ impl<M> History<M> {
         self.past.push((name, before));
     }
 
-    /// Extends the last step: it still begins in the same state. Drops all steps that could be redone.
+    /// Extends the last step to a further change: undoing it still restores the state before its first
+    /// change. Drops all steps that could be redone.
     pub fn extend(&mut self) {
         self.future.clear();
     }
@@ -48,9 +50,9 @@ impl<M> History<M> {
         self.future.last().map(|(name, _)| name.as_str())
     }
 
-    /// Undoes the last step, or redoes the one that was undone last, and returns the state to restore.
-    /// `now` creates a snapshot of the current state that restores the same data as its argument, so
-    /// that the user can return to it. Returns `None` if there is no such step.
+    /// Undoes the last step, or redoes the step that was undone last, and returns the snapshot to restore.
+    /// `now` receives that snapshot and returns one of the current state, with the same kind of data, for
+    /// the way back. Returns `None` if there is no step to undo or redo.
     pub fn step(&mut self, is_redo: bool, now: impl FnOnce(&M) -> M) -> Option<M> {
         let History { past, future } = self;
         let (from, to) = if is_redo { (future, past) } else { (past, future) };
@@ -65,8 +67,8 @@ impl<M> History<M> {
 pub struct StepName {
     /// The text after *Undo* in the menu.
     pub text: String,
-    /// True if the change is gradual, such as the drag of a number or the typing of a name. Further
-    /// changes of the same kind then extend the step.
+    /// True if the change is one of a gradual series, such as the drag of a number or the typing of a name.
+    /// A change with the same name that soon follows then extends the step instead of adding another one.
     pub gradual: bool,
 }
 
@@ -169,8 +171,8 @@ enum Change {
     Many,
 }
 
-/// Returns how a list of objects changed. `differ` tells whether the position and the rest of a shape differ;
-/// `reshape` is the verb for the rest.
+/// Returns how a list of objects changed. For two shapes, `differ` returns whether their positions differ
+/// and whether anything else differs; `reshape` is the verb for a change of anything else.
 fn change<S: PartialEq>(
     before: &[Item<S>],
     after: &[Item<S>],
@@ -201,7 +203,7 @@ fn change<S: PartialEq>(
 mod tests {
     use super::*;
 
-    /// Undoes or redoes a step from `now`, which becomes the restored moment.
+    /// Undoes or redoes a step in the state `now`, which is replaced by the restored state.
     fn go(now: &mut u32, step: impl FnOnce(&mut u32) -> Option<u32>) -> bool {
         match step(now) {
             Some(moment) => {

@@ -7,10 +7,10 @@ use pinhole_core::{
 
 use crate::model::concept::Concept;
 
-/// Maximum number of objects whose intersection terms are stored: no display shows more.
+/// Maximum number of objects whose intersection terms are stored; no display lists more objects.
 pub const LISTED_OBJECTS: usize = 12;
 
-/// The terms of an intersection, which decide whether an object is hit.
+/// The quantities whose signs decide whether a ray hits an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectTerms {
     /// a, b, c and D.
@@ -26,10 +26,11 @@ pub struct Inspection {
     pub uv: DVec2,
     /// The position of that point in the image; `None` outside the image.
     pub image_position: Option<PixelOfUv>,
-    /// The view ray, with a rounded direction. The intersections are calculated for the exact ray.
+    /// The view ray, with its direction rounded to `f64`. The intersections are calculated for the
+    /// unrounded ray.
     pub ray: Ray,
-    /// All roots of all objects, by ascending `t`, including negative ones. A `t` outside the range of
-    /// `f64` is stored as infinite.
+    /// The roots of all objects, that is, all t at which the ray's line meets them, in ascending order and
+    /// including negative ones. A `t` outside the range of `f64` is stored as infinite.
     pub roots: Vec<Root>,
     /// The rank of each root; see [`RankedRoot`](pinhole_core::RankedRoot).
     pub ranks: Vec<u32>,
@@ -48,7 +49,7 @@ impl Inspection {
         self.image_position.map_or(Vec::new(), |position| position.touching(camera.image()))
     }
 
-    /// Inspects the selected view ray. If a pixel is selected, it must lie inside the image.
+    /// Finds all intersections of the selected view ray. A selected pixel must lie inside the image.
     pub fn new(camera: &ResolvedCamera, scene: &Scene, selection: Selection) -> Inspection {
         let uv = selection.uv(camera);
         let exact = selection.exact_ray(camera).ok();
@@ -81,26 +82,27 @@ impl Inspection {
         self.image_position?.only_pixel()
     }
 
-    /// Returns the concept of a root, which consists of its object and its index among that object's
-    /// roots.
+    /// Returns the concept of a root: its object, and its index among that object's roots by ascending t.
     pub fn concept_of(&self, root: &Root) -> Concept {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
         Concept::Root { object: root.object, number }
     }
 
-    /// Returns the root with index `number` among the roots of `object`; `None` if there is none.
+    /// Returns the root of `object` whose index among that object's roots, by ascending t, is `number`;
+    /// `None` if there is none.
     pub fn root_of(&self, object: u32, number: u8) -> Option<&Root> {
         self.index_of(object, number).map(|index| &self.roots[index])
     }
 
-    /// Returns the index in `roots` of the root with index `number` among the roots of `object`.
+    /// Returns the position in `roots` of the root of `object` whose index among that object's roots is
+    /// `number`.
     pub fn index_of(&self, object: u32, number: u8) -> Option<usize> {
         let mut own = (0..self.roots.len()).filter(|k| self.roots[*k].object == object);
         own.nth(number.into())
     }
 
-    /// Explains why the root with this index is, or is not, the first hit.
+    /// Explains in a few words why the root at this index of `roots` is, or is not, the first hit.
     pub fn verdict(&self, index: usize) -> &'static str {
         let t = self.roots[index].t;
         match self.first {
@@ -115,9 +117,8 @@ impl Inspection {
         }
     }
 
-    /// Explains why the first hit is first when the printed values of t do not show it, because another
-    /// object is hit at the same t, exactly or in every printed digit. Returns `None` if they do show
-    /// it.
+    /// Explains why the first hit comes first although another object's root is at the same printed t.
+    /// Returns `None` if no other object's root is, so that the printed values show it.
     pub fn why_first(&self) -> Option<&'static str> {
         let first = self.first?;
         let tied = |k: usize| self.ranks[k] == self.ranks[first];

@@ -13,16 +13,17 @@ pub const CLICK: f32 = 2.0;
 /// Minimum length, in points, of the steps by which keys move a handle and to which a drag snaps.
 pub const STEP_POINTS: f64 = 10.0;
 
-/// Angle by which a key turns the camera or the observer, in radians.
+/// Angle by which one key press turns the camera or the observer, in radians.
 pub const KEY_TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
-/// Logarithm of the factor by which a key dollies or zooms the camera.
+/// Logarithm of the factor by which one key press dollies or zooms the camera.
 pub const KEY_NEARER: f64 = 0.1;
-/// Distance by which a key pans the observer, as a fraction of the picture's height.
+/// Distance by which one key press pans the observer, as a fraction of the picture's height.
 pub const KEY_PAN: f64 = 0.05;
-/// Factor by which a key divides the observer's distance to move it nearer.
+/// Factor by which one key press divides the observer's distance to move it nearer.
 pub const KEY_ZOOM: f64 = 1.15;
 
-/// Logarithm of the zoom factor per point of wheel scrolling, for the observer and the lab of lines.
+/// Logarithm of the zoom factor per point of wheel scrolling, for the world view's observer and for the
+/// page *Lines*.
 pub const WHEEL_ZOOM: f32 = 0.004;
 /// Scroll distance, in points, that increases the loupe's magnification by one step.
 pub const LOUPE_SCROLL: f32 = 40.0;

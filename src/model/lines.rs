@@ -1,14 +1,14 @@
-//! The state of the two-dimensional lab of lines, and the dragging of its handles. The arithmetic of
-//! the lines is in [`pinhole_lecture::lines`].
+//! The state of the page *Lines*, the lines lab (an implicit and a parametric line in the plane), and the
+//! dragging of its handles. The arithmetic of the lines is in [`pinhole_lecture::lines`].
 
 use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-/// Maximum magnitude of the numbers in the lab's fields, chosen so that all results are finite.
+/// Maximum magnitude of the numbers in the lines lab's fields, chosen so that all results are finite.
 pub(crate) const LARGEST: f64 = 1e6;
 
-/// The state of the lab: an implicit line, a parametric line, and a parameter t. It is plain data,
-/// which a lesson's step sets as a whole.
+/// The state of the lines lab: an implicit line, a parametric line, and the parameter t of a point marked
+/// on it. It is plain data, which a lesson's step sets as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinesLab {
     line: ImplicitLine,
@@ -22,13 +22,15 @@ pub struct LinesLab {
     pub snap: bool,
     /// The visible part of the plane.
     pub window: Window,
-    /// The point of the implicit line at which it is dragged.
+    /// The point of the implicit line that carries its handle for moving; the line turns about it.
     grip: DVec2,
-    /// Offset from the grip to the handle that turns the line, as a multiple of the line's direction.
+    /// Offset from the grip to the handle that turns the line, as a multiple of the line's direction
+    /// vector.
     reach: f64,
 }
 
-/// Points at equal steps of t, over the whole range of t that was visited.
+/// The trail of the marked point: points of the parametric line at equal steps of t, over the whole range
+/// of t that it has visited.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trail {
     /// Step in t from one point to the next.
@@ -39,12 +41,12 @@ pub struct Trail {
     pub last: f64,
 }
 
-/// The visible square part of the plane. In a drawing that is not square, more is visible.
+/// The square part of the plane that is visible in any case. A drawing that is not square shows more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     /// The point in the middle of the drawing.
     pub center: DVec2,
-    /// Distance from the middle to the two nearer edges of the drawing.
+    /// Distance from the middle of the drawing to each of its two nearer edges.
     pub half_extent: f64,
 }
 
@@ -80,7 +82,7 @@ impl LineHandle {
 }
 
 impl Default for LinesLab {
-    /// Returns an example like the lecture's, in which the lines meet at t = 1.
+    /// Returns an example like the lecture's, in which the two lines meet at t = 1.
     fn default() -> Self {
         let [(_, lab), ..] = LinesLab::examples();
         lab
@@ -88,10 +90,11 @@ impl Default for LinesLab {
 }
 
 impl LinesLab {
-    /// Spacing of the grid to which drags snap: both coordinates become multiples of it.
+    /// Spacing of the grid to which drags snap: both coordinates become multiples of this length.
     pub const GRID: f64 = 0.5;
 
-    /// Returns one example for each possible relation of the two lines, with its name.
+    /// Returns one example, with its name, for each possible relation of the two lines: the ray hits or
+    /// misses, and the lines are parallel or coincide.
     pub fn examples() -> [(&'static str, LinesLab); 4] {
         let lab = |[a, b, c]: [f64; 3], p: [f64; 2], d: [f64; 2]| {
             let ray = ParametricLine { p: p.into(), d: d.into() };
@@ -135,7 +138,7 @@ impl LinesLab {
             return;
         }
         self.grip = line.nearest_to(self.grip);
-        // A power of two, so that the division when the line is turned is exact.
+        // The factor is a power of two, so that dividing by it when the line is turned is exact.
         let wanted = 0.7 * self.window.half_extent / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
@@ -165,8 +168,9 @@ impl LinesLab {
         position.is_finite().then_some(position)
     }
 
-    /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along its
-    /// line instead, by steps of t, in the direction closer to that of `steps`.
+    /// Moves a handle by a number of steps to the right and upwards, rounded as in [`LinesLab::drag`]. The
+    /// marked point p + t d can only move along its line: t changes by steps, in the direction nearer to
+    /// that of `steps`.
     pub fn nudge(&mut self, handle: LineHandle, steps: DVec2, fineness: f64) {
         let step = if self.snap { LinesLab::GRID } else { 0.1 };
         if handle == LineHandle::T {
@@ -182,9 +186,9 @@ impl LinesLab {
         }
     }
 
-    /// Drags a handle to a point of the plane. Rounds the point's coordinates to the grid if snapping
-    /// is on, and otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag that
-    /// would make the line invalid.
+    /// Drags a handle to the point `to`. If snapping is on, its coordinates are rounded to the grid;
+    /// otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag that would make the
+    /// line invalid.
     pub fn drag(&mut self, handle: LineHandle, to: DVec2, fineness: f64) {
         let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
         let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;

@@ -30,7 +30,7 @@ pub enum Item {
     Hit,
     /// The x, y, z axes at the origin.
     Axes,
-    /// The planes, each as a patch with a grid of world units.
+    /// The planes, each drawn as a part of it near the observer's target, with a grid of world units.
     Planes,
     /// The lines u = 0 and v = 0 in the camera view.
     UvAxes,

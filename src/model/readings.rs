@@ -1,5 +1,6 @@
-//! The numbers of the selected ray and of its camera, with their names, concepts and meanings: one list
-//! for the readouts, the strip below the views, the clipboard and `pinhole inspect`.
+//! The numbers of the selected ray and of its camera, with their names, concepts and meanings. The
+//! readouts, the strip below the views, the clipboard and `pinhole inspect` all show them from this one
+//! list.
 
 use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
 use pinhole_lecture::numbers::written;
@@ -61,7 +62,7 @@ pub enum ReadingValue {
     Vector(DVec3),
     /// The angle between up and view.
     Angle(UpAngle),
-    /// The position in an image of this size; `None` outside the image.
+    /// The position of the ray in an image of this size; `None` outside the image.
     Pixel(Option<PixelOfUv>, ImageSize),
     /// The title of an object, or a word.
     Text(String),

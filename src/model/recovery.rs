@@ -1,9 +1,8 @@
 //! Recovery of unsaved changes. They are written to a separate file as they are made, and the program
 //! offers them at its next start.
 //!
-//! Each window has a numbered slot in a folder. A slot consists of a scene file, whose last line names
-//! the source of the document, and a lock file. The system releases the lock however the window ends.
-//! source of the document, and a lock, which the system releases however the window ends.
+//! Each window has a numbered slot in a folder. A slot consists of a scene file, whose last line names the
+//! source of the document, and a lock file. The system releases the lock however the window ends.
 
 use std::fs::{self, File, TryLockError};
 use std::io::Write as _;
@@ -19,8 +18,8 @@ use super::files::{OpenDocument, Stamp, argument_of, title_of};
 /// Maximum number of slots. Windows beyond this number do not record their changes.
 const SLOTS: usize = 64;
 
-/// The beginning of the last line of a slot's scene file, which is a comment. A [`ChangedScene`] as
-/// JSON follows.
+/// The beginning of the last line of a slot's scene file, a TOML comment. A [`ChangedScene`] as JSON
+/// follows.
 const SOURCE: &str = "\n# unsaved changes to: ";
 
 /// A window's slot. It stays locked as long as this value lives.
@@ -31,7 +30,7 @@ pub struct Slot {
     _lock: File,
 }
 
-/// Unsaved changes of a window that ended without asking the user whether to save them.
+/// Unsaved changes left in the slot of a window that ended without asking whether to save them.
 #[derive(Debug)]
 pub struct Found {
     slot: Slot,
@@ -58,11 +57,12 @@ struct ChangedScene {
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
-    /// Numbers of the document that a scene file may not contain.
+    /// Invalid numbers of the document, which a scene file may not contain.
     faults: Faults,
 }
 
-/// Numbers of an edited document that are invalid, which the user may be about to correct.
+/// The invalid numbers of an edited document. The user may be about to correct them, so they are recorded,
+/// too.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Faults {
     /// Width, height and distance of the viewport, if any of them is invalid.
@@ -134,8 +134,8 @@ impl Unsaved {
     /// Writes the changes into a slot, completely or not at all.
     ///
     /// # Errors
-    /// Returns the reason if the file could not be written, or if the document could not be read
-    /// back from it. The slot's previous content is then unchanged.
+    /// Returns the reason if the file could not be written, or if the document could not be read back from
+    /// the written text. The slot's previous content is then unchanged.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
         let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
         let prepared = scene_file::prepare(&self.document, &slot.scene, None);
@@ -146,7 +146,7 @@ impl Unsaved {
 }
 
 impl Slot {
-    /// Opens a slot in this folder. Returns the slot, if one is free; the changes that ended windows
+    /// Opens the slots in this folder. Returns a free slot, if there is one; the changes that ended windows
     /// left in other slots; and the first error if a slot could not be opened.
     pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
         let (mut own, mut found, mut fault) = (None, Vec::new(), None);
@@ -193,8 +193,8 @@ impl Found {
         let age = SystemTime::now().duration_since(written).unwrap_or_default();
         let mut text = limits::read_text(&slot.scene);
         let source = text.as_mut().ok().and_then(|text| {
-            // Cut the source line off the text: a name in it may contain characters that are not
-            // allowed in a comment.
+            // The last line is cut off before the text is parsed: a name in it may contain characters that
+            // are not allowed in a TOML comment.
             let line = text.split_off(text.rfind(SOURCE)?);
             serde_json::from_str(&line[SOURCE.len()..]).ok()
         });
@@ -212,11 +212,11 @@ impl Found {
         self.source.argument.as_deref().filter(|argument| argument.is_absolute())
     }
 
-    /// Returns the document with its changes, and the slot that holds them until they are saved. If
+    /// Returns the document with its changes, and the slot that holds the changes until they are saved. If
     /// `as_new` is true, the document belongs to no file, so that the scene's own file stays unchanged.
     ///
     /// # Errors
-    /// Returns the reason if the changes cannot be read. They are then kept.
+    /// Returns the reason if the changes cannot be read. They then stay in the slot.
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));

@@ -27,10 +27,10 @@ pub struct Remembered {
     pub recent: Vec<PathBuf>,
     /// The name of the window's renderer, for bug reports.
     pub renderer: String,
-    /// The command-line argument for the scene that was open; if a lesson was open, for the scene that
-    /// was open before the lesson.
+    /// The command-line argument that opens the scene that was open or, if a lesson was open, the scene
+    /// before the lesson.
     pub last: Option<PathBuf>,
-    /// The number of the lesson that was open, and that of its step, both counted from 1.
+    /// The number of the built-in lesson that was open, and the number of its step, both counted from 1.
     pub lesson: Option<(usize, usize)>,
 }
 
@@ -71,7 +71,8 @@ impl From<RememberedRay> for Selection {
     }
 }
 
-/// Reads as much as possible of a partly invalid file, checking each value separately.
+/// Reads a file of which parts may be invalid: every value that can be read is used, and the others have
+/// their defaults.
 fn readable(text: &str) -> Remembered {
     let read: Value = serde_json::from_str(text).unwrap_or_default();
     let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
@@ -81,8 +82,8 @@ fn readable(text: &str) -> Remembered {
     serde_json::from_value(kept).unwrap_or_default()
 }
 
-/// Copies the value `read`, which is located at a JSON pointer, into `kept`, except for the parts that
-/// would make the result invalid.
+/// Copies `read` into the JSON value `kept`, at the place that the JSON pointer names. Each part that would
+/// make the whole invalid is left out.
 fn keep(kept: &mut Value, pointer: &str, read: &Value) {
     if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(pointer)) {
         let known: Vec<String> = known.keys().cloned().collect();
@@ -166,7 +167,7 @@ pub struct WindowGeometry {
     pub position: Option<[f32; 2]>,
     /// True if the window is maximised.
     pub maximized: bool,
-    /// Pixels per point of the screen on which the window was.
+    /// Number of pixels per point of the screen that showed the window.
     pub scale: f32,
 }
 
@@ -177,7 +178,7 @@ impl Default for WindowGeometry {
 }
 
 impl WindowGeometry {
-    /// Returns the scale of the screen, clamped to the range of real screens.
+    /// Returns the number of pixels per point of the screen, clamped to the range of real screens.
     pub fn screen_scale(&self) -> f32 {
         self.scale.clamp(0.5, 8.0)
     }

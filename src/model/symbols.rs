@@ -1,5 +1,5 @@
-//! The lecture's symbols: the only table of their meanings, one sentence each, and their letters in
-//! plain text, from Unicode's block *Mathematical Alphanumeric Symbols*.
+//! The lecture's symbols: the only table of their meanings, one sentence each, and their letters in plain
+//! text, taken from Unicode's block *Mathematical Alphanumeric Symbols*.
 
 /// The kind of a symbol. The vector u and the scalar u are two different symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,7 +29,7 @@ const P: &str = "𝐩: where the view ray begins, the eye";
 const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is the viewport";
 const UV: &str = "(𝑢, 𝑣): the position in the viewport, from its middle, in world units";
 
-/// All symbols that have an entry, with their kinds and meanings.
+/// All symbols that have an explanation, with their kinds and meanings.
 const MEANINGS: [(SymbolKind, &str, &str); 38] = [
     (Vector, "eye", EYE),
     (Vector, "at", AT),
@@ -79,7 +79,7 @@ const MEANINGS: [(SymbolKind, &str, &str); 38] = [
     ),
 ];
 
-/// Returns the meaning of a symbol; `None` if it has no entry.
+/// Returns the meaning of a symbol in a sentence; `None` if the table does not list it.
 pub(crate) fn meaning(kind: SymbolKind, name: &str) -> Option<&'static str> {
     let known = |(listed, known, _): &&(SymbolKind, &str, &str)| *listed == kind && *known == name;
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
@@ -107,7 +107,8 @@ pub(crate) fn bold(letter: char) -> char {
     }
 }
 
-/// Returns the text with italic letters replaced by plain ones, for programs that read or store it.
+/// Returns the text with mathematical italic letters replaced by ordinary ones, for programs that read or
+/// store it.
 pub(crate) fn plain_scalars(text: &str) -> String {
     let plain = |c: char| match u32::from(c) {
         0x210e => 'h',
@@ -118,7 +119,7 @@ pub(crate) fn plain_scalars(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
-/// Returns a message of the core in the notation of the window: the signs `−`, `×` and `·`, bold
+/// Returns a message of the core crate in the notation of the window: the signs `−`, `×` and `·`, bold
 /// vectors u, v and w, and "centre" for "center".
 pub(crate) fn typeset_message(message: impl std::fmt::Display) -> String {
     let message = message.to_string().replace(" x ", " × ").replace(" . ", " · ");

@@ -1,4 +1,4 @@
-//! The translator: the camera in another program's notation, the comparison of conventions, and pasted
+//! The translator: writes the camera in another program's notation, compares conventions, and reads pasted
 //! cameras.
 
 use std::ops::Range;
@@ -43,29 +43,29 @@ impl Translator {
     }
 }
 
-/// A brief notice about a finished action, such as a paste or reloading a file.
+/// A brief notice about a finished action, such as pasting a camera or reloading a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// The result in a few words.
     pub title: String,
-    /// Further details: the parts that were omitted, or the error in the text.
+    /// Further details: what was left out, or the error in the text.
     pub notes: Vec<String>,
     /// True if the action succeeded.
     pub worked: bool,
-    /// The camera after the action; `None` if the action was not about the camera. The notice is
-    /// outdated once the camera has changed.
+    /// The camera after the action; `None` if the action did not involve the camera. Once the camera has
+    /// changed, the notice is outdated.
     pub camera: Option<Camera>,
     /// Time in seconds at which the notice was first shown; `None` if it has not been shown yet.
     pub shown_at: Option<f64>,
 }
 
-/// The note for a left-handed camera that is read without its objects.
+/// The note on a pasted camera of a left-handed program, which is read without its objects.
 const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
                      but the objects are not: negate their z, too, for the same picture";
 
-/// Reads the camera in a text. Values that the text does not specify are those of the camera `at_hand`;
-/// objects are ignored. The camera is `None` if the text contains no valid one; the notice then says
-/// why.
+/// Reads the camera in a text. Values that the text does not specify are taken from the camera `at_hand`;
+/// objects in the text are ignored. The camera is `None` if the text contains no valid one; the notice then
+/// says why.
 pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     let failed = |title: &str, note: String| {
         let (title, notes) = (title.to_owned(), vec![note]);
@@ -95,8 +95,8 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
     }
 }
 
-/// Returns what is written besides the camera: the objects, if the user wants them and there are not
-/// too many of them.
+/// Returns what an export contains besides the camera: the objects, if the user wants them and there are
+/// not too many of them.
 pub fn with(document: &Document, objects: bool) -> Include {
     let few = document.object_count() <= MOST_OBJECTS;
     if objects && few { Include::Meshes } else { Include::CameraAlone }
@@ -107,13 +107,14 @@ pub fn with(document: &Document, objects: bool) -> Include {
 pub struct Translation {
     /// The text, or the reason why the camera cannot be written.
     pub written: Result<Exported, String>,
-    /// The table of conventions. It is empty if there is no camera, and for code, which uses the
-    /// lecture's own conventions.
+    /// The table of conventions. It is empty if there is no valid camera, and for exports as source code,
+    /// which follow the lecture's own conventions.
     pub rows: Vec<ConventionRow>,
 }
 
 impl Translation {
-    /// Translates a document's camera. `pixel` is the pixel whose numbers the table shows.
+    /// Translates a document's camera into a format. `pixel` is the example pixel in the table of
+    /// conventions.
     pub fn new(
         document: &Document,
         format: &Format,
@@ -147,8 +148,8 @@ pub fn shortened(text: &Text, digits: usize) -> Text {
     short
 }
 
-/// Appends a part of the text to `short`, with its long numbers shortened. A digit that follows a
-/// letter does not begin a number.
+/// Appends the `part` of `text` to `short`, with its long numbers shortened. A digit that follows a letter
+/// does not begin a number.
 fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
     let bytes = &text.as_bytes()[..part.end];
     let (mut from, mut at) = (part.start, part.start);
@@ -199,8 +200,8 @@ pub struct ConventionRow {
     pub differs: bool,
 }
 
-/// Returns the rule by which pixels are counted, and the coordinates of a pixel's centre in an image of
-/// this size.
+/// Returns how a program counts pixels, as a rule, and the coordinates of this pixel's centre by that rule,
+/// in an image of this size.
 fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
@@ -233,8 +234,8 @@ fn counted(
     [rule, format!("({}, {})", written_whole(a), written_whole(b))]
 }
 
-/// Returns the table for a camera, which compares a format's conventions with Pinhole's. `pixel` is the
-/// example in the row about pixels; `digits` is the number of significant digits.
+/// Returns the table that compares a format's conventions with Pinhole's, with the numbers of this camera.
+/// `pixel` is the example in the row about pixels; `digits` is the number of significant digits.
 fn rows(
     conventions: &Conventions,
     subject: &ExportScene,

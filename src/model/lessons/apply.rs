@@ -6,11 +6,11 @@ use pinhole_exchange::document::Document;
 use super::lesson::Step;
 use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
 
-/// Sets everything that the step specifies. Everything else stays unchanged, including the answers to
-/// its question.
+/// Sets everything that the step specifies. Everything else stays unchanged, including the answers typed
+/// for its question.
 ///
-/// `seen_from` is the step's observer, fitted to the view when the step was first shown; `None` if it
-/// has not been shown yet.
+/// `seen_from` is the step's observer as it was fitted to the view when the step was first shown; `None` if
+/// the step has not been shown yet.
 pub fn apply(
     step: &Step,
     seen_from: Option<Observer>,
@@ -28,8 +28,8 @@ pub fn answer(step: &Step, session: &mut Session) {
     session.is_asking = false;
 }
 
-/// Returns the items that will be drawn after the step's question is answered. The observer is framed
-/// for them from the start, so that it need not move when the answer is shown.
+/// Returns the items that will be drawn once the step's question is answered. The observer is placed so
+/// that all of them are in sight from the start, so it need not move when the answer is shown.
 pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
     let mut shown = session.settings.items;
     if let (true, Some(question), Some(items)) =
@@ -65,7 +65,8 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     if let Some(chosen) = view.mistake {
         session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
-    // A vote refers to the previous step's picture, and would cover this step's text.
+    // An open vote (on the mistake in a picture) refers to the previous step's picture, and would cover
+    // this step's text.
     if session.mistakes_view.open_vote.is_some() {
         session.mistakes_view.close_vote();
     }
@@ -89,8 +90,8 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.teaching, view.teaching);
 }
 
-/// Restores the window's state from before the first lesson. Selection and observer stay unchanged,
-/// because the step's scene stays open.
+/// Restores the window's state from before the first lesson, except the selection and the observer: they
+/// belong to the step's scene, which stays open.
 pub fn restore(before: &Session, session: &mut Session) {
     session.is_asking = false;
     session.revealed_lines = None;

@@ -25,14 +25,14 @@ pub struct Lesson {
 pub struct Step {
     /// The step's title.
     pub title: String,
-    /// The instructions: what to look at or to drag. `*u*` denotes a scalar and `**u**` a vector.
+    /// The instructions: what to look at or to drag. In it, `*u*` denotes a scalar and `**u**` a vector.
     pub text: String,
     /// The question that the class answers before any number is shown.
     pub question: Option<StepQuestion>,
     /// The document that the step opens.
     pub document: Document,
-    /// Index of the step that set the scene. Steps with the same scene share an observer unless they
-    /// specify another.
+    /// Index of the step that set the scene. Steps with the same scene also share the world view's
+    /// observer, unless they specify another one.
     pub scene_from: usize,
     /// The selected ray.
     pub selection: Selection,
@@ -40,7 +40,7 @@ pub struct Step {
     pub view: StepView,
 }
 
-/// A question to the class and its answer, with the same notation for symbols as a step's text.
+/// A question to the class and its answer. Symbols are marked as in a step's text: `*u*` and `**u**`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StepQuestion {
     /// The question.
@@ -56,7 +56,7 @@ pub struct StepQuestion {
 pub struct AskedExercise {
     /// The kind of question.
     pub exercise: Exercise,
-    /// The seed of the numbers; `None` for the lecture's own numbers.
+    /// The seed of the question's random numbers; `None` for the lecture's own numbers.
     pub seed: Option<u64>,
 }
 
@@ -84,7 +84,7 @@ pub struct StepView {
     /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
     /// nothing.
     pub highlighted: Option<Option<Concept>>,
-    /// The mistake whose wrong camera is compared with the right one.
+    /// The mistake that is shown: the camera with this mistake is compared with the right one.
     pub mistake: Option<Mistake>,
     /// The parameter t of the point on the selected ray; `None` if there is no such point.
     pub t: Option<f64>,
@@ -122,8 +122,8 @@ pub struct OpenLesson {
 }
 
 impl OpenLesson {
-    /// Opens a lesson at this step. `file` is the lesson that was opened from a file. Returns `None` if
-    /// there is no such step.
+    /// Opens a lesson at this step. `file` is the lesson if it was read from a file, and `None` for a
+    /// built-in one. Returns `None` if there is no such step.
     pub fn at(id: StepId, file: Option<&Arc<Lesson>>) -> Option<OpenLesson> {
         let lesson = match id.lesson {
             Which::Builtin(index) => builtin::all().get(index),

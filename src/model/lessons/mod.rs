@@ -1,9 +1,9 @@
-//! The lecture, step by step.
+//! The lessons of the lecture.
 //!
-//! A *lesson* is a data file with a title and *steps*; each step is a state of the window to look at.
-//! `lesson` contains the data of a lesson and the user's place in it, `read` reads a lesson file,
-//! `builtin` lists the lessons that come with the program, and `apply` applies a step to the document
-//! and the session. Nothing here calculates anything.
+//! A *lesson* is a data file with a title and *steps*; each step sets the window to a state to look at.
+//! `lesson` contains the data of a lesson and the user's place in it, `read` reads a lesson file, `builtin`
+//! lists the lessons that come with the program, and `apply` applies a step to the document and the
+//! session. Nothing here calculates anything.
 
 pub mod apply;
 pub mod builtin;

@@ -22,7 +22,7 @@ pub const VERSION: i64 = 1;
 /// The keys at the top of a file.
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
-/// The keys of a step, in addition to the tables of a scene.
+/// The keys that a step may have in addition to the tables of a scene.
 const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
                     count_from_one digits keep_picture teaching derivation highlight mistake t \
                     play lines exercise seed";
@@ -65,13 +65,13 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     Ok(Lesson { title, steps })
 }
 
-/// Maximum number of characters of a title, of a step's text, and of a question or an answer. They must
+/// Maximum numbers of characters: of a title, of a step's text, and of a question or an answer. They must
 /// fit into the strip above the views.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
 const LONGEST_ANSWER: usize = 300;
 
-/// Reads a text and joins its lines. The text must not be empty or longer than `longest` characters.
+/// Reads a text field and joins its lines. The text must not be empty or longer than `longest` characters.
 fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
     match text.chars().count() {
@@ -264,7 +264,7 @@ fn observer(section: &Section) -> Result<Observer, FileError> {
     ))
 }
 
-/// Reads the name of a value and returns that value of `known`.
+/// Reads a name and returns the value that `known` lists with it.
 fn choice<T>(
     field: &TomlField,
     known: impl IntoIterator<Item = (&'static str, T)>,

@@ -8,15 +8,15 @@ use pinhole_core::{
 use crate::model::observer::{FOV, Observer};
 use crate::model::overlay_items::{Item, OverlayItems};
 
-/// Factor above which a sphere is out of scale. It need not be in sight if it is this many times larger
-/// than the camera and all smaller spheres together.
+/// Ratio of sizes above which a sphere is out of scale: its radius exceeds this many times the extent of
+/// the camera and of all smaller spheres together. Such a sphere need not be in sight.
 const OUT_OF_SCALE: f64 = 50.0;
 
-/// Ratio of radius to distance from the camera below which a sphere counts as a speck.
+/// Ratio of a sphere's radius to its distance from the camera below which the sphere counts as a speck.
 const SPECK: f64 = 2e-3;
 
-/// Margin around everything that must be in sight, as a fraction of half the picture. Arrow tips have
-/// the smaller one.
+/// Margins at the picture's border that are kept free, as fractions of half the picture: in general, and at
+/// the tips of arrows.
 const MARGIN: f64 = 0.1;
 const MARGIN_AT_TIPS: f64 = 0.02;
 
@@ -24,37 +24,37 @@ const MARGIN_AT_TIPS: f64 = 0.02;
 const ASKED_SPHERES: usize = 2048;
 const ASKED_PLANES: usize = 64;
 
-/// Candidate directions of the observer, in degrees: the angle to the side of the line behind the
-/// camera, and the angle above it.
+/// Candidate directions of the observer, in degrees: angles to the side of the line straight behind the
+/// camera, and angles above that line.
 const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
 const ABOVE: [f64; 4] = [22.0, 19.0, 14.0, 9.0];
 
-/// The part of the frustum that should be in sight: up to this fraction of the distance to the farthest
-/// sphere, but at most this multiple of the viewport's distance.
+/// The part of the frustum that should be in sight. It ends at the first number times the distance of the
+/// farthest sphere, but at most at the second number times the distance of the viewport.
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// Size of the camera in the picture, as a fraction of the picture's height or width, beyond which a
-/// larger size no longer raises an observer's score.
+/// Size of the camera in the picture, as a fraction of the picture's shorter side, beyond which an
+/// observer's score no longer rises with the size.
 const LARGE_ENOUGH: f64 = 0.15;
 
-/// Maximum distance of the observer's target from the eye, as a multiple of `Subject::near_size`. An
-/// observer around a more distant target would lose sight of the camera.
+/// Maximum distance of the observer's target from the camera's eye, as a multiple of `Subject::near_size`.
+/// An observer that turned around a more distant target would lose sight of the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// Number of iterations of a fit. The arrows have a fixed size on the screen, so each iteration
-/// measures them again.
+/// Number of iterations when an observer is fitted. The arrows have a fixed size on the screen, so their
+/// size in the world depends on the observer and is measured again in each iteration.
 const ROUNDS: usize = 6;
 
-/// Ratio of width to height of a view for which the observers of lessons are chosen.
+/// Ratio of width to height of the view for which lesson files specify their observers.
 const ORDINARY_ASPECT: f64 = 1.25;
 
-/// When an observer is fitted to another view: minimum ratio of its new distance from the eye to its
-/// old one.
+/// Minimum ratio of the new to the old distance from the camera's eye when an observer is fitted to a view
+/// of another size.
 const NEAREST_REFIT: f64 = 0.45;
 
-/// Maximum distance from the eye at which an observer is kept, as a multiple of the fitted observer's
-/// distance.
+/// Maximum distance from the camera's eye at which an observer is kept when the view's size changes, as a
+/// multiple of the fitted observer's distance.
 const FARTHEST_KEPT: f64 = 1.2;
 
 /// The size of the world view on the screen, in points.
@@ -67,7 +67,7 @@ pub struct ViewSize {
 }
 
 impl ViewSize {
-    /// Returns a view of ordinary height with this aspect ratio (width to height).
+    /// Returns the size of a view that has the usual height and this aspect ratio (width to height).
     pub fn of_aspect(aspect: f64) -> ViewSize {
         ViewSize { width: 480.0 * tame_aspect(aspect), height: 480.0 }
     }
@@ -77,14 +77,15 @@ impl ViewSize {
         tame_aspect(self.width / self.height)
     }
 
-    /// Returns the minimum and maximum length of the basis arrows, in points. Normals are drawn with
-    /// the minimum length.
+    /// Returns the minimum and maximum length of the basis arrows in this view, in points. Normals are
+    /// drawn with the minimum length.
     pub fn arrow_points(self) -> (f64, f64) {
         let (least, most) = ARROW_POINTS;
         (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
     }
 
-    /// Returns the length in world units that covers one point of the screen at this depth.
+    /// Returns the length in the world that one point of the screen covers at this depth in front of the
+    /// observer.
     fn world_per_point(self, depth: f64) -> f64 {
         extent_of_fov(FOV, depth) / self.height.max(1.0)
     }
@@ -102,22 +103,22 @@ struct Subject {
     balls: Vec<Bound>,
     arrows: Arrows,
     eye: DVec3,
-    /// Direction from the scene to the camera: w, or +z for an invalid camera.
+    /// Direction from the scene to the camera: the camera's w, or +z for an invalid camera.
     back: DVec3,
     /// The camera's right.
     right: DVec3,
-    /// The largest extent of the frustum from the eye to the viewport.
+    /// The largest of the viewport's width, height and distance.
     near_size: f64,
-    /// The points at which the camera looks at planes.
+    /// The points of planes that the camera sees.
     walls: Vec<Root>,
-    /// The point around which the observer turns: the middle of camera and scene.
+    /// The point around which the observer turns, halfway between the camera's eye and the objects.
     middle: DVec3,
 }
 
 impl Observer {
-    /// Returns an observer behind the camera's shoulder. In sight are the eye, the viewport, the basis
-    /// arrows, at, and all spheres that are not out of scale. The observer stands as far to the side as
-    /// the camera's size in the picture allows.
+    /// Returns an observer behind the camera's shoulder that sees the eye, the viewport, the basis arrows,
+    /// at, and all spheres that are not out of scale. It stands as far to the side as it can without the
+    /// camera becoming too small in the picture.
     ///
     /// Perspective makes this possible: an observer close behind a small camera also sees the distant
     /// objects that the camera looks at. They appear small, as in a sketch on a whiteboard.
@@ -129,7 +130,8 @@ impl Observer {
             _ => (-subject.right.z).atan2(subject.right.x),
         };
         let mut best: Option<(f64, Observer)> = None;
-        // Prefer the right side, from which the camera looks to the right in the picture.
+        // The observer on the right side is preferred: from there, the camera looks to the right in the
+        // picture.
         for side in [1.0, -1.0] {
             for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
                 let azimuth = behind + side * beside.to_radians();
@@ -144,15 +146,15 @@ impl Observer {
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
 
-    /// Returns an observer in the same direction that has everything in sight in a view of this size.
+    /// Returns the observer in the same direction that has everything in sight in a view of this size.
     pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
         Subject::new(camera, scene, OverlayItems::ALL).fit(self, size)
     }
 
-    /// Returns an observer in the same direction for a view of this size. In sight are the whole
-    /// camera, its arrows among the `items` with their labels, and everything else that this observer
-    /// sees in an ordinary view. Returns this observer unchanged if all of that already fills the view.
-    /// Also returns it unchanged if it is so near that the eye or the viewport is meant to be out of
+    /// Returns an observer in the same direction for a view of this size. It sees the whole camera, those
+    /// of its arrows that are among the `items`, with their labels, and everything else that this observer
+    /// sees in a view of ordinary shape. Returns this observer unchanged in two cases: if all of that
+    /// already fills the view, or if it is so near that the eye or the viewport is meant to be out of
     /// sight.
     pub fn framing_the_same(
         &self,
@@ -183,8 +185,8 @@ impl Observer {
         if fills && is_whole { *self } else { fitted.in_range() }
     }
 
-    /// Returns true if a view of this size shows the camera's eye and, if the camera is given by a
-    /// point that it looks at, that point too.
+    /// Returns true if a view of this size shows the camera's eye and, if the camera is given by at, that
+    /// point too.
     pub fn sees_eye_and_at(&self, camera: &Camera, size: ViewSize) -> bool {
         let mut points = [camera.eye].into_iter().chain(given_at(camera));
         points.all(|center| self.sees(&Bound { center, radius: 0.0 }, size.aspect(), 0.0))
@@ -193,7 +195,7 @@ impl Observer {
     /// Returns an observer in the same direction from which eye, arrows and viewport fill the picture.
     pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {
         let orientation = match camera.orientation {
-            // The target point need not be in the picture, so replace it by a direction.
+            // The point at need not be in the picture, so it is replaced by a direction.
             Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
             given => given,
         };
@@ -201,8 +203,9 @@ impl Observer {
         Subject::new(&alone, &Scene::default(), OverlayItems::ALL).fit(self, size)
     }
 
-    /// Returns the observer moved straight back until the eyes and viewports of all cameras in `others`
-    /// are in sight. Returns it unchanged if they already are, or if those of `camera` are not.
+    /// Returns the observer moved straight back until it sees the eyes and viewports of all cameras in
+    /// `others`. Returns it unchanged if it already sees them, or if it does not even see those of
+    /// `camera`.
     pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
         let needed = |camera: &Camera| self.distance_for(camera, tame_aspect(aspect));
         if needed(camera) > self.distance {
@@ -212,7 +215,8 @@ impl Observer {
         Observer { distance, ..*self }.in_range()
     }
 
-    /// Returns the distance at which a camera's eye and viewport are in sight, with a small margin.
+    /// Returns the smallest distance from the target at which the observer sees a camera's eye and
+    /// viewport, with a small margin.
     fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
         let corners =
             camera.resolve().map_or(Vec::new(), |resolved| frustum_corners(&resolved, 1.0).into());
@@ -226,8 +230,10 @@ impl Observer {
         self.distance_for_ball(ball, aspect, margin) <= self.distance
     }
 
-    /// Returns the distance at which a ball is in sight. With the target at the origin, a point (x, y,
-    /// z) is in sight from the distance `z + |x| / k`, and similarly for y.
+    /// Returns the smallest distance from the target at which the observer sees a ball. In coordinates with
+    /// the target as the origin and z towards the observer, it sees a point (x, y, z) from the distance
+    /// `z + |x| / k` on, where k is the tangent of half the horizontal field of view without the margin;
+    /// and similarly for y.
     fn distance_for_ball(&self, ball: &Bound, aspect: f64, margin: f64) -> f64 {
         let (back, (right, up)) = (self.back(), self.right_and_up());
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - margin);
@@ -275,8 +281,7 @@ impl Subject {
         Subject { balls, arrows, eye, back, right, near_size, walls, middle }
     }
 
-    /// Returns the nearest observer in this direction that has all balls and the tips of all arrows in
-    /// sight.
+    /// Returns the nearest observer in this direction that sees all balls and the tips of all arrows.
     fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {
         let mut observer = self.fit_around(direction, size.aspect(), &[]);
         for _ in 0..ROUNDS {
@@ -288,12 +293,14 @@ impl Subject {
         observer
     }
 
-    /// Returns the nearest observer in this direction that has all balls and these tips in sight.
+    /// Returns the nearest observer in this direction that sees all balls and these tips.
     ///
-    /// A ball (x, z, r) in the observer's own coordinates is right of the left border if
-    /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and similarly for the other borders: with
-    /// `A = max(x + k z + r')` and `B = max(-x + k z + r')`, the nearest eye is
-    /// `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
+    /// Let x point to the observer's right and z towards the observer, let (ex, ez) be the observer's
+    /// position, and let k be the tangent of half the horizontal field of view without the margin. A ball
+    /// with centre (x, z) and radius r is to the right of the picture's left border if
+    /// `x - ex >= -k (ez - z) + r'`, where `r' = r sqrt(1 + k^2)`, and similarly for the right border. With
+    /// the maxima over all balls `A = max(x + k z + r')` and `B = max(-x + k z + r')`, the nearest position
+    /// is `ez = (A + B) / 2k`, `ex = (A - B) / 2`. The same is done for y and the vertical field of view.
     fn fit_around(&self, direction: &Observer, aspect: f64, tips: &[Bound]) -> Observer {
         let back = direction.back();
         let (right, up) = direction.right_and_up();
@@ -321,9 +328,9 @@ impl Subject {
         Observer { target, distance, ..*direction }.in_range()
     }
 
-    /// Returns the score of an observer. It is higher if the camera is large enough, if its view
-    /// direction is seen from the side, if its picture and the walls are seen from the front, and if
-    /// nothing hides it.
+    /// Returns the score of an observer. It is higher if the camera is large enough in the picture, if its
+    /// view direction is seen from the side, if the picture on its viewport and the planes are seen from
+    /// the front, and if no ball hides the camera.
     fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -332,7 +339,7 @@ impl Subject {
         let size = self.near_size / (aspect.min(1.0) * extent_of_fov(FOV, depth));
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
-        // The picture on the viewport is hard to read if it is foreshortened to less than half its
+        // The camera's picture on its viewport is hard to read if it is foreshortened to less than half its
         // width.
         let from_front = along.clamp(-0.5, 0.62);
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
@@ -343,7 +350,7 @@ impl Subject {
     }
 }
 
-/// Returns the point at which the camera looks; `None` if the camera is not given by such a point.
+/// Returns the point at; `None` if the camera is given by a view direction or a basis instead.
 fn given_at(camera: &Camera) -> Option<DVec3> {
     match camera.orientation {
         Orientation::At { at, .. } => Some(at),
@@ -351,19 +358,19 @@ fn given_at(camera: &Camera) -> Option<DVec3> {
     }
 }
 
-/// Returns the largest extent of the frustum from the eye to the viewport.
+/// Returns the largest of the viewport's width, height and distance.
 fn near_size(resolved: &ResolvedCamera) -> f64 {
     let viewport = resolved.viewport();
     viewport.width.max(viewport.height).max(viewport.distance)
 }
 
-/// Returns the points at parameter `t` on the four edges of the frustum.
+/// Returns the points at parameter `t` on the four edges of the frustum, where t = 1 is on the viewport.
 fn frustum_corners(resolved: &ResolvedCamera, t: f64) -> [Bound; 4] {
     rays_around(resolved, 1.0).map(|ray| Bound { center: ray.at(t), radius: 0.0 })
 }
 
-/// Returns the points, nearer than `farthest`, at which the rays halfway to the viewport's corners meet
-/// planes.
+/// Returns the first hits with planes, nearer than `farthest`, of the four rays through the points halfway
+/// from the viewport's middle to its corners.
 fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
         let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
@@ -389,8 +396,7 @@ fn balls_of(scene: &Scene) -> impl Iterator<Item = Bound> {
     scene.spheres().iter().take(ASKED_SPHERES).map(ball)
 }
 
-/// Returns the spheres by ascending size, up to the first one that is out of scale with the smaller
-/// ones.
+/// Returns the spheres by ascending radius, up to the first one that is out of scale with the smaller ones.
 fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
     let is_tame = |ball: &Bound| ball.center.abs().max_element() < 1e12;
     let mut balls: Vec<Bound> = balls_of(scene).filter(is_tame).collect();
@@ -404,7 +410,7 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
         fits
     });
     balls.truncate(in_scale.count());
-    // A sphere that contains the eye cannot be wholly in sight from near the camera.
+    // A sphere that contains the eye cannot be wholly in sight of an observer near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
     // A distant speck must not move the observer so far away that everything else becomes a speck.
     let can_be_seen = |ball: &Bound| ball.radius >= SPECK * (ball.center - eye).length();
@@ -420,7 +426,7 @@ fn lies_between(ball: &Bound, a: DVec3, b: DVec3) -> bool {
     ball.radius > 0.0 && (a + share * along).distance(ball.center) < ball.radius
 }
 
-/// Minimum and maximum length of the basis arrows on the screen, in points. Between the two, the
+/// Minimum and maximum length of the basis arrows on the screen, in points. Between these limits, the
 /// arrows are one world unit long.
 const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
@@ -431,21 +437,21 @@ const ARROW_SHARE: f64 = 0.28;
 /// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;
 
-/// Length of the view arrow, as a multiple of the basis arrows' length. Arrows with the same direction
-/// differ in length so that they do not hide each other.
+/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the up arrow's, so
+/// that arrows with the same direction do not hide each other.
 pub const VIEW_LENGTH: f64 = 1.6;
 
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
-/// Space beyond an arrow's tip for its handle and its label. The first value is in points; the second
-/// one is the maximum, as a fraction of the view's height.
+/// Space that is kept free beyond an arrow's tip for its handle and its label: the radius in points, and
+/// its maximum as a fraction of the view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-/// The arrows that are drawn. An arrow at the eye is stored as a unit vector and a length, as a
-/// multiple of the basis arrows' length. The axes at the origin are included if they are near the
-/// camera.
+/// The arrows that are drawn. Each arrow at the eye is stored as a unit vector and its length, a multiple
+/// of the basis arrows' length. The world's axes, which start at the origin, are included if the camera is
+/// near them.
 pub(super) struct Arrows {
     at_eye: Vec<(DVec3, f64)>,
     has_axes: bool,
@@ -476,8 +482,8 @@ impl Arrows {
         Arrows { at_eye, has_axes }
     }
 
-    /// Returns the tips, with space for their labels. `depth` is the depth of the eye from the
-    /// observer.
+    /// Returns a ball around each arrow's tip that leaves space for its label. `depth` is the depth of the
+    /// eye in front of the observer.
     pub(super) fn tips(
         &self,
         eye: DVec3,

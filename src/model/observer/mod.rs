@@ -1,5 +1,5 @@
-//! The observer of the world view, and the scene that is traced for its picture. The observer is a
-//! camera that moves around its target, independently of the edited camera.
+//! The observer of the world view, and the scene that is traced for its picture. The observer is a second
+//! camera, independent of the edited one, which moves around a target.
 
 use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
@@ -76,7 +76,7 @@ impl Observer {
         DVec3::new(run * sin, rise, run * cos)
     }
 
-    /// Returns the unit vectors to the right and upwards in the observer's picture.
+    /// Returns the unit vectors that point to the right and upwards in the observer's picture.
     fn right_and_up(&self) -> (DVec3, DVec3) {
         let (sin, cos) = self.azimuth.sin_cos();
         let right = DVec3::new(cos, 0.0, -sin);
@@ -99,14 +99,14 @@ impl Observer {
         }
     }
 
-    /// Turns around the target by two angles in radians: to the right and upwards.
+    /// Turns the observer around the target by two angles in radians: to the right and upwards.
     pub fn orbit(&mut self, right: f64, up: f64) {
         self.azimuth += right;
         self.elevation += up;
         *self = self.in_range();
     }
 
-    /// Moves sideways, like a hand that drags the picture. The picture's content moves to the right and
+    /// Moves the observer sideways, as if a hand dragged the picture: its content moves to the right and
     /// down by these fractions of the picture's height.
     pub fn pan(&mut self, right: f64, down: f64) {
         let per_height = extent_of_fov(FOV, self.distance);
@@ -115,7 +115,7 @@ impl Observer {
         *self = self.in_range();
     }
 
-    /// Moves towards the target if the factor is above 1, and away from it otherwise.
+    /// Moves the observer towards the target if the factor is above 1, and away from it otherwise.
     pub fn zoom(&mut self, factor: f64) {
         if factor > 0.0 {
             self.distance /= factor;
@@ -132,19 +132,19 @@ pub fn enclosing(scene: &Scene, camera_eye: DVec3, observer_eye: DVec3) -> Vec<u
     around
 }
 
-/// Returns the scene that is traced for the world view: the spheres without the planes. The indices of
-/// the spheres are unchanged.
+/// Returns the scene that is traced for the world view: the spheres without the planes. The indices of the
+/// spheres are unchanged.
 ///
 /// A plane is infinite. If it were traced, it would fill the picture up to its horizon and, seen from
-/// behind, hide the camera. The overlay draws the part of it near the target instead. A sphere [around
-/// the camera](enclosing) would hide the camera, too. It is replaced by a [`hidden`] sphere, so that
-/// the other spheres keep their indices, and the overlay draws its outline.
+/// behind, hide the camera. The overlay draws a part of the plane near the target instead. A sphere [around
+/// the camera](enclosing) would hide the camera, too. It is replaced by a [`hidden`] sphere, so that the
+/// other spheres keep their indices, and the overlay draws its outline.
 pub fn traced_scene(scene: &Scene, enclosing: &[u32]) -> Scene {
     let mut seen = scene.without_planes();
     for &index in enclosing {
         if let Some(sphere) = scene.spheres().get(index as usize) {
-            // A valid sphere stays valid when it is hidden. If one is not replaced, the picture is
-            // still correct.
+            // Replacing a valid sphere by its hidden form cannot fail. If it did, the picture would still
+            // be correct.
             let _ = seen.replace(index, Object::Sphere(hidden(sphere)));
         }
     }

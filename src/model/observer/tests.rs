@@ -1,4 +1,4 @@
-//! Tests of observers: the points in their sight and their movements.
+//! Tests of observers: which points they see, and how they move.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -140,7 +140,7 @@ fn panning_moves_what_is_at_the_target_with_the_hand() {
     let point = observer.target();
     assert!(seen_at(&observer, point).length() < 1e-12);
     observer.pan(0.25, 0.1);
-    // A quarter of the height to the right, a tenth of it down, in a picture 2 x 2 of these units.
+    // The point moves by a quarter of the height to the right and a tenth down. The picture is 2 x 2 units.
     let expected = DVec2::new(0.25 * 2.0 * 300.0 / 400.0, -0.1 * 2.0);
     assert!(seen_at(&observer, point).distance(expected) < 1e-12);
 }

@@ -1,5 +1,6 @@
-//! Animations. The state at a phase depends only on the start and the phase, never on the previous
-//! frame. The window and exported frames therefore show the same.
+//! Animations. The phase of an animation runs from 0, its start, to 1, its end. The state at a phase
+//! depends only on the start and the phase, never on the previous frame, so the window and exported frames
+//! show the same.
 
 mod player;
 
@@ -13,15 +14,15 @@ pub use player::Player;
 use crate::model::{Inspection, Session};
 use pinhole_exchange::document::Document;
 
-/// The kind of an animation, with its label, its name, and the name of its step in the history.
+/// The kind of an animation: a motion of the camera, of a point on the ray, or of the selected pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Up turns once about the view direction.
     SwingUp,
     /// The eye moves once around at.
     Orbit,
-    /// The view turns upwards until it meets up, and then beyond it, so that the picture flips. If the
-    /// camera is given by at, the eye moves around at; if it is given by view, the eye stays.
+    /// The view direction turns upwards until it is parallel to up, and then beyond it, so that the picture
+    /// flips. A camera given by at moves its eye around at; one given by view keeps its eye.
     OverTheTop,
     /// A point moves along the selected ray, from the eye to the object that the ray hits.
     Walk,
@@ -32,7 +33,7 @@ pub enum Kind {
 /// The t at which [`Kind::Walk`] ends if the ray hits nothing.
 const WALK_TO: f64 = 10.0;
 
-/// Number of single steps in a full turn, 15 degrees each, or in a walk along the ray.
+/// Number of single steps in an animation with a full turn (15 degrees each) or with a walk along the ray.
 const STEPS: u64 = 24;
 
 impl Kind {
@@ -57,12 +58,12 @@ impl Kind {
         self.texts()[0]
     }
 
-    /// Returns the kind's name on the command line and in lesson files, a single word.
+    /// Returns the kind's name on the command line and in lesson files. It contains no spaces.
     pub fn name(self) -> &'static str {
         self.texts()[1]
     }
 
-    /// Returns the name of the step that the history records for the animation's effect.
+    /// Returns the name of the step that the undo history records for the animation's effect.
     pub fn step_name(self) -> &'static str {
         self.texts()[2]
     }
@@ -87,13 +88,14 @@ impl Kind {
         if self == Kind::Scan { start.pixels() } else { STEPS }
     }
 
-    /// Returns the phase of frame `k` of `n`. If the animation moves the camera, its last frame is one
-    /// step before its end, which equals its start; otherwise the last frame shows the end.
+    /// Returns the phase, from 0 to 1, of frame `k` of `n`. If the animation moves the camera, its end
+    /// equals its start, and the last frame is one interval before the end; otherwise the last frame shows
+    /// the end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
         let intervals = if self.moves_camera() { n } else { n.saturating_sub(1) };
         let phase = |k: f64| k / f64::from(intervals.max(1));
         let phases = [phase(k.into()), phase(f64::from(k) + 0.5)];
-        // At the phase at which the view meets up, there is no picture, so use the phase half a frame
+        // When the view direction is parallel to up, there is no picture, so use the phase half a frame
         // later.
         let meets = self == Kind::OverTheTop && [0.25, 0.75].contains(&phases[0]);
         phases[usize::from(meets)]
@@ -111,8 +113,8 @@ pub struct Start {
     pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
-    /// The distance from the eye to the point around which [`Kind::Orbit`] moves; `None` if that is the
-    /// point of [`Camera::pivot`].
+    /// The distance from the eye to the point around which [`Kind::Orbit`] moves the camera; `None` for the
+    /// usual point, [`Camera::pivot`].
     pub orbit: Option<f64>,
 }
 
@@ -130,7 +132,8 @@ pub struct Still {
 }
 
 impl Still {
-    /// Sets everything that an animation of this kind changes, and nothing else.
+    /// Copies everything that an animation of this kind changes into the document and the session, and
+    /// nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
         match kind {
             Kind::SwingUp | Kind::Orbit | Kind::OverTheTop => {
@@ -146,7 +149,8 @@ impl Still {
 }
 
 impl Start {
-    /// Creates the start from the current state and the selected ray's inspection.
+    /// Creates the start from the current state. The inspection holds the selected ray's first hit, where a
+    /// walk along the ray ends.
     pub fn new(
         document: &Document,
         session: &Session,
@@ -181,7 +185,7 @@ impl Start {
         Still { camera, selection, ray_point_t, scanned_pixels: None }
     }
 
-    /// Returns the state at a phase between 0, the start, and 1, the end.
+    /// Returns the state at a phase from 0, the start, to 1, the end.
     ///
     /// # Errors
     /// Returns an error if the camera cannot be moved in this way, for example because it has no basis.
@@ -205,8 +209,8 @@ impl Start {
         })
     }
 
-    /// Returns the camera after it has orbited by an angle, in radians. The vectors by which it is
-    /// given keep their lengths.
+    /// Returns the camera after it has orbited by an angle, in radians, around the point that it looks at.
+    /// Vectors by which the camera is given keep their lengths.
     fn orbited(&self, yaw: f64) -> Result<Camera, SteerError> {
         let camera = self.camera;
         match (camera.orientation, self.orbit) {
@@ -227,15 +231,16 @@ impl Start {
     }
 }
 
-/// Returns the camera at a fraction of the turn over the top. The backward direction is
+/// Returns the camera at a fraction `turn`, from 0 to 1, of its turn over the top. With e, a unit vector
+/// perpendicular to up, and an angle b, the backward direction is
 ///
 /// ```text
-/// -view = |view| (cos(b) up/|up| + sin(b) e),   e perpendicular to up,
+/// -view = |view| (cos(b) up/|up| + sin(b) e).
 /// ```
 ///
-/// where b falls from its initial value to 0 at a quarter of the turn, where the view meets up, then to
-/// -pi at three quarters, and on to the initial value minus 2 pi. At these two points and at the end,
-/// nothing is rounded.
+/// b falls from its initial value to 0 at a quarter of the turn, where the view is parallel to up, to -pi
+/// at three quarters, and on to the initial value minus 2 pi. The results at these two points and at the
+/// end are not rounded.
 fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let (view, up) = (camera.view(), camera.up());
     if let Orientation::Basis(_) = camera.orientation {
@@ -250,7 +255,8 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     let first = (-view).dot(across).atan2((-view).dot(top));
     let back = match turn {
         0.25 | 0.75 => {
-            // The factor has few digits, so that its product with a short up vector is not rounded.
+            // The factor is rounded to few digits, so that its product with an up vector of few digits is
+            // exact.
             let factor = length / up.length();
             let digit = 2_f64.powf(factor.log2().floor() - 8.0);
             let factor = digit * (factor / digit).round();
@@ -276,9 +282,9 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
     is_finite.then_some(moved).ok_or(SteerError::OutOfRange)
 }
 
-/// Returns the distance, measured along view, of the object that a camera looks at. This is the first
-/// hit in the middle of its picture or, if there is none, the middle of the spheres ahead. Returns
-/// `None` if nothing is ahead, and for a camera given by `at`, which already is such a point.
+/// Returns how far ahead of the camera, along view, the object is that it looks at: the first hit in the
+/// middle of its picture or, without a hit, the mean depth of the spheres ahead. Returns `None` if nothing
+/// is ahead, and for a camera given by at, which already is the point that it looks at.
 fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     const ASKED_SPHERES: usize = 4096;
     if camera.orientation.has_at() {
@@ -297,7 +303,7 @@ fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
     (distance.is_finite() && distance > 0.0).then_some(distance)
 }
 
-/// Returns the t at which a walk along a ray ends: that of its first hit, or `WALK_TO` without a hit.
+/// Returns the t at which a walk along a ray ends: that of its first hit, or `WALK_TO` if it hits nothing.
 pub(crate) fn ray_point_end(inspection: Option<&Inspection>) -> f64 {
     inspection.and_then(Inspection::first_hit).map_or(WALK_TO, |hit| hit.t)
 }

@@ -6,8 +6,8 @@ use pinhole_core::steering::SteerError;
 use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
 
-/// Maximum time in seconds by which one frame advances the animation. After the window has been hidden,
-/// the animation therefore continues from where it was.
+/// Maximum time in seconds by which one frame advances the animation. An animation thus goes on where it
+/// was after the window has been hidden.
 const LONGEST: f64 = 0.5;
 
 /// Number of steps per second with reduced motion.
@@ -25,8 +25,7 @@ pub struct Player {
     pub start: Start,
     /// The phase, from 0, the start, to 1, the end.
     pub phase: f64,
-    /// True once the animation has been started or moved. An animation that was only opened changes
-    /// nothing.
+    /// True once the user has started the animation or moved it by hand. Until then, it changes nothing.
     pub begun: bool,
     /// True while the animation is running.
     pub running: bool,
@@ -34,14 +33,15 @@ pub struct Player {
     pub speed: f64,
     /// True if the animation begins again after its end.
     pub loops: bool,
-    /// True for reduced motion: only whole steps are shown, two per second.
+    /// True if the user wants reduced motion: only whole steps are shown, two per second.
     pub reduced: bool,
     /// The reason why the animation cannot move the camera, if it cannot.
     pub fault: Option<SteerError>,
-    /// The camera that the player showed last. If the document has another one, the user has edited it.
+    /// The camera that the player set last. If the document has another camera, the user has edited it
+    /// since.
     pub(crate) shown: Camera,
-    /// The observers before and after moving back to see the whole animation; `None` if it did not
-    /// move.
+    /// The observer of the world view before and after it was moved back to see the whole animation; `None`
+    /// if it was not moved.
     pub(crate) stepped_back: Option<[Observer; 2]>,
     /// Time of the last advance, on the window's clock in seconds.
     time: Option<f64>,

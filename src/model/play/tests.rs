@@ -56,7 +56,7 @@ fn the_view_goes_over_the_top_and_meets_up_without_rounding() {
             assert!(flip < -0.999_999, "{flip}: u turns round");
         }
         for phase in (0..=100).map(|k| f64::from(k) / 100.0) {
-            // When the view meets up, it is up times a number of few digits.
+            // When view is parallel to up, it is up times a factor of few digits.
             let off = if [0.25, 0.75].contains(&phase) { 2e-3 } else { 1e-12 };
             let length = at(phase).view().length();
             assert!((length / view.length() - 1.0).abs() < off, "{phase}: {length}");
@@ -166,7 +166,7 @@ fn a_camera_given_by_view_orbits_what_it_looks_at() {
     let ball = |x, z| Sphere { center: DVec3::new(x, 0.0, z), radius: 1.0 };
     let view = Orientation::View { view: 0.5 * DVec3::NEG_Z, up: DVec3::Y };
     let basis = Orientation::Basis(Camera::CANONICAL.resolve().unwrap().basis().to_owned());
-    // The first hit in the middle, or the middle of the spheres ahead if there is no hit.
+    // The first scene has a hit in the middle of the picture; the second one has none, only a sphere ahead.
     let scenes = [(vec![ball(0.0, -5.0), ball(3.0, -9.0)], 4.0), (vec![ball(3.0, -6.0)], 6.0)];
     for (spheres, away) in scenes {
         let scene = Scene::new(spheres, vec![]).unwrap();

@@ -1,5 +1,5 @@
-//! Answers as marks in the world view: those typed in the open exercise, and the right ones once they
-//! have been revealed.
+//! Answers to an exercise as marks in the world view: those that the student typed, and the right ones once
+//! they have been revealed.
 
 use pinhole_core::{DVec2, DVec3, Ray};
 use pinhole_lecture::exercises::{Answer, Asked, Given};
@@ -20,11 +20,11 @@ pub struct AnswerMark {
 /// The shape of a mark in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MarkShape {
-    /// A vector of the basis as an arrow from the eye; 0, 1 and 2 are u, v and w.
+    /// A vector of the basis, drawn as an arrow from the eye. The index 0, 1 or 2 stands for u, v or w.
     BasisVector(usize, DVec3),
-    /// A direction, drawn as an arrow of the direction's own length from the ray's origin.
+    /// A ray's direction, drawn from the ray's origin as an arrow of the direction's own length.
     Direction(Ray),
-    /// A ray, drawn up to this t or, without a t, up to the object that it hits.
+    /// A ray, drawn up to this t or, if it is `None`, up to the object that the ray hits.
     Ray(Ray, Option<f64>),
     /// The point of a ray at this t.
     OnRay(Ray, f64),
@@ -61,14 +61,15 @@ pub fn spoken(marks: &[AnswerMark]) -> String {
 /// The vectors of a basis, in the order in which [`MarkShape::BasisVector`] numbers them.
 const BASIS: [Asked; 3] = [Asked::U, Asked::V, Asked::W];
 
-/// The answers to one part of the question. All of them are `None` if the question has no such part.
+/// The typed and the right answer to one part of the question. All fields are `None` if the question has no
+/// such part.
 #[derive(Default)]
 struct Answered {
     /// The numbers that were typed.
     typed: Option<Vec<f64>>,
     /// The right numbers, once they have been revealed.
     right: Option<Vec<f64>>,
-    /// The numbers that were typed, unless they are known to be right.
+    /// The numbers that were typed, unless the check found them to be right.
     yours: Option<Vec<f64>>,
 }
 
@@ -141,8 +142,8 @@ impl Exercises {
         marks
     }
 
-    /// Returns the ray that the question gives or, if it gives none, its camera's ray through its (u,
-    /// v). Returns `None` if it has neither.
+    /// Returns the ray that the question gives or, if it gives none, the ray of its camera through the
+    /// given (u, v). Returns `None` if it gives neither.
     fn given_ray(&self) -> Option<Ray> {
         match self.question().given {
             Given::Sphere { ray, .. } => Some(ray),
@@ -150,7 +151,7 @@ impl Exercises {
         }
     }
 
-    /// Adds marks for the rays, and for the points on them at the answered t.
+    /// Adds marks for the rays in the answers, and for the points on them at the answered t.
     fn mark_rays(&self, marks: &mut Vec<AnswerMark>) {
         let Some(given) = self.given_ray() else { return };
         let t = self.answered(Asked::T);
@@ -175,7 +176,7 @@ impl Exercises {
         }
     }
 
-    /// Adds marks for the points that the rays hit, and for the normals there.
+    /// Adds marks for the hit points in the answers, and for the normals there.
     fn mark_hits(&self, marks: &mut Vec<AnswerMark>) {
         let (point, normal) = (self.answered(Asked::Point), self.answered(Asked::Normal));
         let right = vector(&point.right);
@@ -185,13 +186,13 @@ impl Exercises {
         if let (Some(at), Some(n)) = (right, vector(&normal.right)) {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));
         }
-        // The typed point reveals nothing, so the normal is drawn there if it exists.
+        // The typed normal is drawn at the typed point, if there is one, rather than at the right one.
         if let (Some(at), Some(n)) = (vector(&point.typed).or(right), vector(&normal.yours)) {
             marks.push(your(MarkShape::Normal(at, n), "n"));
         }
     }
 
-    /// Returns the typed points of a two-dimensional question, with their labels.
+    /// Returns the points that were typed in a two-dimensional question, with their labels.
     pub(crate) fn points_in_plane(&self) -> Vec<(String, DVec2)> {
         let Given::Lines { origin, direction, .. } = self.question().given else {
             return Vec::new();

@@ -19,7 +19,7 @@ pub struct Exercises {
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
-    /// The other questions for which answers were typed. Their own `kept` lists are empty.
+    /// The other questions for which the user has typed answers. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
 
@@ -45,7 +45,7 @@ pub(crate) enum Feedback {
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
-    /// The mistake results from a mistake in another part, whose feedback describes it.
+    /// The mistake results from a mistake in another part of the question, whose feedback describes it.
     Follows(Asked),
 }
 
@@ -74,7 +74,7 @@ impl Default for Exercises {
 }
 
 impl Exercises {
-    /// Opens the lecture's own question, or a similar one made from a seed, without answers.
+    /// Opens an exercise without answers: the lecture's own question, or a similar one made from a seed.
     pub fn open(exercise: Exercise, seed: Option<u64>) -> Exercises {
         let question = Question::new(exercise, seed);
         let typed =
@@ -83,8 +83,8 @@ impl Exercises {
         Exercises { question, seed, answers, is_solved: false, kept: Vec::new() }
     }
 
-    /// Opens this question, with the answers that were typed in it before. The answers to the previous
-    /// question are kept.
+    /// Opens this question, with the answers that were typed in it before. The answers to the question that
+    /// was open so far are kept.
     pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
         if (self.question.exercise, self.seed) == (exercise, seed) {
             return;

@@ -22,19 +22,21 @@ pub(crate) fn next_seed(seed: u64) -> u64 {
 pub struct MistakesView {
     /// The chosen mistake.
     pub chosen: Mistake,
-    /// The open vote, which is shown in place of the chosen mistake.
+    /// The open vote (the class names the mistake in a picture), which is shown in place of the chosen
+    /// mistake.
     pub open_vote: Option<OpenVote>,
-    /// The seed of the open vote, or of the next one.
+    /// The seed from which the open vote was made, or the next one will be made.
     pub seed: u64,
-    /// True if a vote was requested, but the picture does not show two mistakes that can be told apart.
+    /// True if a vote was requested, but in this scene no two mistakes give pictures that can be told
+    /// apart.
     pub nothing_shows: bool,
-    /// True if a vote will open as soon as there is a picture.
+    /// True if a vote was requested and opens as soon as there is a picture.
     pub wants_vote: bool,
-    /// True if the user wants to see the map of differing pixels in place of the wrong picture.
+    /// True if the user wants to see a map of the pixels that differ in place of the wrong picture.
     pub wants_differences: bool,
 }
 
-/// An open vote: a wrong picture whose mistake the class names by voting.
+/// An open vote: a picture made with a mistake, which the class names by voting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenVote {
     /// The options, and which one is right.
@@ -69,7 +71,7 @@ impl MistakesView {
         self.open_vote.as_ref().is_none_or(|open| open.is_revealed)
     }
 
-    /// Returns true if the map of differences is shown in place of the wrong picture.
+    /// Returns true if a map of the differing pixels is shown in place of the wrong picture.
     pub fn shows_differences(&self) -> bool {
         self.wants_differences && self.is_revealed()
     }
@@ -90,8 +92,8 @@ impl MistakesView {
         }
     }
 
-    /// Closes the vote and returns to the gallery. If the vote's mistake was revealed, it becomes the
-    /// chosen one.
+    /// Closes the vote and returns to the list of mistakes. If the vote's mistake was revealed, that
+    /// mistake becomes the chosen one.
     pub fn close_vote(&mut self) {
         if self.is_revealed() {
             self.chosen = self.shown();
@@ -129,7 +131,7 @@ impl StudentAnswers {
         name.to_string_lossy().into_owned()
     }
 
-    /// Returns true if the answers number rows and columns; those for a basis or a picture do not.
+    /// Returns true if the answers contain row and column numbers; those for a basis or a picture do not.
     pub fn are_numbered(&self) -> bool {
         !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
     }

@@ -99,8 +99,8 @@ pub enum ViewLayout {
 }
 
 impl ViewLayout {
-    /// The layouts that the user can choose at any time. The derivation alone is for presenting, and
-    /// the layout for graded answers is available only when there are answers.
+    /// The layouts that the user can choose at any time. Not among them are the derivation alone, which is
+    /// for presenting, and the layout for graded answers, which needs a file of answers.
     pub const LISTED: [ViewLayout; 11] = {
         use ViewLayout::*;
         [
@@ -207,17 +207,19 @@ pub fn shade_about(shade: Shade) -> &'static str {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Split {
-    /// The world view's fraction of the width when it is to the left of the camera view.
+    /// Boundary between the world view and the camera view when they are side by side: the world view's
+    /// fraction of the width.
     Views,
-    /// The world view's fraction of the height when it is above the camera view.
+    /// Boundary between the world view and the camera view when they are stacked: the world view's fraction
+    /// of the height.
     Stack,
-    /// The world view's fraction of the width when the ghost's picture is shown.
+    /// The world view's fraction of the width when the picture of the ghost (the frozen camera) is shown.
     CompareViews,
     /// The world view's fraction of the width in the practice workspace.
     PracticeViews,
-    /// The fraction of the width for the views, to the left of the derivation or the translator.
+    /// The views' fraction of the width when the derivation or the translator is to their right.
     Derivation,
-    /// The readouts' height in points. All following values are heights in points, too.
+    /// The readouts' height in points. All variants from here on are heights in points.
     Readouts,
     /// The plot and the table of the accuracy view.
     Accuracy,
@@ -295,7 +297,7 @@ impl From<Splits> for BTreeMap<Split, f32> {
     }
 }
 
-/// The greys of objects. Adjacent greys in the list differ clearly.
+/// The greys in which the objects are drawn in turn. Successive greys differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
 /// A colour scheme that distinguishes objects and vectors, with its label and its description.
@@ -340,8 +342,8 @@ impl Scheme {
         self.texts()[1]
     }
 
-    /// Returns the colour of the object with this index, whose own colour is `own`. A grey object keeps
-    /// its colour, because floors and walls need not be distinguished.
+    /// Returns the colour in which the object with this index is drawn; `own` is its colour in the scene. A
+    /// grey object keeps its colour, because floors and walls need not be distinguished.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {
         let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
         match self {

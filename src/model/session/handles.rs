@@ -10,7 +10,7 @@ use crate::model::overlay_items::Item;
 pub enum Handle {
     /// The camera's position.
     Eye,
-    /// The point that the camera looks at or, for a camera given by view, the tip of view.
+    /// The point at which the camera looks or, for a camera given by view, the tip of the view vector.
     At,
     /// The tip of up.
     Up,
@@ -67,8 +67,8 @@ impl Handle {
         }
     }
 
-    /// Returns the overlay item that must be shown, in addition to the handles, for this handle to be
-    /// available.
+    /// Returns the overlay item to which the handle belongs. The handle is available only if that item and
+    /// the item *handles* are shown.
     pub fn item(self) -> Item {
         match self {
             Handle::Eye => Item::Eye,
@@ -111,23 +111,23 @@ pub enum Grabbed {
     Orbit,
 }
 
-/// A drag, with the state at its beginning. The effect is always computed from that state, so a drag
-/// back to the start changes nothing.
+/// A drag in progress, with the state at its beginning. Its effect is always computed from that state, so
+/// dragging back to the start changes nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
     /// The dragged handle or view.
     pub grabbed: Grabbed,
     /// The values before the drag.
     pub before: HandleValues,
-    /// Position of the pointer when the drag began, in the viewport of the observer or, for the camera
-    /// view, of the camera.
+    /// Position of the pointer when the drag began, as a point (u, v) of the observer's viewport or, for a
+    /// drag in the camera view, of the camera's viewport.
     pub begun_at: DVec2,
     /// Position of the handle in the world when the drag began.
     pub at: DVec3,
-    /// Length in the world at which an up vector of length 1 was drawn. With it, the tip of up stays
-    /// under the pointer. It is 1 for other handles.
+    /// Length in the world at which an up vector of length 1 was drawn when the drag began; 1 for other
+    /// handles. It keeps the tip of up under the pointer.
     pub length: f64,
-    /// Unit vector from a sphere's centre to the dragged point of its surface, which follows the
+    /// Unit vector from a sphere's centre to the point of its surface that is dragged and follows the
     /// pointer.
     pub toward: DVec3,
 }
@@ -142,7 +142,7 @@ impl Drag {
     }
 }
 
-/// The parts of document and session that a drag can change, at some moment.
+/// The values of the document and the session that a drag can change, at some moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandleValues {
     /// The edited camera.

@@ -1,4 +1,4 @@
-//! The state of a document's views, which a scene file does not store, and the settings.
+//! The state of a document's views, which a scene file does not store, and the user's settings.
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
@@ -24,7 +24,7 @@ pub mod presenting;
 pub struct Session {
     /// The selected ray.
     pub selection: Selection,
-    /// The ray under the pointer, which is shown instead of the selected one.
+    /// The ray through the position under the pointer, which is shown instead of the selected one.
     pub pointed_ray: Option<Selection>,
     /// The observer of the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
@@ -38,18 +38,19 @@ pub struct Session {
     pub lines: LinesLab,
     /// The concept under the pointer or with the keyboard focus.
     pub hovered: Option<Hovered>,
-    /// The concept that is highlighted while the pointer is over none.
+    /// The concept that is highlighted while the pointer is over no other one.
     pub highlighted: Option<Concept>,
-    /// True while Alt is held. A concept under the pointer in a view then dims everything else.
+    /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
     pub alt_dims: bool,
     /// True while the question of a lesson's step is not answered yet. No number is shown then.
     pub is_asking: bool,
-    /// The concepts with handles that the lesson's step mentions; `None` if no lesson is open.
+    /// The concepts that the lesson's step mentions and whose handles are therefore shown; `None` if no
+    /// lesson is open.
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
-    /// The number of lines of the derivation that are shown, from the first one; `None` if all are. How
-    /// many lines there are depends on the derivation.
+    /// How many lines of the derivation are shown, from the first one; `None` if all are. The total number
+    /// depends on the derivation.
     pub revealed_lines: Option<usize>,
     /// The comparison of a wrong camera with the right one.
     pub mistakes_view: MistakesView,
@@ -59,7 +60,7 @@ pub struct Session {
     pub answers: Option<StudentAnswers>,
     /// The state of presenter mode, while it is on.
     pub presenting: Option<Presenting>,
-    /// True if everything except the surroundings of the pointer is dimmed.
+    /// True if everything except a circle around the pointer is dimmed.
     pub spotlight: bool,
     /// The pen for drawing over the views while presenting; `None` while it is not in use.
     pub pen: Option<Pen>,
@@ -90,7 +91,7 @@ pub struct Settings {
     pub shade: Shade,
     /// The items of the overlay.
     pub items: OverlayItems,
-    /// Number of pixels that the loupe shows across and down. It is odd.
+    /// Number of pixels that the loupe shows across and down; always odd.
     pub loupe_pixels: u32,
     /// Number of significant digits of the readouts.
     pub digits: usize,
@@ -100,12 +101,13 @@ pub struct Settings {
     pub count_from_one: bool,
     /// True if the pixels keep their shape when the viewport or the image changes.
     pub keep_pixel_shape: bool,
-    /// True if distance, width and height change together, so that the picture stays the same.
+    /// True if distance, width and height of the viewport change together, so that the picture stays the
+    /// same.
     pub keep_picture: bool,
-    /// True if up keeps its given value while eye and at are dragged, even if the view direction comes
-    /// near it.
+    /// True if up keeps the value that the user gave while eye and at are dragged, even if the view
+    /// direction comes close to it.
     pub keep_up: bool,
-    /// The quantity that is kept when the eye is moved in the world view.
+    /// The quantity that stays fixed while the eye is dragged in the world view, such as at.
     pub eye_keeps: Keep,
     /// True if the part of the camera panel for teaching is unfolded.
     pub teaching: bool,
@@ -115,10 +117,10 @@ pub struct Settings {
     pub unfolded: Unfolded,
     /// The boundaries between the window's areas.
     pub splits: Splits,
-    /// True if the plot of f(p + t d) compresses values beyond 1.
+    /// True if the plot of f(p + t d) compresses values beyond 1 logarithmically.
     pub plot_compressed: bool,
-    /// The method that draws the camera's picture. This is the exact [`Method::Ladder`], unless the
-    /// user wants to see the errors of another method.
+    /// The method that draws the camera's picture: the exact one, [`Method::Ladder`], unless the user wants
+    /// to see the errors of another method.
     pub method: Method,
     /// The method whose errors the error map shows.
     pub compared: Method,
@@ -129,8 +131,8 @@ pub struct Settings {
     /// True if nothing moves by itself: there are no transitions, and animations advance in whole
     /// steps.
     pub reduced_motion: bool,
-    /// Minimum text size while presenting, in points for a window of 1024 × 768. It grows in proportion
-    /// to the window.
+    /// Minimum text size while presenting, in points of a window of 1024 × 768. In a larger window, the
+    /// size grows in proportion.
     pub smallest_text: f32,
     /// True if the numbers are shown below the views while presenting.
     pub presents_numbers: bool,
@@ -138,7 +140,7 @@ pub struct Settings {
     pub zoom: f32,
 }
 
-/// The parts of the window that are unfolded: each field is true if that part is.
+/// The collapsible parts of the window: each field is true if that part is unfolded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Unfolded {
@@ -150,7 +152,7 @@ pub struct Unfolded {
     pub ray: bool,
     /// The scene's objects.
     pub objects: bool,
-    /// True if all numbers are shown below the views, rather than one line of them.
+    /// True if all numbers are shown below the views; otherwise only a line of them is shown.
     pub numbers: bool,
 }
 
@@ -225,14 +227,14 @@ impl Session {
         self.pointed_ray.unwrap_or(self.selection)
     }
 
-    /// Returns true if a vote about a wrong picture is shown or is about to be shown.
+    /// Returns true if a vote (on the mistake in a picture) is open or is about to open.
     pub fn shows_vote(&self) -> bool {
         let view = &self.mistakes_view;
         self.settings.layout == ViewLayout::Mistakes
             && (view.open_vote.is_some() || view.wants_vote)
     }
 
-    /// Keeps the selected position at the same place of the picture when the camera is edited.
+    /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         self.selection = self.selection.in_another_image(before.image, now.image);
         if self.settings.keep_picture {
@@ -246,11 +248,13 @@ impl Session {
 pub struct Ghost {
     /// The camera as given.
     pub camera: Camera,
-    /// True if a map of the pixels that see different objects is shown instead of the ghost's picture.
+    /// True if a map of the pixels in which the two cameras see different objects is shown instead of the
+    /// ghost's picture.
     pub shows_differences: bool,
 }
 
-/// Resolves the ghost with the image size of the camera `now`, which the comparison requires.
+/// Resolves the ghost (the frozen camera) with the image size of the camera `now`: the comparison, pixel by
+/// pixel, requires equal sizes.
 ///
 /// # Errors
 /// Returns an error if the ghost is an invalid camera.

@@ -6,7 +6,8 @@ use crate::model::session::ViewLayout;
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
-    /// The layout that fills the window because a key was pressed, and the layout that it replaced.
+    /// The layout that fills the window because the presenter chose it by a key, and the layout that it
+    /// replaced.
     pub replaced: Option<(ViewLayout, ViewLayout)>,
     /// True if the spotlight was on when presenter mode began.
     pub spotlight_before: bool,
@@ -19,8 +20,8 @@ impl Presenting {
         *layout = full;
     }
 
-    /// Returns the layout to restore. If a lesson's step has set another layout in the meantime,
-    /// returns that one, which is `now`.
+    /// Returns the layout to restore: the one that was replaced or, if a lesson's step has set another
+    /// layout in the meantime, that one, which is `now`.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
     }
@@ -42,26 +43,24 @@ pub struct Range {
 /// The range of [`crate::model::session::Settings::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
 
-/// Size of the smallest text in the window before zoom, in points. It is that of an index in a
-/// fraction.
+/// Size of the smallest text in the window without zoom, in points: that of a subscript in a fraction.
 pub const WRITTEN: f32 = 12.0;
 
 /// The window size to which [`crate::model::session::Settings::smallest_text`] refers, in points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
 
-/// Returns the window's zoom while presenting. No text is smaller than the setting. In a window larger
-/// than the projector's, everything is enlarged in proportion. `window` is the window's size in points
-/// without zoom.
+/// Returns the window's zoom while presenting, at which no text is smaller than `smallest_text`. In a
+/// window larger than a projector's, everything is enlarged in proportion. `window` is the window's size in
+/// points without zoom.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
     larger * smallest_text / WRITTEN
 }
 
-/// The strokes drawn with the pen since it was taken up.
+/// The strokes drawn over the views since the pen was taken up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pen {
-    /// Polylines through these points, whose coordinates are fractions of the drawing area's width and
-    /// height.
+    /// The strokes as polylines. Coordinates are fractions of the drawing area's width and height.
     pub lines: Vec<Vec<[f32; 2]>>,
 }
 
