@@ -15,9 +15,9 @@
 //! x sqrt(B) U  +  y (U x Z)  +  distance sqrt(A) Z
 //! ```
 //!
-//! a vector of numbers `p + q sqrt(A) + r sqrt(B)` that are exact. The factor `sqrt(A B)` changes no
-//! decision, and `t` is corrected for it. (Basis: Marschner, Shirley, *Fundamentals of Computer
-//! Graphics*, 4th ed., section 4.3.)
+//! a vector whose coordinates have the form `p + q sqrt(A) + r sqrt(B)` with exact p, q, r. Multiplying
+//! by `sqrt(A B)` does not change what the ray hits; it divides `t` by this factor, which is undone in
+//! the result. (Basis: Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.)
 
 use crate::dyadic::{Dyadic, Vector, cross, dot, is_zero, minus, vector};
 use crate::object::Object;
@@ -86,7 +86,8 @@ pub struct Camera {
     pub rows: u32,
 }
 
-/// A camera's view of some objects, prepared for many rays. Threads can share it.
+/// A camera and a list of objects, with the exact values that all rays from the eye share. Several
+/// threads can use it at the same time.
 #[derive(Debug)]
 pub struct View {
     basis: ScaledBasis,
@@ -94,7 +95,8 @@ pub struct View {
     scene: SceneFromEye,
 }
 
-/// A basis whose vectors are all multiplied by the same factor, `multiple`.
+/// A camera's basis, whose three vectors are all multiplied by the factor `multiple`, so that they
+/// contain no quotients.
 #[derive(Debug)]
 struct ScaledBasis {
     field: Field,
@@ -154,8 +156,8 @@ impl ScaledBasis {
 /// Returns the basis u, v, w of a camera at `eye` with at least 440 significant bits:
 /// `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`.
 ///
-/// # Errors Returns an error if and only if there is no basis, because `view`, `up` or `up x view` is
-/// 0.
+/// # Errors
+/// Returns an error if and only if there is no basis, because the view, `up` or `up x view` is 0.
 ///
 /// # Panics
 /// Panics if a number is NaN or infinite.
@@ -168,7 +170,7 @@ pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3],
 }
 
 impl Camera {
-    /// Computes the values that are common to many rays.
+    /// Computes the values that all rays of the camera share, such as its basis.
     ///
     /// # Errors
     /// Returns an error if there is no basis.
@@ -180,8 +182,8 @@ impl Camera {
         Ok(View { basis, camera: *self, scene: SceneFromEye::new(objects, vector(self.eye)) })
     }
 
-    /// Returns the position of the pixel's centre in the viewport, followed by the viewport's distance,
-    /// and the factor by which all of them are multiplied, `2 rows columns`:
+    /// Returns the vector `(x, y, distance)`, multiplied by `2 rows columns` so that it is exact, and
+    /// this factor. (x, y) is the position of the pixel's centre in the viewport:
     ///
     /// ```text
     /// x = width * ((column + 0.5) / columns - 0.5) = width * (2 column + 1 - columns) / (2 columns)

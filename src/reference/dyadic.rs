@@ -14,7 +14,7 @@ pub(crate) struct Dyadic {
     exponent: i64,
 }
 
-/// The direction in which a result is rounded if it does not fit.
+/// The direction in which a result is rounded if it has too many bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Toward {
     /// To the next number below, towards minus infinity.
@@ -42,7 +42,8 @@ impl Dyadic {
 
     /// Converts a finite `f64` exactly.
     ///
-    /// # Panics Panics if `x` is NaN or infinite.
+    /// # Panics
+    /// Panics if `x` is NaN or infinite.
     pub(crate) fn from_f64(x: f64) -> Dyadic {
         assert!(x.is_finite(), "{x} is not a finite number");
         let bits = x.to_bits();
@@ -89,8 +90,8 @@ impl Dyadic {
         Some(self.exponent + self.length() as i64 - 1)
     }
 
-    /// Returns `floor(|self| / 2^unit)`, and the comparison of the remainder with half of `2^unit`,
-    /// which is `None` if the remainder is 0.
+    /// Returns `floor(|self| / 2^unit)`, and whether the remainder of this division is less than, equal
+    /// to or greater than half of `2^unit` (`None` if the remainder is 0).
     pub(crate) fn in_units(&self, unit: i64) -> (UBig, Option<Ordering>) {
         let magnitude = self.magnitude();
         let drop = unit - self.exponent;
@@ -135,7 +136,8 @@ impl Dyadic {
 
     /// Returns `self / divisor` rounded to at most `bits` significant bits, in the direction `toward`.
     ///
-    /// # Panics Panics if `divisor` is 0.
+    /// # Panics
+    /// Panics if `divisor` is 0.
     pub(crate) fn divided(&self, divisor: &Dyadic, bits: usize, toward: Toward) -> Dyadic {
         assert!(!divisor.is_zero(), "division by zero");
         let (n, d) = (self.magnitude(), divisor.magnitude());
@@ -150,7 +152,8 @@ impl Dyadic {
 
     /// Returns the square root, rounded to at most `bits` significant bits in the direction `toward`.
     ///
-    /// # Panics Panics if the number is negative.
+    /// # Panics
+    /// Panics if the number is negative.
     pub(crate) fn sqrt(&self, bits: usize, toward: Toward) -> Dyadic {
         assert!(self.sign() != Ordering::Less, "square root of a negative number");
         let m = self.magnitude();
@@ -164,8 +167,8 @@ impl Dyadic {
     }
 }
 
-/// Returns `magnitude * 2^exponent`. If the magnitude is not exact, because bits were cut off, a final
-/// 1 bit is appended, so that the result is rounded like the exact number.
+/// Returns `magnitude * 2^exponent`. If bits of the magnitude were cut off, a final 1 bit (a sticky
+/// bit) is appended, so that later rounding gives the same result as for the exact number.
 fn with_rest(magnitude: UBig, is_exact: bool, is_negative: bool, exponent: i64) -> Dyadic {
     if is_exact {
         return Dyadic::new(signed(magnitude, is_negative), exponent);

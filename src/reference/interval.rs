@@ -1,4 +1,5 @@
-//! Intervals that contain a number that is not known exactly, such as a square root.
+//! Interval arithmetic: lower and upper bounds of a number that is not known exactly, such as a square
+//! root.
 
 use crate::dyadic::{Dyadic, Toward};
 use std::cmp::Ordering;
@@ -50,8 +51,8 @@ impl Interval {
         }
     }
 
-    /// Returns the square root of a number that is known not to be negative, although the lower bound
-    /// may be.
+    /// Returns an interval around the square root. The true number must be known not to be negative,
+    /// although the interval's lower bound may be.
     pub(crate) fn sqrt(&self, bits: usize) -> Interval {
         Interval {
             low: (&self.low).max(&Dyadic::ZERO).sqrt(bits, Toward::Below),
@@ -59,15 +60,15 @@ impl Interval {
         }
     }
 
-    /// Returns the sign that all numbers in the interval have; `None` if their signs differ.
+    /// Returns the sign of the numbers in the interval if it is the same for all of them; otherwise
+    /// `None`.
     pub(crate) fn sign(&self) -> Option<Ordering> {
         let sign = self.low.sign();
         (sign == self.high.sign() && (sign != Ordering::Equal || self.low == self.high))
             .then_some(sign)
     }
 
-    /// Returns true if any two numbers in the interval differ by a relative difference of at most
-    /// `2^-bits`.
+    /// Returns true if the relative difference of any two numbers in the interval is at most `2^-bits`.
     pub(crate) fn is_narrow(&self, bits: i64) -> bool {
         if self.low == self.high {
             return true;
@@ -79,8 +80,9 @@ impl Interval {
         width.zip(self.low.log2().min(self.high.log2())).is_some_and(|(w, x)| w < x - bits)
     }
 
-    /// Returns the number in the interval with the fewest bits. If the true number is short, such as a
-    /// `t` of 4 or 0.25, the result is exact although square roots were taken.
+    /// Returns the number in the interval that has the fewest significant bits. If the true number has
+    /// few bits, such as a `t` of 4 or 0.25, it is recovered exactly, although square roots were
+    /// computed on the way.
     pub(crate) fn shortest(&self) -> Dyadic {
         if self.low == self.high {
             return self.low.clone();

@@ -1,9 +1,11 @@
-//! The true results for a pinhole camera, and the cases in which they are hard to compute.
+//! A reference implementation that computes the true results for a pinhole camera, and families of
+//! cases in which they are hard to compute.
 //!
 //! The reference uses the formulas of the textbook with arbitrary-precision arithmetic, on the exact
-//! values of the given `f64` numbers. It shares no code with the program that it checks. Its decisions
-//! are proven: signs and orders are found by interval arithmetic with increasing precision and, if that
-//! is inconclusive, by exact algebra. Its numeric results are [`Real`]s of at least 440 bits.
+//! values of the given `f64` numbers. It shares no code with the program that it checks. What it
+//! decides (hit or miss, and which object is first) is proven: signs and comparisons are found by
+//! interval arithmetic with increasing precision and, if that is inconclusive, by exact algebra. Its
+//! numeric results are [`Real`]s of at least 440 bits.
 //!
 //! ```
 //! use pinhole_reference::*;

@@ -78,7 +78,7 @@ impl ObjectFromEye {
     }
 
     /// Returns all `t` at which the line from the origin along `direction` meets the object, in
-    /// ascending order. `a` is `|direction|^2`. Returns none if the direction is 0.
+    /// ascending order, and none if the direction is 0. `a` is `|direction|^2`.
     pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
         match self {
             ObjectFromEye::Sphere { from_center, c, .. } => {
@@ -122,12 +122,12 @@ pub(crate) struct AtRoot<'a> {
     field: &'a Field,
     direction: &'a [Surd; 3],
     t: &'a Quotient,
-    /// An interval around `t` that is precise enough for nearly all computations; `None` if there is
-    /// none.
+    /// An interval around `t`, narrow enough for nearly all computations; `None` if it could not be
+    /// computed.
     interval: Option<Interval>,
 }
 
-/// The level of effort for [`AtRoot::interval`]; see [`bits_of_level`].
+/// The level of precision of [`AtRoot::interval`]; see [`bits_of_level`].
 const LEVEL: usize = 1;
 
 impl<'a> AtRoot<'a> {

@@ -16,7 +16,8 @@ pub(crate) struct Quotient {
     pub(crate) d: Surd,
 }
 
-/// Number of levels of interval arithmetic that are tried to find the sign of a sum with roots.
+/// Number of precisions (see [`bits_of_level`]) with which interval arithmetic tries to find the sign
+/// of a sum that contains square roots, before algebra decides it.
 const SIGN_LEVELS: usize = 2;
 
 impl Quotient {
@@ -55,8 +56,8 @@ impl Quotient {
         sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
     }
 
-    /// Returns an interval around the number at a level of effort (see [`bits_of_level`]). Returns
-    /// `None` if the level is too low to distinguish `d` from 0.
+    /// Returns an interval around the number, computed with the bits of this level (see
+    /// [`bits_of_level`]). Returns `None` if they are too few to distinguish `d` from 0.
     pub(crate) fn interval(&self, field: &Field, level: usize) -> Option<Interval> {
         let d = field.interval(&self.d, level);
         (d.sign() == Some(Ordering::Greater))

@@ -31,7 +31,8 @@ const DOUBLE: FloatFormat = FloatFormat { digits: 53, smallest: -1074, largest_u
 const SINGLE: FloatFormat = FloatFormat { digits: 24, smallest: -149, largest_unit: 104 };
 
 impl FloatFormat {
-    /// Returns `log2` of the spacing of floats at `|x|`, as if there were no largest float.
+    /// Returns `log2` of the spacing of adjacent floats at `|x|`. Numbers beyond the largest float are
+    /// treated as if the exponent had no upper limit.
     fn unit_at(&self, x: &Dyadic) -> i64 {
         x.log2().map_or(self.smallest, |log2| (log2 + 1 - self.digits).max(self.smallest))
     }
@@ -75,7 +76,8 @@ impl Real {
         Real(value)
     }
 
-    /// Returns the number that lies in an interval; `None` if the interval is too wide to determine it.
+    /// Returns the number that the interval encloses; `None` if the interval is too wide to determine
+    /// 440 bits of it.
     pub(crate) fn within(interval: &Interval) -> Option<Real> {
         interval.is_narrow(BITS).then(|| Real(interval.shortest()))
     }
@@ -156,7 +158,8 @@ impl Real {
 impl From<f64> for Real {
     /// Converts a finite `f64` exactly.
     ///
-    /// # Panics Panics if `x` is NaN or infinite.
+    /// # Panics
+    /// Panics if `x` is NaN or infinite.
     fn from(x: f64) -> Real {
         Real(Dyadic::from_f64(x))
     }

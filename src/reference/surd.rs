@@ -1,22 +1,23 @@
-//! Numbers `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)` with exact p, q, r, s, and how their signs are
-//! found.
+//! Exact arithmetic with numbers of the form `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)`, where p, q, r,
+//! s are exact binary numbers, and how their signs are found.
 //!
 //! A camera's basis contains the square roots of two numbers, `A = |up x w|^2` and `B = |view|^2` (see
 //! [`crate::Camera`]). Sums, differences and products of numbers of this form have the same form, and
-//! are exact. The numbers of a ray that is given directly contain no roots: they are just `p`, with A =
-//! B = 1.
+//! are exact. For a ray that is given directly by its origin and direction, no roots occur: all numbers
+//! are just `p`, and A = B = 1.
 //!
 //! # Signs
 //! [`Field::sign`] first evaluates the number in interval arithmetic with increasing precision. An
 //! interval that does not contain 0 proves the sign.
 //!
-//! If this does not decide the sign, as is the case for every exact zero, algebra does. If x and y have
-//! opposite signs, the sign of `x + y sqrt(B)` is that of x if `x^2 > y^2 B`, that of y if
-//! `x^2 < y^2 B`, and 0 if `x^2 = y^2 B`; and `x^2 - y^2 B` contains one root less. This requires no
-//! bound on how close to 0 a number can be. (Root separation gives such bounds: see Yap, *Fundamental
-//! Problems of Algorithmic Algebra*, 2000, ch. 6. For signs by repeated squaring, see Boissonnat and
-//! Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
-//! predicates*, 1999.)
+//! If this does not decide the sign, which it never does for an exact zero, algebra does. Let the
+//! number be `x + y sqrt(B)`, where x and y contain no root but `sqrt(A)`. If x and y have the same
+//! sign, so has the number. If they have opposite signs, the sign of `x + y sqrt(B)` is that of x if
+//! `x^2 > y^2 B`, that of y if `x^2 < y^2 B`, and 0 if `x^2 = y^2 B`; and `x^2 - y^2 B` contains one
+//! root less, so that its sign is found in the same way. This requires no bound on how close to 0 a
+//! number can be. (Root separation gives such bounds: see Yap, *Fundamental Problems of Algorithmic
+//! Algebra*, 2000, ch. 6. For signs by repeated squaring, see Boissonnat and Snoeyink, *Efficient
+//! algorithms for line and curve segment intersection using restricted predicates*, 1999.)
 
 use std::cmp::Ordering;
 use std::sync::OnceLock;
@@ -68,16 +69,18 @@ impl Surd {
     }
 }
 
-/// Returns the number of significant bits that interval arithmetic uses at a level of effort.
+/// Returns the number of significant bits that interval arithmetic uses at a level of precision,
+/// counted from 0. Each level has four times the bits of the one before.
 pub(crate) fn bits_of_level(level: usize) -> usize {
     160 << (2 * level)
 }
 
-/// Number of levels of interval arithmetic that are tried to find a sign before algebra decides it.
+/// Number of levels of precision that interval arithmetic tries to find a sign before algebra decides
+/// it.
 const SIGN_LEVELS: usize = 3;
 
-/// Number of levels of effort, for each of which the roots are cached. The last one needs more bits
-/// than any memory has.
+/// Number of levels of precision. The square roots of A, B and A B are cached for each of them. The
+/// last level uses about 1.7e11 bits, which is more than is ever needed.
 const LEVELS: usize = 16;
 
 /// The numbers A and B of [`Surd`], which are positive.
@@ -124,7 +127,8 @@ impl Field {
         a.plus(&b).plus(&c)
     }
 
-    /// Returns an interval around `x`, computed with the precision of this level of effort.
+    /// Returns an interval around `x`, computed with the number of bits of this level (see
+    /// [`bits_of_level`]).
     pub(crate) fn interval(&self, x: &Surd, level: usize) -> Interval {
         let bits = bits_of_level(level);
         let mut sum = Interval::exactly(&x.0[0], bits);

@@ -53,7 +53,8 @@ fn arithmetic_rounds_as_the_processor_does() {
         for toward in [Toward::Below, Toward::Above] {
             same(exact(a.abs()).sqrt(200, toward), a.abs().sqrt());
             if b != 0.0 {
-                // 2500 bits are enough for no quotient of doubles to be near a tie without being it.
+                // With 2500 bits, no quotient of doubles is close to the midpoint of two doubles
+                // without being equal to it.
                 same(exact(a).divided(&exact(b), 2500, toward), a / b);
             }
         }
@@ -95,7 +96,8 @@ fn floats_at_the_ends_of_the_range() {
     assert_eq!(to_f64(&half), 0.0);
     assert_eq!(to_f64(&(&half + &a_little)), smallest);
     assert_eq!(to_f64(&(&half - &a_little)), 0.0);
-    // Halfway between the first and the second subnormal is the even one, the second.
+    // A number halfway between the first and the second subnormal is rounded to the even one, the
+    // second.
     assert_eq!(to_f64(&(&half * &whole(3))), 2.0 * smallest);
     let beyond = &exact(f64::MAX) + &Dyadic::power_of_two(970);
     assert_eq!(to_f64(&beyond), f64::INFINITY);
@@ -172,7 +174,8 @@ fn the_nearest_of_misses_is_told_from_zero() {
     }
 }
 
-/// Arithmetic on numbers of so many bits, with no bounds: twice what the reference gives out.
+/// Number of significant bits of the plain arithmetic, without error bounds, with which the reference
+/// is compared: more than twice the reference's own 440.
 const BITS: usize = 1000;
 
 fn rounded(v: Vector) -> Vector {
@@ -184,7 +187,8 @@ fn unit(v: &Vector) -> Vector {
     v.clone().map(|x| x.divided(&length, BITS, Toward::Below))
 }
 
-/// The textbook, step by step: basis, direction, quadratic, first positive root.
+/// Computes a pixel's first hit and its t by the textbook's formulas in [`BITS`] bits: basis,
+/// direction, quadratic, smallest positive root.
 fn by_the_textbook(case: &FrameCase, row: u32, column: u32) -> Option<(usize, Dyadic)> {
     let Camera { eye, width, height, distance, columns, rows, .. } = case.camera;
     let eye = vector(eye);
@@ -250,13 +254,13 @@ fn textbook_roots(object: &Object, eye: &Vector, direction: &Vector) -> Vec<Dyad
 
 #[test]
 fn the_textbook_at_twice_the_precision_agrees() {
-    // Where a decision is not on the edge, a thousand bits are enough to make it.
+    // In all families but those with exact contact, a thousand bits are enough to decide what is hit.
     let on_no_edge = |name: &str| {
         name.starts_with("frame-") && !name.ends_with("ties") && !name.ends_with("touching")
     };
     for family in Family::all().filter(|family| on_no_edge(family.name)) {
         for &knob in family.knobs {
-            // Of tangents: those an ulp beside.
+            // Exact tangents are excluded; those off by an ulp are not.
             if family.name == "frame-tangent" && knob == 0.0 {
                 continue;
             }

@@ -21,16 +21,16 @@ pub struct Hit {
     pub point: [Real; 3],
 }
 
-/// Objects, with the values that are common to all rays from one point.
+/// Objects, with the exact values that all rays from one point share.
 #[derive(Debug)]
 pub(crate) struct SceneFromEye {
     origin: Vector,
     objects: Vec<ObjectFromEye>,
 }
 
-/// A direction whose coordinates may contain roots. The computation uses a positive multiple of the
-/// true direction. The multiple is longer by the factor `per_multiple`, and its `t` is smaller by this
-/// factor.
+/// A direction whose coordinates may contain square roots. To avoid division, it is stored as
+/// `multiple`, which is the true direction times the positive factor `per_multiple`. A `t` computed
+/// with `multiple` must be multiplied by this factor.
 pub(crate) struct Direction<'a> {
     pub(crate) field: &'a Field,
     pub(crate) multiple: [Surd; 3],
@@ -45,7 +45,8 @@ impl Direction<'_> {
             .value(self.field)
     }
 
-    /// Returns the true direction. A coordinate is computed as x / m = x m / m^2.
+    /// Returns the true direction. A coordinate x of `multiple` is divided by the factor m as x m /
+    /// m^2, since m may contain roots.
     pub(crate) fn values(&self) -> [Real; 3] {
         let square = self.field.square(&self.per_multiple);
         [0, 1, 2].map(|i| {

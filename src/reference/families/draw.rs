@@ -1,6 +1,7 @@
-//! Random numbers for the families. They are the same on every machine and in every version.
+//! Random numbers for the families of difficult cases. They are the same on every machine and in every
+//! version.
 //!
-//! Only `+ - * /` and `sqrt` are used, whose results IEEE 754 defines to the last bit.
+//! They are computed with `+ - * /` and `sqrt` alone, whose results IEEE 754 defines to the last bit.
 
 use crate::camera::Orientation;
 
@@ -13,8 +14,9 @@ pub struct Draw {
     pub(crate) single: bool,
 }
 
-/// Limits of the whole numbers in a case with exact contact. Numbers within them fit in 24 bits for
-/// `f32` and in 53 bits for `f64`, but their products do not.
+/// Upper limits of the random integers from which a case is built in which objects touch each other, or
+/// a ray touches an object, exactly. Coordinates computed from them fit in the 24 bits of `f32` or the
+/// 53 bits of `f64`, but their products do not.
 pub(crate) struct Sizes {
     pub(crate) quaternion: i64,
     pub(crate) extent: i64,
@@ -50,8 +52,9 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// Returns an orientation along `view`, given by that vector or by a point to look at. `eye` and
-    /// `view` must have whole coordinates, so that `at - eye` is exactly `view`.
+    /// Returns an orientation that looks along `view`. At random, it is given as this vector or as the
+    /// point `at = eye + view`. `eye` and `view` must have integer coordinates, so that `at - eye` is
+    /// exactly `view`.
     pub fn aimed(&mut self, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
         if self.once_in(3) {
             Orientation::View { view, up }
@@ -65,7 +68,8 @@ impl Draw {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Returns a number from `low` to `high`, which excludes `high` except for rounding.
+    /// Returns a random number that is at least `low` and less than `high`; rounding may make it equal
+    /// to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
@@ -85,20 +89,21 @@ impl Draw {
         if self.once_in(2) { 1.0 } else { -1.0 }
     }
 
-    /// Returns a number from `low` to `high`. Each binade has the same probability.
+    /// Returns a random number from `low` to `high`. Each binade (the numbers with the same binary
+    /// exponent) has the same probability.
     pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
         let size = low * self.power_of_two(0, binades);
         (size * self.between(1.0, 2.0)).min(high)
     }
 
-    /// Returns `2^k` for a whole k from `low` to `high`, inclusive.
+    /// Returns `2^k` for a random integer k from `low` to `high`, inclusive.
     pub fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
         let exponent = self.whole(low, high) as i64;
         f64::from_bits(((1023 + exponent) as u64) << 52)
     }
 
-    /// Returns a power of two by which all lengths of a case can be multiplied.
+    /// Returns a random power of two, by which all lengths of a case are multiplied.
     pub(crate) fn binary_scale(&mut self) -> f64 {
         self.power_of_two(-20, 20)
     }
@@ -111,12 +116,13 @@ impl Draw {
         }
     }
 
-    /// Returns a point in the cube whose coordinates range from `-half` to `half`.
+    /// Returns a random point in the cube whose coordinates range from `-half` to `half`.
     pub fn in_box(&mut self, half: f64) -> [f64; 3] {
         [0; 3].map(|_| self.between(-half, half))
     }
 
-    /// Returns a vector of whole numbers with magnitudes up to `largest`, which are not all 0.
+    /// Returns a random vector of integers with magnitudes up to `largest`, at least one of which is
+    /// not 0.
     pub fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
         loop {
             let vector = [0; 3].map(|_| self.whole(-largest, largest));
@@ -137,7 +143,7 @@ impl Draw {
         }
     }
 
-    /// Returns a unit vector that is perpendicular to `v`, up to rounding.
+    /// Returns a random unit vector that is perpendicular to `v`, up to rounding.
     pub fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
         let v = scaled(v, 1.0 / dot(v, v).sqrt());
         loop {
@@ -149,9 +155,10 @@ impl Draw {
         }
     }
 
-    /// Returns three mutually perpendicular vectors of whole numbers that all have the same whole
-    /// length, and this length. They are a rotation by the quaternion `a + bi + cj + dk` of whole
-    /// numbers, times its squared length (Euler and Rodrigues; three-dimensional Pythagorean triples).
+    /// Returns three mutually perpendicular vectors with integer coordinates and the same integer
+    /// length, and this length. They are the columns of the rotation matrix of a random quaternion `a +
+    /// bi + cj + dk` with integer coefficients, times the quaternion's squared length, which clears the
+    /// denominators (the Euler-Rodrigues formula).
     pub(crate) fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
         let [b, c, d] = self.whole_vector(largest);
         let a = self.whole(-largest, largest);
@@ -163,8 +170,8 @@ impl Draw {
         (columns, a * a + b * b + c * c + d * d)
     }
 
-    /// Returns `x` moved away from 0 by `ulps` units in the last place. They are those of `f32` if
-    /// numbers must be exact in `f32`.
+    /// Returns `x` moved away from 0 by `ulps` units in the last place (towards 0 if `ulps` is
+    /// negative). If numbers must be exact in `f32`, these are units of `f32`.
     pub fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
         let steps = ulps as i64;
         // The bits of consecutive floats are consecutive integers.
@@ -177,9 +184,9 @@ impl Draw {
         moved
     }
 
-    /// Returns `10^k` for a whole k, correctly rounded, including subnormals. If numbers must be exact
-    /// in `f32`, a large k is reduced by the ratio of the ranges, so that the result is in the range of
-    /// `f32`.
+    /// Returns `10^k` for an integer k, correctly rounded, including subnormals. If numbers must be
+    /// exact in `f32`, a large k is reduced by the ratio of the ranges, so that the result is in the
+    /// range of `f32`.
     pub fn decade(&self, k: f64) -> f64 {
         let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
         format!("1e{k:.0}").parse().unwrap_or(f64::NAN)

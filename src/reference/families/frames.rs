@@ -1,5 +1,5 @@
-//! Families of whole pictures. In some of them, outlines pass exactly through pixel centres, or objects
-//! coincide.
+//! Families of difficult cases that are whole pictures. In some of them, outlines of spheres pass
+//! exactly through pixel centres, or objects coincide.
 
 use crate::camera::{Camera, Orientation};
 use crate::families::draw::{Draw, cross, dot, plus, scaled};
@@ -98,8 +98,8 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
     plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
-/// Makes a case with spheres that are tiny compared with their distance. Each is about its own size
-/// away from the ray of a pixel.
+/// Makes a case with spheres that are tiny compared with their distance. Each lies near the ray of a
+/// pixel, within about its own size.
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
@@ -142,7 +142,7 @@ fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     case.map(|point| plus(point, 1.0, offset), |radius| radius)
 }
 
-/// Makes a case with an ordinary scene and a camera whose up is nearly parallel to its view.
+/// Makes a case with an ordinary scene and a camera whose up vector is nearly parallel to its view.
 fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
     let angle = draw.decade(k) * draw.between(0.3, 3.0);
@@ -191,7 +191,8 @@ fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     case
 }
 
-/// Makes a case whose camera and scene are so large or small that squares are outside the range of f64.
+/// Makes a case whose camera and scene are so large or small that the squares of lengths overflow or
+/// underflow in `f64`.
 fn range(draw: &mut Draw, k: f64) -> FrameCase {
     let case = everyday(draw, 3.0);
     case.scaled(draw.decade(k))
@@ -200,10 +201,11 @@ fn range(draw: &mut Draw, k: f64) -> FrameCase {
 /// Number of pixels from the middle pixel to the edge of the picture.
 const HALF: i64 = 12;
 
-/// Distance of the viewport if pixels have size 1. Many whole numbers divide it.
+/// Distance of the viewport, in units of a pixel's size. It has many divisors, so that rays through
+/// pixel centres often have integer directions.
 const DISTANCE: f64 = 12.0;
 
-/// Returns the vector whose coordinates in the given frame are `[x, y, z]`.
+/// Returns the vector whose coordinates are `[x, y, z]` with respect to the three vectors of `frame`.
 fn in_frame(frame: &[[f64; 3]; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     plus(plus(scaled(frame[0], x), y, frame[1]), z, frame[2])
 }
@@ -229,8 +231,8 @@ fn centred_camera(
     }
 }
 
-/// Makes a case with spheres whose outlines pass exactly through pixel centres; the radii are then
-/// changed by `ulps`.
+/// Makes a case with spheres whose outlines pass exactly through pixel centres. The radii are then
+/// changed by `ulps` units in the last place.
 pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     let case = if draw.once_in(2) {
         by_rational_basis(draw, ulps)
@@ -240,8 +242,9 @@ pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     case.scaled(draw.power_of_two(-16, 16))
 }
 
-/// Makes a case with spheres that each touch the ray of a pixel. The camera's basis is a frame of whole
-/// vectors divided by their length, so that all rays have rational directions.
+/// Makes a case with spheres that each touch the ray of a pixel. The camera's basis consists of
+/// perpendicular vectors with integer coordinates, divided by their integer length (see
+/// [`Draw::whole_frame`]), so that all rays have rational directions.
 fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -266,8 +269,9 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: centred_camera(draw, eye, orientation, DISTANCE), objects }
 }
 
-/// Returns a camera that is turned by 45 degrees from a frame of whole vectors, so that its basis
-/// contains the square root of 2. The ray of column x in the middle row is [`of_column`].
+/// Returns a camera that is turned by 45 degrees from the three perpendicular integer vectors `world`,
+/// so that its basis contains the square root of 2. [`of_column`] gives the directions of the rays in
+/// its middle row.
 fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera {
     let view = in_frame(world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
     let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
@@ -275,13 +279,14 @@ fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera 
     centred_camera(draw, eye, orientation, DISTANCE)
 }
 
-/// Returns the direction of the ray of column x in the middle row of [`half_turned`], up to a factor,
-/// in the coordinates of the frame.
+/// Returns the direction, up to a factor, of the ray through the pixel x columns to the right of the
+/// centre of the camera [`half_turned`], in coordinates with respect to that camera's integer vectors.
 fn of_column(x: f64) -> [f64; 3] {
     [x - DISTANCE, 0.0, -x - DISTANCE]
 }
 
-/// Makes a case with spheres that touch rays of the middle row from above and below.
+/// Makes a case with spheres that touch rays of the middle row from above and below. The camera's basis
+/// is irrational.
 fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -296,8 +301,8 @@ fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera: half_turned(draw, &world, eye), objects }
 }
 
-/// Makes a case with a sphere inside another one and a plane. All three touch at the point where the
-/// ray of a pixel of [`half_turned`] enters them.
+/// Makes a case with two spheres, one inside the other, and a plane, all of which touch at one point.
+/// The ray of a pixel of the camera [`half_turned`] hits all three there.
 pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
@@ -325,8 +330,8 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     FrameCase { camera, objects }.scaled(draw.power_of_two(-16, 16))
 }
 
-/// Makes a case with coincident spheres and coincident planes. In each pixel, the object listed first
-/// wins.
+/// Makes a case with two concentric spheres and the same plane given twice. The second sphere's radius
+/// is changed by `ulps` units in the last place. Of coincident objects, the one listed first is hit.
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let center = draw.whole_vector(20);
     let radius = draw.whole(4, 12);

@@ -1,4 +1,4 @@
-//! Families of difficult cases, each with a knob that sets the difficulty.
+//! Families of difficult cases, each with a parameter, its knob, that sets how difficult they are.
 
 mod draw;
 mod frames;
@@ -32,7 +32,8 @@ pub struct FrameCase {
     pub objects: Vec<Object>,
 }
 
-/// The function that makes a case from random numbers and the value of the knob.
+/// The function that makes a case from random numbers and the value of the family's knob (the parameter
+/// that sets the difficulty).
 #[derive(Clone, Copy, Debug)]
 pub enum Make {
     /// Makes a single ray, for [`Family::rays`].
@@ -41,10 +42,11 @@ pub enum Make {
     Frames(fn(&mut Draw, f64) -> FrameCase),
 }
 
-/// Cases that are difficult for the same reason, with a knob that sets how difficult.
+/// Cases that are difficult for the same reason, with a parameter, the knob, that sets how difficult
+/// they are.
 ///
 /// A case is determined by the seed, the family's name, the value of the knob, and the case's number.
-/// It is the same on every machine. A longer list of cases begins with the cases of a shorter one.
+/// It is the same on every machine, however many cases are requested.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
     /// The family's name, in kebab-case.
@@ -65,10 +67,11 @@ const TO_ROUNDING: [f64; 8] = [-16.0, -14.0, -12.0, -10.0, -8.0, -6.0, -3.0, -1.
 const SMALL: [f64; 6] = [-12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
 const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
-/// A family: its name, the meaning of its knob, the knob's values, and the function that makes a case.
+/// A family: its name, the meaning of its knob (the parameter that sets the difficulty), the knob's
+/// values, and the function that makes a case.
 type FamilyRow<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
 
-/// A sentence about each family that says what its cases have in common.
+/// For each family's name, a sentence that says what its cases have in common.
 const ABOUT: [(&str, &str); 35] = [
     ("ordinary", "A sphere of everyday size, seen from a few radii away."),
     ("course-floor", "The course's floor: a sphere of radius 5000 whose top is 1 below the eye."),
@@ -144,9 +147,10 @@ impl Family {
         Family::all().find(|family| family.name == name)
     }
 
-    /// Returns cases of a family of rays for one of its [knobs](Family::knobs). Returns none for a
-    /// family of pictures. If `single` is true, all numbers are exact in `f32`, units in the last place
-    /// are those of `f32`, and powers of ten outside the range of `f32` are moved into it.
+    /// Returns the first `count` cases of a family of rays for one value of its [knob](Family::knobs).
+    /// Returns no cases for a family of pictures. If `single` is true, all numbers are exact in `f32`,
+    /// units in the last place are those of `f32`, and powers of ten outside the range of `f32` are
+    /// moved into it.
     pub fn rays(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<RayCase> {
         let Make::Rays(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
@@ -160,8 +164,8 @@ impl Family {
         Draw::cases(seed, self.name, knob, count, single).map(given).collect()
     }
 
-    /// Returns cases of a family of pictures, as [`Family::rays`] does for rays. Returns none for a
-    /// family of rays.
+    /// Returns the first `count` cases of a family of pictures, as [`Family::rays`] does for rays.
+    /// Returns no cases for a family of rays.
     pub fn frames(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
         let Make::Frames(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {

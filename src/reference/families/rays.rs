@@ -1,9 +1,9 @@
-//! Families of single rays that are tested against one sphere, several objects, or one plane, and
-//! families in which the ray meets several objects at the same t.
+//! Families of difficult cases that are single rays: against one sphere, several objects, or one plane;
+//! and with two objects that the ray meets at the same t, or nearly so.
 //!
-//! The latter cases are built from whole numbers: a contact point P, and three perpendicular whole
-//! vectors of the same whole length n (see [`Draw::whole_frame`]). If N is one of these vectors, a
-//! sphere of radius k n around P + k N touches P.
+//! The last kind of case is built from integers: a point of contact P, and three perpendicular integer
+//! vectors of the same integer length n (see [`Draw::whole_frame`]). If N is one of these vectors, and
+//! k an integer, a sphere of radius k n around P + k N passes exactly through P, without rounding.
 
 use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
 use crate::families::{FamilyRow, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS};
@@ -60,7 +60,7 @@ fn one_sphere(center: [f64; 3], radius: f64, origin: [f64; 3], direction: [f64; 
 }
 
 /// Returns the direction of a line from `origin` that passes `center` at the distance `by`, which must
-/// be less than the distance of `origin`.
+/// be less than the distance from `origin` to `center`.
 fn past(draw: &mut Draw, origin: [f64; 3], center: [f64; 3], by: f64) -> [f64; 3] {
     let to = plus(center, -1.0, origin);
     let square = dot(to, to);
@@ -85,8 +85,8 @@ fn any_impact(draw: &mut Draw) -> RayCase {
     everyday(draw, impact)
 }
 
-/// Makes a case with the course's floor, a sphere of radius 5000 around (0, -5001, 0), seen from the
-/// origin.
+/// Makes a case with the floor that ray tracing courses use, a sphere of radius 5000 around (0, -5001,
+/// 0), seen from the origin along a ray with this downward slope.
 fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     let level = draw.across([0.0, 1.0, 0.0]);
     let direction = plus(level, -slope, [0.0, 1.0, 0.0]);
@@ -94,7 +94,7 @@ fn course_floor(draw: &mut Draw, slope: f64) -> RayCase {
     one_sphere([0.0, -5001.0, 0.0], 5000.0, [0.0; 3], scaled(direction, length))
 }
 
-/// Makes a case with spheres and planes of ordinary size, one of which is hit first.
+/// Makes a case with `count` spheres and planes of ordinary size.
 fn several(draw: &mut Draw, count: f64) -> RayCase {
     let planes = draw.whole(0, (count as i64 + 2) / 4);
     let spheres = (count - planes) as usize;
@@ -109,8 +109,8 @@ fn several(draw: &mut Draw, count: f64) -> RayCase {
     RayCase { objects, origin, direction: plus(toward, -1.0, origin) }
 }
 
-/// Makes a case with a sphere that is tiny compared with its distance. The two terms of b^2 - a c
-/// nearly cancel.
+/// Makes a case with a sphere that is tiny compared with its distance, so that the two terms of the
+/// discriminant b^2 - a c nearly cancel.
 fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
@@ -127,8 +127,8 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, scaled(direction, length))
 }
 
-/// Makes a case with the eye a little above a huge sphere. In the formula of c, the squares nearly
-/// cancel.
+/// Makes a case with the eye a little above a huge sphere, so that the squares in c = |origin -
+/// center|^2 - radius^2 nearly cancel.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
@@ -151,7 +151,8 @@ fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     everyday(draw, impact)
 }
 
-/// Makes a case with a line that touches the sphere exactly; the radius is then changed by `ulps`.
+/// Makes a case with a line that touches the sphere exactly. The radius is then changed by `ulps` units
+/// in the last place.
 fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, _], length) = draw.whole_frame(quaternion);
@@ -164,8 +165,8 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
         .scaled(scale, stretch)
 }
 
-/// Makes a case with the origin just outside or inside the surface, so that it is hard to decide
-/// whether the near root is ahead or behind.
+/// Makes a case with the ray's origin just outside or inside the sphere, so that it is hard to decide
+/// whether the near root is ahead of the origin or behind it.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.between(0.5, 4.0);
     let center = draw.in_box(4.0);
@@ -174,8 +175,8 @@ fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
 
-/// Makes a case with the origin exactly on the surface, where t = 0 is not a hit; the radius is then
-/// changed by `ulps`.
+/// Makes a case with the ray's origin exactly on the sphere, where t = 0 is not a hit. The radius is
+/// then changed by `ulps` units in the last place.
 fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
@@ -192,7 +193,8 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     one_sphere(plus(origin, radii, out), radius, origin, direction).scaled(draw.binary_scale(), 1.0)
 }
 
-/// Makes a case with the origin inside the sphere or at its centre, so that the far root is the hit.
+/// Makes a case with the ray's origin inside the sphere or at its centre, so that the far root is the
+/// hit.
 fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
@@ -232,8 +234,8 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { origin, ..case }
 }
 
-/// Makes a case in which the lengths, the direction, or both are so large or small that squares are
-/// outside the range of f64.
+/// Makes a case in which the lengths, the direction, or both are so large or small that their squares
+/// overflow or underflow in `f64`.
 fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));
@@ -267,8 +269,8 @@ fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f6
     RayCase { objects: vec![Object::Plane { point, normal }], origin, direction }
 }
 
-/// Makes a case with a ray at a small angle to a plane, so that the terms of normal . direction nearly
-/// cancel.
+/// Makes a case with a ray at a small angle to a plane, so that the terms of the dot product of normal
+/// and direction nearly cancel.
 fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
     let normal = draw.direction();
     let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
@@ -278,8 +280,8 @@ fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
     one_plane(draw.in_box(4.0), normal, draw.in_box(4.0), scaled(direction, length))
 }
 
-/// Makes a case with a ray that is exactly parallel to a plane, inside it or at some distance; a
-/// coordinate of the normal is then changed by `ulps`.
+/// Makes a case with a ray that is exactly parallel to a plane, in it or at some distance. A coordinate
+/// of the normal is then changed by `ulps` units in the last place.
 fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let Sizes { quaternion, extent, steps } = draw.sizes();
     let ([along, mut normal, aside], _) = draw.whole_frame(quaternion);
@@ -314,8 +316,8 @@ fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
     RayCase { objects: objects.collect(), origin: moved(origin), direction }
 }
 
-/// Makes a case in which the normal, the direction or the lengths are so large or small that products
-/// are outside the range of f64.
+/// Makes a case with a plane, in which the normal, the direction or the lengths are so large or small
+/// that products overflow or underflow in `f64`.
 fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday_plane(draw);
     let scale = draw.decade(k);
@@ -330,7 +332,8 @@ fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
     }
 }
 
-/// A contact point and three perpendicular vectors there, all with whole coordinates.
+/// A point where two objects touch, and three perpendicular vectors of equal length there, all with
+/// integer coordinates.
 struct Contact {
     point: [f64; 3],
     along: [f64; 3],
@@ -349,14 +352,14 @@ fn contact(draw: &mut Draw) -> Contact {
 }
 
 impl Contact {
-    /// Returns the sphere through the contact point whose centre is `radii` times the vector `out` away
-    /// from it. Its radius is changed by `ulps`.
+    /// Returns the sphere that passes through the contact point and has its centre at `point + radii *
+    /// out`. Its radius is then changed by `ulps` units in the last place.
     fn sphere(&self, draw: &Draw, radii: f64, ulps: f64) -> Object {
         let radius = draw.moved_by_ulps(radii.abs() * self.length, ulps);
         Object::Sphere { center: plus(self.point, radii, self.out), radius }
     }
 
-    /// Returns a random vector that points outwards from the contact point.
+    /// Returns a random vector on the side of the contact point to which `out` points.
     fn outward(&self, draw: &mut Draw) -> [f64; 3] {
         let (a, b) = (draw.whole(-4, 4), draw.whole(-4, 4));
         plus(plus(self.out, a, self.along), b, self.aside)
@@ -369,8 +372,9 @@ impl Contact {
     }
 }
 
-/// Returns the case with its objects in random order, but with spheres before planes, and with all
-/// lengths multiplied by a power of two.
+/// Returns a case of these two objects and this ray. The objects are in random order, but spheres come
+/// before planes. All lengths, and the direction's length once more, are multiplied by random powers of
+/// two.
 fn shuffled(
     draw: &mut Draw,
     objects: [Object; 2],
@@ -386,8 +390,8 @@ fn shuffled(
     RayCase { objects: objects.to_vec(), origin, direction }.scaled(scale, stretch)
 }
 
-/// Makes a case with two concentric spheres whose radii are equal or differ by `ulps`. Of two equal
-/// spheres, the one listed first wins.
+/// Makes a case with two concentric spheres whose radii are equal or differ by `ulps` units in the last
+/// place. Of two equal spheres, the one listed first is hit.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
     let center = draw.given3(center);
@@ -414,8 +418,8 @@ fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
 }
 
-/// Makes a case with two spheres that touch from outside. The ray passes through the contact point,
-/// either from inside one of the spheres or tangentially to both.
+/// Makes a case with two spheres that touch from outside, so that each lies outside the other. The ray
+/// passes through the contact point, either from inside one of the spheres or tangentially to both.
 fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let other = draw.whole(1, contact.steps);
@@ -447,8 +451,8 @@ fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     shuffled(draw, [sphere, Object::Plane { point, normal }], origin, scaled(outward, -1.0))
 }
 
-/// Makes a case with two planes. They are either the same plane, given by different points and normals,
-/// or intersect at the point through which the ray passes.
+/// Makes a case with two planes, which are either the same plane, given by different points and
+/// normals, or intersect in a line that the ray meets.
 fn coincident_planes(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let first = Object::Plane { point: contact.point, normal: contact.out };
