@@ -1,9 +1,10 @@
-//! Measures error against run time, in short slices: [`Measurement`].
+//! Measures the error and the run time of every intersection method, in short slices: [`Measurement`].
 //!
 //! A measurement is a list of cases: a scene, or a stress family at each setting of its knob (the
-//! parameter that makes it easier or harder). In each case, the reference and every [`Method`] trace
-//! some rays. Whole frames or lists of rays are timed in rounds. Each round times all methods in turn,
-//! so a temporary slowdown of the machine affects all of them.
+//! parameter that makes it easier or harder). In each case, the exact reference and every [`Method`]
+//! trace some rays, and the results are compared. Separately, the methods are timed in rounds, on whole
+//! frames or lists of rays. Each round times all methods in turn, so a temporary slowdown of the
+//! machine affects all of them.
 
 use std::fs;
 use std::time::{Duration, Instant};
@@ -21,13 +22,14 @@ mod families;
 mod scenes;
 mod subject;
 
-/// Duration after which a slice starts no further piece of work.
+/// Duration after which [`Measurement::step`] starts no further piece of work.
 const SLICE: Duration = Duration::from_millis(8);
 
 /// The method with whose times the others are compared.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
-/// A measurement in progress. Work is done only by [`Measurement::step`].
+/// A measurement in progress. Work is done only in calls of [`Measurement::step`], each of which takes
+/// about 10 ms.
 ///
 /// ```
 /// use pinhole::report::measure::Measurement;
@@ -48,14 +50,15 @@ pub struct Measurement {
     current: usize,
     /// The report without its cases.
     head: Report,
-    /// A pool that restricts the ladder's parallel tracer to one thread while it is timed. If the pool
-    /// cannot be created, this is `None`, and the ladder is timed on all threads of the default pool.
+    /// A thread pool with a single thread, in which all methods are timed, since the ladder, the
+    /// program's own exact method, traces in parallel otherwise. If the pool cannot be created, this is
+    /// `None`, and the ladder is timed on all threads of the default pool.
     one_thread: Option<ThreadPool>,
 }
 
 impl Measurement {
-    /// Creates the measurement of a scene seen by a camera. The same pixels are compared on every
-    /// machine.
+    /// Creates the measurement of a scene seen by a camera. The same pixels are compared with the
+    /// reference on every machine.
     ///
     /// # Errors
     /// Returns an error if the camera is invalid.
@@ -68,8 +71,8 @@ impl Measurement {
         Ok(Measurement::new(cases, "a frame of the scene", scenes::NOTE, None))
     }
 
-    /// Creates the measurement of all stress families, which takes about two minutes on two cores. A
-    /// seed gives the same cases on every machine, and every ray is compared with the reference.
+    /// Creates the measurement of all stress families, which takes about two minutes on two cores. The
+    /// seed determines the cases, on every machine alike, and every ray is compared with the reference.
     pub fn of_families(seed: u64) -> Measurement {
         let timed = "the family's rays one by one, or its frames at some 8000 pixels";
         Measurement::new(families::cases(seed), timed, families::NOTE, Some(seed))
@@ -138,7 +141,7 @@ impl Measurement {
     }
 }
 
-/// Describes the processor: its name, if known, and the vector instructions for which every method was
+/// Describes the processor: its name, if known, and the SIMD instructions for which every method was
 /// compiled.
 fn describe_cpu() -> String {
     let arch = std::env::consts::ARCH;

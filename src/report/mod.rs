@@ -1,4 +1,5 @@
-//! Measures error against run time and presents the results, for `pinhole report`.
+//! Measures the error and the run time of every intersection method, and presents the results, for
+//! `pinhole report`.
 //!
 //! [`model`] contains the results. The other modules measure them or present them as text and pictures.
 

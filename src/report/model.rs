@@ -1,8 +1,8 @@
-//! A report as plain data, which `report --json` writes.
+//! The measured errors and run times as plain data, which `pinhole report --json` writes.
 //!
-//! A missing number is `None`, or `null` in JSON. For example, the error in t is missing if the method
-//! and the reference have no hit in common. No number is NaN or infinite: if a method returns such a
-//! number for a ray that hits, this counts as a wrong decision.
+//! A missing number is `None`, or `null` in JSON. For example, a method's error in t is missing if it
+//! has no hit in common with the exact reference. No number is NaN or infinite: if a method returns
+//! such a number for a ray that hits, this counts as a wrong decision.
 
 use pinhole_core::Steps;
 use serde::Serialize;
@@ -18,7 +18,8 @@ pub struct Report {
     pub cases: Vec<Case>,
     /// Sentences about measurements that were omitted, with the reason.
     pub left_out: Vec<String>,
-    /// Description of the method and the loop with which times are compared.
+    /// Description of the method to whose time the others' times are compared, and of how all were
+    /// timed.
     pub baseline: String,
     /// Sentences needed to interpret the numbers.
     pub notes: Vec<String>,
@@ -26,7 +27,8 @@ pub struct Report {
     pub seed: Option<u64>,
 }
 
-/// A scene, or a stress family at one setting of its knob.
+/// The results for a scene, or for a stress family at one setting of its knob, the parameter that makes
+/// it easier or harder.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Case {
     /// The name of the scene or of the family. All cases of a family have the same name.
@@ -40,21 +42,20 @@ pub struct Case {
     pub methods: Vec<MethodRow>,
     /// The name of the knob; empty for a scene.
     pub knob_name: String,
-    /// The sensitivity of t to the input, over all rays that hit.
+    /// How sensitive t is to small changes of the input, over all rays that hit.
     pub condition: Option<ConditionSpread>,
-    /// The sensitivity of t to the input for the `f32` methods, if they are measured with different
-    /// cases.
+    /// The same as `condition`, but for the rays of the `f32` methods, if these are different ones.
     pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
-    /// The name of the scene of which this case is a part that is measured separately. The whole scene
-    /// includes the part's pixels. `None` for a whole scene or a family.
+    /// For a part of a scene that is measured separately, such as its planes, the name of the whole
+    /// scene, which is a case of its own. `None` for a whole scene or a family.
     pub part_of: Option<String>,
 }
 
-/// Spread of the condition number of t. If centre, radius, origin and direction each change by a small
-/// fraction of their sizes, then t changes by at most this fraction times the condition number.
-/// Tangents, whose condition number is infinite, are excluded.
+/// Median and maximum of the condition number of t. If centre, radius, origin and direction each change
+/// by a small fraction of their sizes, then t changes, relative to its size, by at most this fraction
+/// times the condition number. Tangents, whose condition number is infinite, are excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct ConditionSpread {
     /// The median: half of the condition numbers are less than or equal to it.
@@ -68,36 +69,37 @@ pub struct ConditionSpread {
 pub struct MethodRow {
     /// The method's name, such as `half-b-f32`.
     pub name: String,
-    /// Number of decisions that differ from exact arithmetic. The decisions are: hit or miss, which
-    /// object is first, and which of a sphere's two roots t is. A root is wrong if t is less than half
-    /// as far from it as from the true root. Two roots that the method's precision can hardly
-    /// distinguish count as one.
+    /// Number of rays for which the method decides differently from exact arithmetic: hit or miss,
+    /// which object is first, or which of a sphere's two roots t is. The root is wrong if t is less
+    /// than half as far from the other root as from the true one. Two roots that the method's precision
+    /// can hardly distinguish count as one.
     pub wrong: u64,
     /// Number of all decisions.
     pub decisions: u64,
-    /// The error in t, in ulps of the method's own precision, over the rays that are decided right.
+    /// The error in t, in ulps of the method's own precision, over the rays for which it decides right.
     /// [`MethodRow::ulp_f64`] contains the same errors in a common unit.
     pub ulp: Ulps,
     /// The largest angle between the method's normal and the true one, in radians.
     pub normal_error_max: Option<f64>,
     /// Run times in nanoseconds per pixel.
     pub ns_per_pixel: Times,
-    /// Number of decisions made by each step of the ladder, the exact method; `None` for other methods.
+    /// For the ladder, the program's own exact method: number of decisions that it made in `f64`, in
+    /// double-double and in exact integers. `None` for other methods.
     pub steps: Option<Steps>,
     /// The error in t, in ulps of `f64` whatever the method's precision, for comparing methods. An ulp
     /// of `f32` is 2^29 ulps of `f64`.
     pub ulp_f64: Ulps,
-    /// Number of values of `t` found by each step of the ladder, if finding `t` has separate steps. A
-    /// `t` that is rounded only once from more digits than `f64` has is found in double-double or
-    /// exactly.
+    /// For the ladder: number of values of `t` that it computed in `f64`, in double-double and in exact
+    /// integers, if they are counted separately from decisions. A `t` that is the exact value rounded
+    /// once is computed in double-double or exactly.
     pub steps_of_t: Option<Steps>,
     /// The fraction of decisions that are wrong, 0 to 1.
     pub wrong_share: Option<f64>,
-    /// The largest backward error, in units of 2^-53. The method's t is exact for an input whose
-    /// centre, radius, origin and direction are each changed by this fraction of their sizes. To first
-    /// order, the backward error times the condition number is at least the error in ulps of `f64`.
+    /// The largest backward error, in units of 2^-53: the method's t would be exact if centre, radius,
+    /// origin and direction were each changed by at most this fraction of their sizes. To first order,
+    /// the backward error times the condition number is an upper bound of the error in ulps of `f64`.
     pub backward_error_max: Option<f64>,
-    /// Number of rays that are decided right but whose true t is outside the range of the method's
+    /// Number of rays for which the method decides right, but whose true t is outside the range of its
     /// precision. They are excluded from the errors.
     pub t_out_of_range: u64,
     /// Number of pixels (or rays) traced in each round; [`MethodRow::steps`] counts the decisions for
@@ -105,11 +107,11 @@ pub struct MethodRow {
     pub pixels_timed: u64,
 }
 
-/// The smallest error, in ulps of `f64`, that leaves no correct digit of t, whether in `f32` or in
-/// `f64`: the error is as large as t.
+/// The error in ulps of `f64` from which t has no correct digit, because the error is as large as t. It
+/// is the same for a t computed in `f32`.
 pub const NO_DIGIT: f64 = (1u64 << 53) as f64;
 
-/// An ulp of `f32` in ulps of `f64`, 2^(52 - 23), if both are normal numbers.
+/// The size of an ulp of `f32` in ulps of `f64`, 2^(52 - 23), for normal numbers.
 pub const SINGLE: f64 = (1u64 << 29) as f64;
 
 /// Spread of the errors in t, in ulps.
@@ -124,8 +126,8 @@ pub struct Ulps {
 }
 
 impl Ulps {
-    /// Converts the errors to ulps of another precision: multiplies each error by `count`. The results
-    /// are limited to [`f64::MAX`].
+    /// Multiplies each error by `count`, the number of new units in an old one, to convert it to ulps
+    /// of another precision. The results are limited to [`f64::MAX`].
     pub fn times(self, count: f64) -> Ulps {
         let times = |error: Option<f64>| error.map(|error| (error * count).min(f64::MAX));
         Ulps { median: times(self.median), p99: times(self.p99), max: times(self.max) }
@@ -137,7 +139,8 @@ impl Ulps {
 pub struct Times {
     /// The median of the rounds.
     pub median: Option<f64>,
-    /// The shortest round. It is used to compare methods, since every disturbance makes a round longer.
+    /// The time of the fastest round. It is used to compare methods, since disturbances only make
+    /// rounds slower.
     pub min: Option<f64>,
     /// The lower quartile: a quarter of the rounds take at most this long.
     pub lower_quartile: Option<f64>,
@@ -145,7 +148,7 @@ pub struct Times {
     pub upper_quartile: Option<f64>,
 }
 
-/// A precision. The variants are in ascending order of precision.
+/// The precision in which a method computes. The variants are in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Digits {
     /// `f32`
@@ -174,8 +177,8 @@ impl Report {
         }
     }
 
-    /// Returns the cases grouped by name, in order. A group is a single scene, or a family at all its
-    /// settings.
+    /// Returns the cases grouped by name, in order. A group is a single scene, or a family at all
+    /// settings of its knob.
     pub fn families(&self) -> Vec<Vec<&Case>> {
         let mut families: Vec<Vec<&Case>> = Vec::new();
         for case in &self.cases {
@@ -199,8 +202,8 @@ impl Case {
 }
 
 impl MethodRow {
-    /// Returns a sentence that says how many decisions each step of the ladder made; `None` for other
-    /// methods.
+    /// Returns a sentence that says how many decisions the ladder made in `f64`, in double-double and
+    /// in exact integers; `None` for other methods.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {
@@ -213,8 +216,8 @@ impl MethodRow {
         ))
     }
 
-    /// Returns the method's name without its precision, such as `half-b`. The method `double-double`
-    /// counts as `half-b` in another precision.
+    /// Returns the method's name without its precision, such as `half-b`; for the method
+    /// `double-double`, returns `half-b`, which is the formula that it evaluates.
     pub fn formula(&self) -> &str {
         match self.name.as_str() {
             DOUBLE_DOUBLE => "half-b",

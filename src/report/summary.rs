@@ -1,32 +1,33 @@
-//! Summaries of a scene, of a family over all settings of its knob, and of all scenes or families
-//! together.
+//! Summaries of the measurements of a scene, of a stress family over all settings of its knob (the
+//! parameter that makes it easier or harder), and of all scenes or families together.
 
 use super::model::{Case, Digits, MethodRow, NO_DIGIT, Report};
 
 /// The summary of a scene or a family.
 pub(crate) struct Summary<'a> {
     pub(crate) cases: Vec<&'a Case>,
-    /// The methods, in the order in which they first occur.
+    /// The methods' summaries, in the order in which the methods first occur in the cases.
     pub(crate) methods: Vec<MethodSummary<'a>>,
 }
 
-/// A method over all cases of a family: its worst error, the sum of its wrong decisions, and its median
-/// time. A scene has a single case.
+/// The summary of a method over all cases of a family: its largest error, its total number of wrong
+/// decisions, and its median time. A scene has a single case.
 pub(crate) struct MethodSummary<'a> {
     pub(crate) name: &'a str,
     pub(crate) formula: &'a str,
     pub(crate) digits: Digits,
     pub(crate) outcome: Option<Outcome>,
-    /// The time in nanoseconds per pixel: the median, over the cases, of the shortest round.
+    /// The time in nanoseconds per pixel: the median, over the cases, of the fastest round's time.
     pub(crate) time: Option<f64>,
-    /// The shortest and the longest time. For a family, these are taken from the shortest rounds of all
-    /// cases; for a scene, they are the shortest round and the upper quartile.
+    /// The shortest and the longest time. For a family, these are the extremes, over the cases, of the
+    /// fastest round's time. For a scene, they are the fastest round's time and the upper quartile.
     pub(crate) times: Option<[f64; 2]>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
 }
 
-/// The error in t of a method, or the reason why there is none, in ascending order of severity.
+/// A method's largest error in t, or the reason why it has none. The variants are in ascending order of
+/// severity.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(crate) enum Outcome {
     /// Every true t is outside the range of the method's precision.
@@ -39,7 +40,8 @@ pub(crate) enum Outcome {
     NoHit,
 }
 
-/// Returns the outcome of a method in a case; `None` if no ray hits and the method finds no hit either.
+/// Returns a method's largest error in t in a case, or the reason why it has none; `None` if no ray
+/// hits anything and the method finds no hit either.
 pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     match row.ulp_f64.max {
         Some(error) if error >= NO_DIGIT => Some(Outcome::NoDigit),
@@ -49,8 +51,8 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
-/// Returns the summaries of a report, in order. Parts of a scene are excluded, since otherwise their
-/// rays would be counted twice.
+/// Returns the summaries of a report's scenes and families, in order. Separately measured parts of a
+/// scene, such as its planes, are excluded, since otherwise their rays would be counted twice.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     let families = report.families().into_iter();
     families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
@@ -77,7 +79,8 @@ impl<'a> Summary<'a> {
         Summary { cases, methods }
     }
 
-    /// Returns true if there are several settings of a knob, over which a curve can be drawn.
+    /// Returns true if there are several settings of a knob, so that the error can be plotted against
+    /// the knob.
     pub(crate) fn has_knob(&self) -> bool {
         self.cases.len() > 1
     }
@@ -91,7 +94,8 @@ impl<'a> Summary<'a> {
         self.methods.iter().find(|worst| worst.name == name)
     }
 
-    /// Returns the coverage as text: the lowest and the highest value, or one value if they are equal.
+    /// Returns the share of rays that hit something as text: the lowest and the highest share of the
+    /// cases, or a single value if they are equal.
     pub(crate) fn coverage(&self) -> String {
         let percent =
             |share: f64| pinhole_lecture::numbers::short_plain((100.0 * share * 1e3).round() / 1e3);
@@ -131,8 +135,8 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns the time and the error of the method; `None` unless all its decisions are right and t
-    /// has a correct digit.
+    /// Returns the time and the error of the method; `None` unless all its decisions are right and its
+    /// t has at least one correct digit.
     fn result(&self) -> Option<(f64, f64)> {
         match (self.time, self.outcome) {
             (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
@@ -140,8 +144,8 @@ impl<'a> MethodSummary<'a> {
         }
     }
 
-    /// Returns true if `other` is at least as fast and as accurate, and strictly better in at least one
-    /// of the two.
+    /// Returns true if `other` is at least as fast and at least as accurate as this method, and not
+    /// equal in both.
     fn is_beaten_by(&self, other: &MethodSummary) -> bool {
         let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
         others.0 <= own.0 && others.1 <= own.1 && others != own
@@ -156,8 +160,8 @@ pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
 }
 
-/// Returns the Pareto front, fastest first: the methods that decide everything right and that no other
-/// method beats in time and error.
+/// Returns the Pareto front, fastest first: the methods that decide everything right, and for which no
+/// other such method is at least as good in both time and error and better in one of them.
 pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
     let is_first = |method: &&MethodSummary| {
         method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
@@ -173,25 +177,27 @@ pub(crate) struct Overall<'a> {
     pub(crate) methods: Vec<MethodOverall<'a>>,
     /// The noun for what is summarized: `families` or `scenes`.
     pub(crate) noun: &'static str,
-    /// Number of scenes or families for which every method has results, apart from the method that only
-    /// traces frames.
+    /// Number of scenes or families over which the shares of wrong decisions are averaged: those for
+    /// which every method has results, except perhaps the one that only traces frames.
     pub(crate) in_share: usize,
-    /// Number of scenes or families for which every method has results.
+    /// Number of scenes or families over which errors and times are summarized: those for which every
+    /// method has results.
     pub(crate) in_errors: usize,
 }
 
-/// A method over all scenes or families. Shares, errors and times include only cases for which every
-/// method has results, since different cases cannot be compared.
+/// The summary of a method over all scenes or families. Shares, errors and times include only those for
+/// which every method has results, since results of different ones cannot be compared.
 pub(crate) struct MethodOverall<'a> {
-    /// The summary of the method in the first scene or family that has it.
+    /// The method's summary for the first scene or family in which it was measured.
     pub(crate) first: &'a MethodSummary<'a>,
     pub(crate) wrong: u64,
     pub(crate) decisions: u64,
     /// The fraction of wrong decisions, averaged over the cases.
     pub(crate) share: Option<f64>,
-    /// The outcome of each scene or family, in ascending order.
+    /// The method's largest error, or the reason why there is none, for each scene or family, in
+    /// ascending order.
     pub(crate) outcomes: Vec<Outcome>,
-    /// The time for each scene or family, in nanoseconds per pixel, in ascending order.
+    /// The method's time for each scene or family, in nanoseconds per pixel, in ascending order.
     pub(crate) times: Vec<f64>,
 }
 
@@ -250,8 +256,8 @@ impl<'a> MethodOverall<'a> {
         }
     }
 
-    /// Returns the smallest, the median and the largest outcome as numbers. An outcome is infinite if
-    /// no digit of t is correct or nothing was hit.
+    /// Returns the smallest, the median and the largest of the errors in `outcomes`. An error is
+    /// infinite if no digit of t is correct or no hit is in common with the reference.
     pub(crate) fn errors(&self) -> Option<[f64; 3]> {
         let number = |outcome: &Outcome| match outcome {
             Outcome::Error(error) => *error,
@@ -320,7 +326,8 @@ mod tests {
         assert_eq!(middle(&[f64::INFINITY; 2]), Some(f64::INFINITY));
     }
 
-    /// The worst outcome over all settings, except those where there is nothing to hit.
+    /// The summary has the worst outcome over all settings, except those in which no ray hits anything,
+    /// and the median time.
     #[test]
     fn the_worst_setting_counts_and_the_middle_time() {
         let settings = [(Some(2.0), 1.0), (None, 4.0), (Some(1e17), 9.0), (None, 16.0)];

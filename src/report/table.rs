@@ -101,9 +101,9 @@ fn summary(out: &mut String, all: &Overall) {
     headed(out, &HEADS, SUMMARY, methods.iter().map(cells));
 }
 
-/// Writes a table: heads, then the names of the columns, then the rows. A head spans one or more
-/// columns; it is given by its first column, its number of columns and its text. The first column is
-/// left-aligned, the others are right-aligned.
+/// Writes a table: a line of group headings, then the names of the columns, then the rows. A group
+/// heading spans one or more columns; it is given by its first column, its number of columns and its
+/// text. The first column is left-aligned, the others are right-aligned.
 fn headed<const N: usize>(
     out: &mut String,
     heads: &[(usize, usize, &str)],
@@ -136,8 +136,8 @@ fn headed<const N: usize>(
     }
 }
 
-/// Returns the time with which other times are compared. It belongs to the method whose name is the
-/// first word of the report's baseline.
+/// Returns the time of the baseline method, with which the other methods' times are compared. The first
+/// word of the report's baseline is the name of that method.
 fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
     let name = report.baseline.split([' ', ',', ':']).next()?;
     let row = case.methods.iter().find(|row| row.name == name)?;
@@ -202,8 +202,8 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
     ]
 }
 
-/// Writes a text after a head, in lines of at most [`WIDTH`] characters. The second and later lines are
-/// indented by the width of the head.
+/// Writes a text after the prefix `head`, in lines of at most [`WIDTH`] characters. The second and
+/// later lines are indented by the width of the prefix.
 fn wrapped(out: &mut String, head: &str, text: &str) {
     let indent = head.chars().count();
     for (k, line) in lines(text, WIDTH - indent).into_iter().enumerate() {

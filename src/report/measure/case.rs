@@ -1,5 +1,6 @@
-//! Measures one case. The reference and every method trace its rays and decide what they hit first, and
-//! its frames are timed. A [`Tally`] counts a method's wrong decisions and collects its errors.
+//! Measures one case: compares what every method finds as a ray's first hit with the reference's
+//! result, and times the methods. A [`Tally`] counts a method's wrong decisions (a wrong object, root,
+//! hit or miss) and collects the errors of its right ones.
 
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
@@ -16,27 +17,27 @@ use crate::report::model::{Case, ConditionSpread, MethodRow, SINGLE, Times, Ulps
 
 /// A case that is waiting, in progress, or done.
 pub(super) struct CaseRun {
-    /// The case. It contains results only after the measurement is done.
+    /// The case as it will appear in the report. Its results are missing until the measurement is done.
     case: Case,
     pub(super) limits: Limits,
-    /// The function that creates the sets; `None` after the case has begun.
+    /// The function that creates `sets`; `None` once the case has begun.
     make: Option<MakeSets>,
-    /// The rays and the methods that trace them; empty before the case has begun and after it is done.
+    /// The rays, and the methods that trace them; empty before the case has begun and after it is done.
     sets: Vec<Set>,
     is_timing_next: bool,
     /// A sentence about rays that are left out, if there are any.
     pub(super) left_out: Option<String>,
 }
 
-/// A function that creates the sets of a case. It also returns a sentence about rays that are left out,
-/// if there are any.
+/// A function that creates a case's rays and prepares the methods for them. It also returns a sentence
+/// about rays that are left out, if there are any.
 type MakeSets = Box<dyn FnOnce() -> (Vec<Set>, Option<String>) + Send>;
 
-/// The amount of work for a case. It is the same on every machine, whatever the machine's load.
+/// The amount of work for a case. It does not depend on the machine's speed or load.
 pub(super) struct Limits {
     /// Number of times that each method is timed.
     pub(super) rounds: usize,
-    /// Number of pieces of work that the case contributes to the total.
+    /// The case's share of the total in the progress display, in pieces of work.
     pub(super) pieces: usize,
 }
 
@@ -48,7 +49,7 @@ pub(super) struct Set {
     hits: usize,
     /// Condition numbers of `t`, for the rays that hit.
     conditions: Vec<f64>,
-    /// Number of rays that are decided at a time.
+    /// Number of rays that are traced and compared at a time.
     chunk: usize,
     /// Number of time measurements made so far, over all methods.
     timings: usize,
@@ -64,7 +65,8 @@ struct Worker {
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
-    /// Creates the measurement of a case. `make` is called when the case begins.
+    /// Creates the measurement of a case. `make`, which creates the rays, is called when the case
+    /// begins.
     pub(super) fn new(
         case: Case,
         limits: Limits,
@@ -74,7 +76,7 @@ impl CaseRun {
         CaseRun { case, limits, make, sets: Vec::new(), is_timing_next: false, left_out: None }
     }
 
-    /// Returns the number of pieces of work that have been done.
+    /// Returns how many of the case's pieces of work have been done.
     pub(super) fn done(&self) -> usize {
         (self.share() * self.limits.pieces as f64) as usize
     }
@@ -128,8 +130,8 @@ impl CaseRun {
         if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
 
-    /// Does one piece of work. The first call creates the sets. Further calls alternate between
-    /// deciding some rays and timing some methods.
+    /// Does one piece of work. The first call creates the rays. Further calls alternate between
+    /// comparing some rays' hits with the reference and timing some methods.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
         if let Some(make) = self.make.take() {
             (self.sets, self.left_out) = make();
@@ -170,7 +172,7 @@ impl Set {
         Some(ConditionSpread { median: quantile(&sorted, 0.5)?, max: *sorted.last()? })
     }
 
-    /// Decides the next rays: traces them with the reference and with every method.
+    /// Traces the next rays with the reference and with every method, and compares their hits.
     fn decide(&mut self) {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
@@ -215,19 +217,21 @@ struct Tally {
     wrong: u64,
     /// Errors of `t` in ulps.
     ulps: Vec<f64>,
-    /// Number of right decisions whose true t is outside the range of the method's precision.
+    /// Number of rays with the right hit whose true t is outside the range of the method's precision.
     t_out_of_range: u64,
     normal_error_max: Option<f64>,
     backward_error_max: Option<f64>,
     /// Nanoseconds per pixel in each round.
     times: Vec<f64>,
-    /// The ladder's steps in the last round: for decisions, and for finding `t`.
+    /// Only for the ladder: how many decisions, and how many values of `t`, were made in `f64`, in
+    /// double-double and in exact integers, in the last round.
     steps: Option<[Steps; 2]>,
 }
 
 impl Tally {
-    /// Counts a decision and, if it is right, records its errors. The error of t is recorded only if
-    /// the true t is a normal number in the method's precision.
+    /// Counts what a method found for one ray as a right or wrong decision and, if it is right and a
+    /// hit, records the errors of t and of the normal. The error of t is recorded only if the true t is
+    /// a normal number in the method's precision.
     fn decide(
         &mut self,
         method: Method,
@@ -259,7 +263,8 @@ impl Tally {
             self.t_out_of_range += 1;
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
-        // A normal without a direction counts as wrong as the opposite of the true normal.
+        // A normal that is NaN or zero gets the largest possible error, that of the opposite of the
+        // true normal.
         let angle = if angle.is_nan() { PI } else { angle };
         self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
     }
@@ -305,8 +310,8 @@ fn sorted(values: &[f64]) -> Vec<f64> {
     values
 }
 
-/// Returns the quantile: the smallest value such that at least a fraction `share` of all values is less
-/// than or equal to it. Returns `None` if there are no values.
+/// Returns the quantile of these ascending values: the smallest value such that at least a fraction
+/// `share` of all values is less than or equal to it. Returns `None` if there are no values.
 fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     // The product may be slightly too large because of rounding.
     let count = (share * sorted.len() as f64 * (1.0 - 1e-12)).ceil() as usize;

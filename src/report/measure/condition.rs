@@ -1,9 +1,11 @@
-//! How sensitive `t` is to changes of its problem, and how small a change of the problem explains a
-//! method's `t`: the condition number and the backward error (Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). Their product bounds the relative
-//! error of `t`. It thus separates the error of the method from the sensitivity of the problem.
+//! The condition number of `t`, which says how sensitive the true `t` is to changes of the ray and the
+//! object, and the backward error of a computed `t`, which is the smallest change of them for which it
+//! would be exact (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
+//! sections 1.5 and 1.6). Their product bounds the relative error of `t`. They thus separate the
+//! sensitivity of the problem from the error of the method.
 //!
-//! The root of `|o + t d - c| = r` moves, to first order, by
+//! Let o and d be the ray's origin and direction, and c and r the sphere's centre and radius. If they
+//! change by do, dd, dc and dr, the root of `|o + t d - c| = r` moves, to first order, by
 //!
 //! ```text
 //! dt = -(n.(do + t dd - dc) - dr) / n.d        n the unit normal where the ray meets the sphere
@@ -19,29 +21,32 @@
 //! Conversely, a computed t' is the exact root of a problem that is changed by the fraction `| |o + t'
 //! d - c| - r | / (|o| + |c| + t' |d| + r)`, and of no problem that is changed by less. This is the
 //! theorem of Rigal and Gaches (Higham, theorem 7.1) for one equation. For a plane `n.(o + t d - q) =
-//! 0`, r is replaced by `|p - q|`, the effect of a change of the normal.
+//! 0` through the point q, c is replaced by q, and r by `|p - q|`, the effect of a change of the
+//! normal, where p is the hit point.
 
 use pinhole_core::{DVec3, Object, Ray};
 use pinhole_reference::{Hit, Real};
 
 /// The unit of backward errors: the unit roundoff of `f64`, 2^-53. In this unit, the condition number
-/// times the backward error is at least the error in ulps.
+/// times the backward error is an upper bound of the error in ulps.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// The true hit of a ray with an object. All lengths are relative to the distance of the hit, so that
-/// they stay in the range of `f64`.
+/// The true hit of a ray with an object, in the numbers from which condition number and backward error
+/// are computed. All lengths are divided by the distance from the origin to the hit, so that they stay
+/// in the range of `f64`.
 pub(super) struct Problem {
     /// The true `t`.
     t: f64,
     /// Cosine of the angle between the ray's direction and the normal.
     cosine: f64,
-    /// `|o| + |c| + r`, or `|o| + |q| + |p - q|`.
+    /// `|o| + |c| + r` for a sphere, `|o| + |q| + |p - q|` for a plane (for the symbols, see the
+    /// module's documentation).
     fixed: f64,
     /// The sphere's radius; `None` for a plane.
     radius: Option<f64>,
 }
 
-/// The |cosine| at the hit below which a sphere's two roots cannot be distinguished.
+/// The absolute value of [`Problem::cosine`] below which a sphere's two roots cannot be distinguished.
 const ONE_ROOT: f64 = 1e-14;
 
 impl Problem {
@@ -66,7 +71,8 @@ impl Problem {
         }
     }
 
-    /// Returns `(t' - t) / t` for a computed t'; `None` if it is outside the range of `f64`.
+    /// Returns the signed relative error `(t' - t) / t` of a computed `t'`, the argument; `None` if it
+    /// is outside the range of `f64`.
     fn moved(&self, truth: &Hit, t: f64) -> Option<f64> {
         if !t.is_finite() {
             return None;
@@ -81,9 +87,9 @@ impl Problem {
         moved.is_finite().then_some(moved)
     }
 
-    /// Returns true if a computed t is the other root of the same object: t is then less than half as
-    /// far from the other root as from the true one. Roots that differ by only a few times `unit` count
-    /// as one root.
+    /// Returns true if a computed t is closer to the other root of the same sphere than to the true
+    /// one: less than half as far from it. Roots whose relative difference is only a few times `unit`,
+    /// the spacing of floats at 1, count as one root.
     pub(super) fn is_other_root(&self, truth: &Hit, t: f64, unit: f64) -> bool {
         let (Some(radius), Some(moved)) = (self.radius, self.moved(truth, t)) else { return false };
         let to_other = -2.0 * self.cosine * radius;
@@ -91,8 +97,8 @@ impl Problem {
         are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
-    /// Returns the condition number of `t`. Returns `None` at a tangent, where it is infinite, or if a
-    /// size is outside the range of `f64`.
+    /// Returns the condition number of `t`; `None` if the ray is tangent, so that it is infinite, or if
+    /// a length is outside the range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
         let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
@@ -144,8 +150,8 @@ mod tests {
         (Problem::new(&ray, &object, &truth), truth)
     }
 
-    /// Each input in turn is changed by a small fraction in the worst direction. In total, t moves
-    /// by the condition number times the fraction.
+    /// All inputs are changed by the same small fraction of their sizes, in the worst directions. The
+    /// relative change of t is then the condition number times this fraction.
     #[test]
     fn the_condition_number_is_how_much_t_moves_at_worst() {
         let ray = Ray { origin: DVec3::new(1.0, 2.0, 3.0), direction: DVec3::new(0.5, 0.25, -2.0) };
@@ -205,8 +211,8 @@ mod tests {
         }
     }
 
-    /// The two roots are only a few numbers apart, so rounding decides which of them t is nearer
-    /// to.
+    /// In `f32`, the two roots are only a few floats apart, so rounding decides which of them t is
+    /// nearer to.
     #[test]
     fn roots_that_the_precision_does_not_tell_apart_are_one() {
         let ray = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z };

@@ -1,4 +1,5 @@
-//! The cases of the stress families: one for each setting of each family's knob.
+//! The cases of the stress families, which are hard for intersection methods: one case for each setting
+//! of each family's knob (the parameter that makes it easier or harder).
 
 use std::sync::Arc;
 
@@ -18,7 +19,7 @@ use crate::report::model::Case;
 const RAYS: usize = 600;
 /// Number of pictures for each setting of a knob.
 const FRAMES: usize = 4;
-/// Approximate number of pixels to which a small picture is enlarged for timing.
+/// Approximate number of pixels that a small picture is given for timing.
 const TIMED: u32 = 90 * 90;
 /// Maximum number of pixels per side of a picture.
 const SIDE: u32 = 256;
@@ -28,7 +29,7 @@ pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: 
      of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2); \
      ladder-f32 gets the pictures of the f64 methods";
 
-/// Returns the cases, and sentences about measurements that are omitted.
+/// Returns the cases of all families, and sentences about measurements that are omitted.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let of_knobs =
         |family: &'static Family| family.knobs.iter().map(move |knob| case(family, *knob, seed));
@@ -52,9 +53,10 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
     CaseRun::new(case, limits, move || make(family, knob, seed))
 }
 
-/// Creates the sets of a case. The `f64` methods get the family's cases. The `f32` methods get cases
-/// whose numbers are exact in `f32`, so that the rounding of the scene does not contribute to their
-/// errors.
+/// Creates the rays of a case, separately for the `f64` methods and the `f32` methods, and prepares the
+/// methods. The `f32` methods get rays and objects whose numbers are exact in `f32`, so that the
+/// rounding of the scene does not contribute to their errors. Also returns a sentence about cases that
+/// are left out, if there are any.
 fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
@@ -84,8 +86,8 @@ fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     (sets, left_out)
 }
 
-/// Returns the precision of a method's input. The ladder's input is in `f64`, whatever the precision of
-/// its t.
+/// Returns the precision of the numbers that a method is given. The ladder (the program's own exact
+/// method) is given `f64`, whatever the precision of its t.
 fn given_in(method: Method) -> Precision {
     match method {
         Method::Known(_, precision) => precision,
@@ -120,10 +122,10 @@ fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
     Some(MeasuredPicture::new(scene, &camera, &resolved, raster, timed))
 }
 
-/// Returns a picture of ordinary size for timing, so that the work shared by all pixels takes only a
-/// small part of the time. Each pixel is divided into an odd number of pixels in each direction. Their
-/// centres include the pixel's own centre, whose ray may be the difficult one. Returns `None` if the
-/// picture is already large enough.
+/// Returns the camera with more pixels, for timing, so that the work done once per picture takes only a
+/// small part of the time; `None` if the picture is already large enough. Each pixel is divided into an
+/// odd number of pixels in each direction. One of them has the same centre, and thus the same ray,
+/// which may be the difficult one.
 fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
     let (columns, rows) = (camera.image.width(), camera.image.height());
     let times = (f64::from(TIMED) / (f64::from(columns) * f64::from(rows))).sqrt() as u32;

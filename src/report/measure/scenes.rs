@@ -1,5 +1,5 @@
-//! The cases of a scene: the whole scene, and separate cases for objects that are traced by separate
-//! code.
+//! The cases of a scene: the whole scene, and separate cases for its planes and for the spheres that
+//! contain the eye, which are traced by code of their own.
 
 use std::sync::Arc;
 
@@ -14,14 +14,16 @@ use crate::report::model::Case;
 const SIDE: u32 = 240;
 /// Maximum number of pixels per side that are timed.
 const TIMED_SIDE: u32 = 256;
-/// Maximum number of intersection tests in one time measurement, which keeps the slices short.
+/// Maximum number of intersection tests in one time measurement, which limits the duration of
+/// [`Measurement::step`](super::Measurement::step).
 const TIMED_TESTS: usize = 1 << 17;
 /// A note for readers of the results.
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// Returns the cases, and sentences about measurements that are omitted. The cases are the scene, its
-/// planes alone, and, if there are other objects too, the spheres around the eye alone.
+/// Returns the cases of a scene, and sentences about measurements that are omitted. The cases are the
+/// whole scene, the spheres that contain the eye alone, and the planes alone. The latter two are
+/// present only if the scene has such objects, and others as well.
 pub(super) fn cases(
     name: &str,
     scene: &Scene,
@@ -64,7 +66,8 @@ pub(super) fn cases(
     Ok((cases, left_out.into_iter().map(|what| format!("{name}: {what}")).collect()))
 }
 
-/// Returns all methods. Without spheres, returns only one method for each way of intersecting a plane.
+/// Returns the methods to measure: all of them or, if there are only planes, one for each way of
+/// intersecting a plane.
 pub(super) fn methods_for(has_spheres: bool) -> impl Iterator<Item = Method> {
     Method::of_frames().filter(move |method| match method {
         Method::Known(formula, _) => has_spheres || *formula == Formula::Textbook,
@@ -94,8 +97,8 @@ fn make(
     (vec![Set::new(CaseSubject::Frames(vec![picture]), methods)], left_out)
 }
 
-/// Returns the raster for timing: the image or, if it is too large, a part of its pixels in rows as
-/// long as possible.
+/// Returns the pixels that are traced for timing: all of them or, if they are too many, evenly spaced
+/// ones, in rows as long as possible.
 fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
     let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());

@@ -18,7 +18,7 @@ pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
      from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
-/// Numbered rays, which are either single rays or the rays of pixels.
+/// The rays of a case, numbered from 0, which are either single rays or the rays of pixels.
 pub(super) enum CaseSubject {
     /// Single rays, each with its own scene.
     Rays(Vec<(Scene, Ray)>),
@@ -32,8 +32,8 @@ pub(super) struct MeasuredPicture {
     pub(super) camera: ResolvedCamera,
     of_reference: reference::Camera,
     objects: Vec<Object>,
-    /// The exact numbers that all rays share. `None` for a scene with many objects, which are filtered
-    /// separately for each pixel.
+    /// The camera and the objects as prepared by the reference for all rays. `None` for a scene with
+    /// many objects, for which the reference gets only those objects that the pixel's ray may hit.
     view: Option<View>,
     /// The pixels that are compared with the reference.
     raster: Raster,
@@ -43,18 +43,20 @@ pub(super) struct MeasuredPicture {
 
 /// A method that is prepared for a subject.
 pub(super) struct Kernel {
-    /// Kernels whose hits are compared with the reference: one per picture, or one for all single rays.
+    /// The method's loops whose hits are compared with the reference: one per picture, or one for all
+    /// single rays.
     compared: Vec<Box<dyn MethodKernel>>,
-    /// Kernels that are run to time the method.
+    /// The method's loops that are run to time it.
     timed: Vec<Box<dyn MethodKernel>>,
-    /// Number of times that the timed kernels run in one time measurement.
+    /// Number of times that `timed` is run in one time measurement.
     repeats: u32,
 }
 
-/// Minimum duration of one time measurement of single rays, unless it would take too many runs.
+/// Approximate duration of one time measurement of single rays, unless that would take more than 100
+/// runs.
 const MEASUREMENT: Duration = Duration::from_micros(300);
 
-/// Number of objects from which the reference gets only the objects that a ray may hit.
+/// With this many objects or more, the reference gets, for each ray, only the objects that it may hit.
 const MANY_OBJECTS: usize = 12;
 
 impl CaseSubject {
@@ -79,8 +81,8 @@ impl CaseSubject {
         None
     }
 
-    /// Returns the true first hit of the ray `index`, and the problem that it solves; `None` if the ray
-    /// hits nothing.
+    /// Returns the true first hit of the ray `index`, and the [`Problem`] from which its condition
+    /// number is computed; `None` if the ray hits nothing.
     pub(super) fn truth(&self, index: usize) -> Option<(Hit, Problem)> {
         let (scene, ray, hit) = match self {
             CaseSubject::Rays(cases) => {
@@ -126,7 +128,7 @@ impl CaseSubject {
         })
     }
 
-    /// Returns the hit that a method finds for the ray `index`; `None` if it finds none.
+    /// Returns the first hit that a method finds for the ray `index`; `None` if it finds none.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
         let (number, index) = self.locate(index)?;
         kernel.compared[number].hit(index)
@@ -140,7 +142,7 @@ impl CaseSubject {
         }
     }
 
-    /// Runs a method. Returns its time in nanoseconds per pixel (or ray).
+    /// Runs a method, and returns its time in nanoseconds per pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
         let pixels = self.pixels_timed() * kernel.repeats as usize;
         let mut measure = || {
@@ -159,8 +161,8 @@ impl CaseSubject {
 }
 
 impl Kernel {
-    /// Returns the ladder's steps in the last time measurement, for decisions and for finding `t`;
-    /// `None` for other methods.
+    /// Returns how many decisions, and how many values of `t`, the ladder made in `f64`, in
+    /// double-double and in exact integers, in the last time measurement; `None` for other methods.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
         let mut each = self.timed.iter().map(|kernel| kernel.steps());
         each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
@@ -171,8 +173,9 @@ impl Kernel {
 }
 
 impl MeasuredPicture {
-    /// Creates a picture. The pixels of `raster` are compared with the reference, and those of `timed`
-    /// are traced for timing.
+    /// Creates a scene seen by a camera, which is `camera` for the methods and `given` for the
+    /// reference. The pixels of `raster` are compared with the reference, and those of `timed` are
+    /// traced for timing.
     pub(super) fn new(
         scene: Arc<Scene>,
         given: &Camera,
@@ -187,7 +190,7 @@ impl MeasuredPicture {
         MeasuredPicture { scene, camera, of_reference, objects, view, raster, timed }
     }
 
-    /// Returns the row and column of the pixel with this index in the raster.
+    /// Returns the row and column, in the image, of the pixel with this index in the raster.
     fn pixel(&self, pixel: usize) -> Pixel {
         let (rows, columns) = (self.raster.rows(), self.raster.columns());
         Pixel { row: rows[pixel / columns.len()], column: columns[pixel % columns.len()] }
@@ -210,12 +213,12 @@ impl MeasuredPicture {
     }
 }
 
-/// Returns true if the ray's line misses the sphere by more than any rounding of the ray could explain;
-/// false for a plane.
+/// Returns true if the object is a sphere that the ray's line misses by so much that rounding cannot be
+/// the reason. Then the exact reference need not test it. Returns false for a plane.
 ///
-/// The ray's direction has a relative error of about 1e-16. The margin of 1e-6 of the distance to the
-/// centre is far larger than this error and the rounding errors in this function. If anything overflows
-/// or underflows, the result is false.
+/// The ray's direction has a relative error of about 1e-16. The margin of 1e-6 times the distance to
+/// the centre plus the radius is far larger than this error and the rounding errors in this function.
+/// If anything overflows or underflows, the result is false.
 fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     let Object::Sphere { center, radius } = object else { return false };
     let to_center = DVec3::from_array(*center) - ray.origin;
@@ -225,7 +228,7 @@ fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
     is_plain(ray.direction.length()) && is_plain(reach) && across > reach
 }
 
-/// Converts the scene's objects for the reference, spheres before planes.
+/// Converts the scene's objects to those of the reference, spheres before planes.
 fn objects_of(scene: &Scene) -> Vec<Object> {
     let sphere = |s: &Sphere| Object::Sphere { center: s.center.into(), radius: s.radius };
     let plane = |p: &Plane| Object::Plane { point: p.point.into(), normal: p.normal.into() };

@@ -1,5 +1,5 @@
-//! Marks that distinguish methods: a shape and a colour for each formula. A mark is hollow for `f32`,
-//! filled for `f64`, and filled with a frame for double-double.
+//! Marks that distinguish methods in the plots: each formula has a shape and a colour. A mark is hollow
+//! for `f32`, filled for `f64`, and filled with a frame for double-double.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 
@@ -11,7 +11,7 @@ pub(crate) struct Marker {
     pub(crate) color: Color32,
     /// Number of sides of the regular polygon; 0 for a star.
     sides: usize,
-    /// Angle from straight up to the polygon's first corner, in degrees.
+    /// Direction of the polygon's first corner from its centre: the angle from straight up, in degrees.
     turned: f32,
 }
 
@@ -21,8 +21,9 @@ const RADIUS: f32 = 6.0;
 /// The colour of wrong decisions.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
-/// The colours are those of Okabe and Ito, "Color Universal Design" (2008), which colour-blind readers
-/// can distinguish. Their yellow is too light for white paper and is replaced by wine (Tol 2021).
+/// The marker of each formula. The colours are those of Okabe and Ito, "Color Universal Design" (2008),
+/// which colour-blind readers can distinguish. Their yellow is too light for white paper and is
+/// replaced by wine (Tol 2021).
 const MARKERS: [(&str, Marker); 8] = [
     ("ladder", marker([0x00, 0x00, 0x00], 0, 0.0)),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
@@ -63,7 +64,7 @@ pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// Returns a formula's colour on a dark background, which is at least as light as a medium grey.
+/// Returns the colour, lightened for a dark background: it becomes at least as light as a medium grey.
 pub(crate) fn lightened(color: Color32) -> Color32 {
     let [r, g, b, _] = color.to_array().map(f32::from);
     let luma = 0.299 * r + 0.587 * g + 0.114 * b;
@@ -72,8 +73,8 @@ pub(crate) fn lightened(color: Color32) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Draws the sign for wrong decisions: a single ring around the adjacent marks of methods that made
-/// some.
+/// Draws the sign for wrong decisions: one ring around all these adjacent marks. Draws nothing if there
+/// are none.
 pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = Pos2>) {
     const RING: f32 = 1.5 * RADIUS;
     let mut around = Rect::NOTHING;
@@ -117,8 +118,8 @@ impl Marker {
         }
     }
 
-    /// Returns the corners of the outline. Triangles and stars are enlarged so that they look as large
-    /// as the other shapes.
+    /// Returns the corners of the mark's outline. Triangles and stars are enlarged so that they look as
+    /// large as the other shapes.
     fn corners(&self, center: Pos2, scale: f32) -> Vec<Pos2> {
         let corner = |degrees: f32, radius: f32| {
             center + scale * radius * Vec2::angled((degrees - 90.0).to_radians())

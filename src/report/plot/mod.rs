@@ -1,11 +1,13 @@
 //! The report as pictures, similar to work-precision diagrams (Hairer and Wanner, "Solving Ordinary
 //! Differential Equations II", section IV.10; SciML's benchmarks). Time is on the x axis and error on
-//! the y axis, both logarithmic. Each formula has a curve over the precisions in which it is computed.
+//! the y axis, both logarithmic. Each formula has a curve that connects the precisions in which it is
+//! computed.
 //!
 //! Each page has an aspect ratio of 16:9 and fits on a slide. A scene has one page. A report of several
-//! scenes or families starts with a summary, with one line per method; families follow with four on
-//! each page. The time panel of a family shows the worst error over all settings, and a second panel
-//! shows the error against the knob.
+//! scenes or stress families starts with a summary, with one line per method; families follow, four to
+//! a page. A family has a knob, the parameter that makes it easier or harder. One panel shows its
+//! largest error over all settings of the knob against time, and a second panel shows the error against
+//! the knob.
 
 pub(crate) mod marker;
 mod panel;
@@ -23,7 +25,7 @@ use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 
-/// Dots per point in PNG files, with which the page is as wide as a projector's picture.
+/// Dots per point in PNG files, which makes the page 1920 dots wide, as wide as a projector's picture.
 pub const PNG_SCALE: f32 = 1.5;
 
 /// The size of a page, in points.
@@ -32,9 +34,9 @@ const PAGE: Vec2 = vec2(1280.0, 720.0);
 /// Margin around all panels.
 const MARGIN: f32 = 28.0;
 
-/// Space for the numbers to the left of a panel.
+/// Width of the space for the numbers to the left of a panel.
 const NUMBERS: f32 = 84.0;
-/// Space for the names of lines to the right of a panel.
+/// Width of the space for the names of horizontal lines to the right of a panel.
 const NAMES: f32 = 46.0;
 
 /// Number of families on a page, in two rows and two columns.
@@ -153,7 +155,7 @@ fn grid(painter: &Painter, families: &[&Summary]) {
     paragraph(painter, below + 24.0, &format!("{MARKS} {SETTINGS}"));
 }
 
-/// Draws the marks of the families' formulas with their names, in one line.
+/// Draws the legend: the marks of the families' formulas with their names, in one line.
 fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
     let mut formulas: Vec<&str> = Vec::new();
     for method in families.iter().flat_map(|summary| &summary.methods) {
@@ -169,7 +171,8 @@ fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
     }
 }
 
-/// Draws a scene or a family: its error against time and, if it has a knob, its error against the knob.
+/// Draws a scene or a family: its name and coverage, its error against time and, if it has a knob, its
+/// error against the knob.
 fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     let Some(case) = summary.cases.first() else { return };
     let top = rect.left_top() + vec2(0.0, 4.0);
@@ -211,7 +214,8 @@ fn paragraph(painter: &Painter, y: f32, text: &str) -> f32 {
     below
 }
 
-/// Writes the reference, the processor, the notes, and the measurements that were left out.
+/// Writes the lines at the foot of a page: the reference, the processor, the notes, and the
+/// measurements that were left out.
 fn foot(painter: &Painter, mut y: f32, report: &Report) {
     let seed = report.seed.map_or(String::new(), |seed| format!("; seed {seed}"));
     for (name, text, more) in [
@@ -228,8 +232,8 @@ fn foot(painter: &Painter, mut y: f32, report: &Report) {
     }
 }
 
-/// Returns the first measurements that were left out, and the number of the others. The text table
-/// lists all of them.
+/// Returns the list of the measurements that were left out, cut off after the first ones, with the
+/// number of the others. The text table lists all of them.
 fn left_out(lines: &[String]) -> String {
     const MOST: usize = 160;
     let mut length = 0;

@@ -1,4 +1,5 @@
-//! Panels: error against time, and against the knob of a family.
+//! The panels of a plot: error against time, and error against the knob of a family (the parameter that
+//! makes it easier or harder).
 
 use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Stroke, StrokeKind, pos2};
 
@@ -11,7 +12,8 @@ use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 
-/// The colour of the Pareto front, which is a wide pale line behind the curves.
+/// The colour of the Pareto front (the methods that no other beats in both time and error), which is a
+/// wide pale line behind the curves.
 const FRONT: Color32 = Color32::from_rgb(0xc9, 0xd6, 0xe6);
 
 /// The colour of the condition number.
@@ -20,7 +22,8 @@ const CONDITION: Color32 = Color32::from_gray(0xa0);
 /// Dash and gap of a dashed line.
 const DASH: [f32; 2] = [7.0, 5.0];
 
-/// The height of a lane, in which zero errors or methods without an error are shown.
+/// The height of a lane, a strip beyond the logarithmic scale for marks that have no place on it:
+/// errors of zero, and methods without an error.
 const LANE: f32 = 20.0;
 
 /// Space between the outermost values and the frame.
@@ -28,14 +31,15 @@ const MARGIN: f32 = 10.0;
 /// Space on both sides of a knob's outermost settings.
 const EDGE: f32 = 24.0;
 
-/// The lanes above the scale, from top to bottom. A lane is drawn only if there is a mark in it.
+/// The lanes above the scale, from top to bottom, for methods without an error. A lane is drawn only if
+/// there is a mark in it.
 const LANES: [(Outcome, &str); 3] = [
     (Outcome::NoHit, "no hit alike"),
     (Outcome::NoDigit, "no digit right"),
     (Outcome::OutOfRange, "out of range"),
 ];
 
-/// The scale of errors, which the two panels in a row share.
+/// The vertical scale of errors, which two panels side by side share.
 pub(super) struct Errors {
     scale: Scale,
     y: Rangef,
@@ -69,7 +73,7 @@ impl Errors {
         }
     }
 
-    /// Draws the frame and the horizontal lines and, if `has_numbers` is true, the labels to the left
+    /// Draws a panel's frame and horizontal lines and, if `has_numbers` is true, the labels to the left
     /// of the frame.
     fn draw(&self, painter: &Painter, rect: Rect, has_numbers: bool) {
         let ticks = self.scale.ticks(24.0);
@@ -93,7 +97,8 @@ impl Errors {
         painter.rect_stroke(rect, 0.0, Stroke::new(1.5, FRAME), StrokeKind::Middle);
     }
 
-    /// Writes the names of the two lines that show one ulp, to the right of a frame.
+    /// Writes the names of the two horizontal lines at an error of one ulp, of `f64` and of `f32`, to
+    /// the right of a frame.
     pub(super) fn name_ulps(&self, painter: &Painter, right: f32) {
         for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
             if self.scale.contains(ulp) {
@@ -119,8 +124,9 @@ impl PlotMark<'_> {
     }
 }
 
-/// Draws error against time: a curve per formula over its precisions, a bar per method over its times,
-/// and the Pareto front behind the curves. Returns the marks.
+/// Draws the panel of error against time: for each formula, a curve that connects its precisions; for
+/// each method, a mark, and a horizontal bar from its shortest to its longest time; and the Pareto
+/// front behind the curves. Returns the marks.
 pub(super) fn time<'a>(
     painter: &Painter,
     rect: Rect,
@@ -159,15 +165,15 @@ pub(super) fn time<'a>(
     marks
 }
 
-/// Draws vertical grid lines with their numbers below the panel, and the name of the scale.
+/// Draws vertical grid lines, with their numbers and the name of the horizontal axis below the panel.
 fn across(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk, name: &str) {
     columns(painter, rect, ticks, ink);
     let below = pos2(rect.center().x, rect.bottom() + 32.0);
     painter.text(below, Align2::CENTER_CENTER, name, plain(SMALL), TEXT);
 }
 
-/// Draws the Pareto front as stairs. No method lies between two adjacent methods of the front, so extra
-/// time gains nothing until it reaches the time of the slower one.
+/// Draws the Pareto front as stairs. Between two adjacent methods of the front, the smallest error that
+/// can be had is that of the faster one, until there is enough time for the slower one.
 fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     let mut last: Option<Pos2> = None;
     for point in front {
@@ -182,7 +188,8 @@ fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
     }
 }
 
-/// Draws error against the family's knob, as a line per method through its largest errors.
+/// Draws the panel of error against the family's knob: for each method, a line through its largest
+/// error at each setting.
 pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Summary) {
     let (places, is_to_scale) = places(rect, summary);
     let case_name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
@@ -231,8 +238,8 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     }
 }
 
-/// Returns the position of each setting of the knob. The positions are true to scale if the marks then
-/// do not overlap, and equally spaced otherwise. The second result is true if they are true to scale.
+/// Returns the horizontal position of each setting of the knob, and whether the positions are true to
+/// scale. They are if the marks then do not overlap; otherwise, they are equally spaced.
 fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     let knobs: Vec<f64> = summary.cases.iter().map(|case| case.knob.unwrap_or(0.0)).collect();
     let (low, high) = (knobs[0], knobs[knobs.len() - 1]);
@@ -246,7 +253,7 @@ fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
     ((0..knobs.len()).map(place).collect(), false)
 }
 
-/// Splits the points into runs without gaps. Runs of a single point are dropped.
+/// Splits the points at each `None` into runs without gaps. Runs of a single point are dropped.
 fn chains(points: Vec<Option<Pos2>>) -> impl Iterator<Item = Vec<Pos2>> {
     let chains: Vec<Vec<Pos2>> = points
         .split(Option::is_none)
@@ -293,8 +300,8 @@ fn column<'a>(
     column
 }
 
-/// Returns the condition number, which is the error that rounding the input once may cause. Returns
-/// `None` if that error leaves no correct digit of t.
+/// Returns the case's largest condition number, which is the error of t, in ulps, that rounding the
+/// input once may cause. Returns `None` if that error leaves no correct digit of t.
 fn condition(case: &Case) -> Option<f64> {
     case.condition.map(|condition| condition.max).filter(|max| *max < NO_DIGIT)
 }

@@ -1,6 +1,6 @@
-//! The table of methods, which is on every page except those of families. It has a row per method with
-//! its mark, its formula in words, and its wrong decisions. For several scenes or families, it also
-//! shows errors and times, each as a line from the smallest to the largest value.
+//! The table of methods, which is on every page except those that show families. Each method has a row
+//! with its mark, its formula in words, and its wrong decisions. For several scenes or families, the
+//! row also shows the method's errors and times, each as a line from the smallest to the largest value.
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use pinhole_lecture::numbers::grouped;
@@ -21,15 +21,17 @@ const ROW: f32 = 23.0;
 /// Distance from the table's left edge to the formulas in words, in points.
 const WORDS: f32 = 178.0;
 
-/// Left and right edge of the column of errors, from the left edge of the page.
+/// Distances of the left and the right edge of the column of errors from the left edge of the page, in
+/// points.
 const ERROR: [f32; 2] = [590.0, 885.0];
-/// Left and right edge of the column of times, from the left edge of the page.
+/// Distances of the left and the right edge of the column of times from the left edge of the page, in
+/// points.
 const TIME: [f32; 2] = [930.0, 1240.0];
 
 /// A row of the table.
 struct TableRow<'a> {
     method: &'a MethodSummary<'a>,
-    /// The number or the fraction of wrong decisions, as text.
+    /// The method's number or fraction of wrong decisions, as text.
     wrong: String,
     is_wrong: bool,
 }
@@ -118,7 +120,7 @@ fn table(painter: &Painter, at: Pos2, width: f32, rows: &[TableRow], about: &str
 }
 
 /// Draws, for each method, a line from its smallest to its largest value, with its mark at the median.
-/// Zero and infinity have places outside the scale.
+/// The values 0 and infinity are drawn beyond the ends of the logarithmic scale.
 fn spreads(painter: &Painter, rect: Rect, rows: &[TableRow], values: &[Option<[f64; 3]>]) {
     let all = || values.iter().flatten().flatten().copied();
     let end = if all().any(f64::is_infinite) { rect.right() - 44.0 } else { rect.right() };
