@@ -1,4 +1,4 @@
-//! Animations as GIF files, with one figure per frame.
+//! Exports animations as GIF files, with one figure per frame.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -53,7 +53,8 @@ pub struct Animation {
     pub start: Start,
     /// True if the animation repeats.
     pub loops: bool,
-    /// The document, and the session from which the figures are drawn.
+    /// The document and the session (the state of the window, such as the selected ray) from which the
+    /// figures are drawn.
     pub scene: (Document, Session),
     /// The request from which the figure of each frame is made.
     pub order: Order,
@@ -70,7 +71,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Starts an animation. No file is written before [`Recorder::finish`].
+    /// Starts to record an animation. The file is written only by [`Recorder::finish`].
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written.
@@ -87,7 +88,8 @@ impl Recorder {
         (self.done, self.animation.frames.count)
     }
 
-    /// Draws the next frame. The result depends only on the animation and on the frame's number.
+    /// Draws the next frame, for [`Recorder::push`]. It depends only on the animation and on the
+    /// frame's number.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the frame cannot be drawn.
@@ -111,7 +113,7 @@ impl Recorder {
             .map_err(|error| FileError::unwritable(&self.path, &error).to_string())
     }
 
-    /// Writes the file after the last frame.
+    /// Writes the file. Call this after the last frame has been pushed.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written; no incomplete file is left.

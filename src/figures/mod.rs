@@ -1,13 +1,14 @@
 //! Figures for slides: the content of the window as SVG, PDF or PNG.
 //!
-//! Every figure is drawn by the window's own code, so a file shows what the screen shows. The marks
-//! come from the overlay's [`Drawing`](crate::view::overlay::Drawing); labels, the derivation and the
-//! lines lab are drawn in an egui pass without a window. A PNG is painted from the drawing and the
-//! pass, exactly like the window. For SVG and PDF, both are converted to paths and texts.
+//! Every figure is drawn by the window's own code, so a file shows what the screen shows. Lines and
+//! shapes over a picture are those of its [`Drawing`](crate::view::overlay::Drawing); labels, the
+//! derivation, and the exercise with lines in the plane (the lines lab) are drawn by egui without a
+//! window. For a PNG, both are painted exactly as in the window. For SVG and PDF, both are converted to
+//! paths and texts.
 //!
 //! - this file: a figure and its formats;
 //! - `order`: the request for a figure, and how the figure is made from it;
-//! - `animation`: a GIF with one figure per frame;
+//! - `animation`: GIF files with one figure per frame;
 //! - `vector`: SVG and PDF, only with the feature `figures`.
 
 use egui::{Color32, ColorImage, Context, Painter, Vec2};
@@ -30,7 +31,8 @@ mod vector;
 pub enum FigureFormat {
     /// SVG. Strokes and text are not converted to outlines.
     Svg,
-    /// PDF. Strokes and text are not converted to outlines; lengths are in points.
+    /// PDF. Strokes and text are kept as such, not converted to outlines; lengths are in points of 1/72
+    /// inch.
     Pdf,
     /// PNG.
     Png,
@@ -45,7 +47,8 @@ pub struct Figure {
     pub size: [usize; 2],
     /// The background colour; `None` if the figure is transparent.
     ground: Option<Color32>,
-    /// The picture below everything else, which has the size of the figure.
+    /// The raster image below everything else, which has the size of the figure; `None` if there is
+    /// none.
     picture: Option<ColorImage>,
     /// Paths drawn over the picture, in dots.
     paths: Vec<Path>,
@@ -54,7 +57,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Draws a figure on a white page of `size` points.
+    /// Draws a figure on a white page of `size` points, with `scale` dots per point.
     pub(crate) fn draw(title: &str, size: Vec2, scale: f32, draw: impl Fn(&Painter)) -> Figure {
         let ctx = Context::default();
         theme::install_fonts(&ctx);
@@ -64,8 +67,8 @@ impl Figure {
         Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
     }
 
-    /// Paints the figure exactly as the window would. Returns the premultiplied pixels, row by row from
-    /// the top.
+    /// Paints the figure exactly as the window would. Returns the pixels, row by row from the top, with
+    /// premultiplied alpha.
     pub fn to_pixels(&self) -> Vec<Color32> {
         let [width, height] = self.size;
         let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
@@ -77,7 +80,7 @@ impl Figure {
         pixels
     }
 
-    /// Writes the figure in a file format. Returns the contents of the file.
+    /// Encodes the figure in a file format, and returns the bytes of the file.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the figure cannot be written in this format.
@@ -97,7 +100,7 @@ impl Figure {
     }
 }
 
-/// Encodes premultiplied pixels as PNG, with an alpha channel if `transparent` is true.
+/// Encodes pixels with premultiplied alpha as PNG, with an alpha channel if `transparent` is true.
 fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let size = size.map(|n| n as u32);

@@ -1,5 +1,5 @@
-//! A request for a figure, made by a command or in the window's dialog: the subject, the size, and the
-//! kind of file.
+//! A request for a figure, made by a command or in the window's dialog: what it shows, its size, and
+//! the kind of file.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -19,19 +19,20 @@ use crate::view::typesetting::{derivation, labels, theme};
 /// Margin on each side of the derivation, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Page height in points that is sufficient for every derivation.
+/// Height in points of the page on which a derivation is laid out; more than any derivation needs.
 const UNLIMITED: f32 = 1e6;
 
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureSubject {
-    /// The scene with the camera in it, as the observer sees it.
+    /// The world view: the scene with the camera in it, as seen by an observer outside.
     World,
     /// The camera's picture.
     Camera,
     /// The derivation of every number.
     Derivation,
-    /// The lines lab: the plane, and the substitution of one line into the other.
+    /// The lines lab: two lines in the plane, one implicit and one parametric, and the substitution
+    /// that intersects them.
     Lines,
 }
 
@@ -64,7 +65,7 @@ pub enum Content {
     Text(Markup),
 }
 
-/// The file extensions and their contents: first figures, then the formats that are only available for
+/// The file extensions, and what a file with each of them contains. The last two are only available for
 /// a derivation.
 const CONTENTS: [(&str, Content); 5] = [
     ("svg", Content::Figure(FigureFormat::Svg)),
@@ -75,9 +76,9 @@ const CONTENTS: [(&str, Content); 5] = [
 ];
 
 impl Content {
-    /// Chooses the content of a file from its extension.
+    /// Returns what a file with this name is to contain, according to its extension.
     ///
-    /// Returns an error, as a sentence that lists the known extensions, if the extension is unknown.
+    /// If the extension is unknown, returns an error, as a sentence that lists the known ones.
     pub fn for_path(subject: FigureSubject, path: &Path) -> Result<Content, String> {
         let (contents, formats) = match subject {
             FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
@@ -101,9 +102,9 @@ impl Content {
 pub struct Order {
     /// The subject.
     pub subject: FigureSubject,
-    /// Width and height in dots. The height of a derivation is determined by its lines instead.
+    /// Width and height in dots. A derivation ignores the height, and is as high as its lines.
     pub size: [u32; 2],
-    /// Dots per point, by which strokes and letters are scaled.
+    /// Number of dots per point, which determines the size of strokes and letters.
     pub scale: f32,
     /// The colours.
     pub style: Style,
@@ -112,8 +113,9 @@ pub struct Order {
 }
 
 impl Order {
-    /// Draws the document with the ray, the overlay items and the observer of the session. If
-    /// `is_folded` returns true for a section of the derivation, only its title is drawn.
+    /// Draws the figure of a document. The session provides what the document does not contain: the
+    /// selected ray, the choice of overlays, and the observer of the world view. If `is_folded` returns
+    /// true for a section of the derivation, only its title is drawn.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if there is nothing to draw.
@@ -211,7 +213,7 @@ impl Order {
         ctx
     }
 
-    /// Creates a figure with shapes and text over a background.
+    /// Creates a figure with these shapes and texts over a background.
     fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
         let title = self.subject.title().to_owned();
         let ground = (!self.transparent).then_some(background);
@@ -219,13 +221,14 @@ impl Order {
     }
 }
 
-/// Returns the number of dots per point for a figure made without a window. The shorter side is 720
-/// points long, unless there would be less than one dot per point.
+/// Returns the number of dots per point for a figure of this width and height in dots that is made
+/// without a window. The shorter side gets 720 points, or as many points as dots if it has fewer.
 pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }
 
-/// Returns the derivation of a document, whether the session's layout shows it or not.
+/// Returns the derivation of a document's camera and ray, even if the session's layout of views does
+/// not include it.
 pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
     session.settings.layout = ViewLayout::Derivation;

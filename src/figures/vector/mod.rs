@@ -1,8 +1,8 @@
 //! Figures in vector formats: SVG and PDF. Strokes and text are not converted to outlines.
 //!
-//! This file converts a figure to paths and texts. egui's text becomes runs of positioned letters with
-//! the same font and colour; the font of each letter is the one that egui chose for it. `svg` and `pdf`
-//! write the files.
+//! This file converts a figure to paths and texts. A text of egui becomes runs of positioned letters,
+//! each run with a single font and colour; a letter has the font that egui chose for it. The modules
+//! `svg` and `pdf` write the files.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -30,7 +30,7 @@ pub(super) use crate::figures::vector::svg::write as svg;
 mod pdf;
 mod svg;
 
-/// A part of a figure. Positions are in dots from the upper left corner.
+/// A path or a text of a figure. Positions are in dots from the figure's upper left corner.
 #[derive(Clone, Debug)]
 enum Primitive {
     /// A fill or a stroke.
@@ -39,7 +39,7 @@ enum Primitive {
     Text(CasedText),
 }
 
-/// Returns everything that is drawn over the figure's picture, from back to front.
+/// Returns the paths and texts that are drawn over the figure's picture, from back to front.
 fn primitives(figure: &Figure) -> Vec<Primitive> {
     let primitives = figure.paths.iter().cloned().map(Primitive::Path).collect();
     let mut maker = Maker { scale: figure.drawn.pixels_per_point, primitives };
@@ -130,12 +130,13 @@ impl Maker {
     }
 }
 
-/// Minimum number of pixels along the shorter side of a compacted picture. Some programs smooth
-/// enlarged pictures, but at this size the smoothing is hardly visible.
+/// Minimum number of pixels along the shorter side of a picture that [`compacted`] has shrunk. Programs
+/// that show the file may smooth the picture as they enlarge it; from this size on, that is hardly
+/// visible.
 const LEAST_SIDE: usize = 600;
 
-/// Shrinks a picture that consists of equal rectangles, such as enlarged pixels, so that not every dot
-/// is stored. Returns other pictures unchanged.
+/// Shrinks a picture that consists of equal rectangles of one colour each, such as enlarged pixels, so
+/// that not every dot is stored. Returns other pictures unchanged.
 fn compacted(image: &ColorImage) -> ColorImage {
     let [width, height] = image.size;
     let dot = |row: usize, column: usize| image.pixels[row * width + column];
@@ -159,7 +160,7 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Slant of egui's italics, as the shift to the right per unit of height.
+/// Slant of the letters that egui draws as italics: their shift to the right per unit of height.
 const SLANT: f32 = 0.25;
 
 /// A text that is written as one element.
@@ -179,14 +180,14 @@ struct LetterRun {
     size: f32,
     /// Start of the baseline.
     at: [f32; 2],
-    /// Distances from the start of each letter to the start of the next one.
+    /// For each letter, the distance from its start to the start of the next letter.
     advances: Vec<f32>,
     color: Color32,
-    /// Slant of the letters, as the shift to the right per unit of height.
+    /// Slant of the letters: their shift to the right per unit of height; 0 if upright.
     slant: f32,
 }
 
-/// Returns the runs of a text. All lengths are multiplied by `scale`.
+/// Splits a text of egui into runs of letters. All lengths are multiplied by `scale`.
 fn runs(shape: &TextShape, scale: f32) -> Vec<LetterRun> {
     let job = &shape.galley.job;
     let mut letters = job.text.char_indices();
@@ -231,7 +232,7 @@ impl LetterRun {
         self.advances.iter().sum()
     }
 
-    /// Returns true if `next` can be appended to this run.
+    /// Returns true if the run `next` can be appended to this one.
     fn continues_with(&self, next: &LetterRun) -> bool {
         self.face == next.face
             && self.size == next.size
@@ -250,8 +251,9 @@ impl LetterRun {
         self.advances.extend(&next.advances);
     }
 
-    /// Distributes the width of a ligature over its letters. egui assigns the whole width to the first
-    /// letter and, apart from rounding, a width of zero to the others.
+    /// Distributes the width of each ligature over its letters. Before, the first letter has the whole
+    /// width, and the others have a width of zero, apart from rounding, because egui lays ligatures out
+    /// so.
     fn spread(&mut self) {
         let natural: Vec<f32> =
             self.text.chars().map(|c| self.size * self.face.advance(c)).collect();
@@ -271,14 +273,14 @@ impl LetterRun {
     }
 }
 
-/// The font families for plain text: the program's own font, then similar ones as fallbacks.
+/// The font families for plain text, as in CSS: the program's own font, then similar ones as fallbacks.
 const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
 
-/// Font tables that are missing from a subset made for PDF but required elsewhere. The `name` table
-/// contains the licence.
+/// Tables of a font file that the subsetter, which is made for PDF, drops, but that are kept here:
+/// browsers require `OS/2`, and `name` contains the licence.
 const KEPT: [&[u8; 4]; 2] = [b"OS/2", b"name"];
 
-/// The program's fonts, in the form in which they are installed in egui.
+/// The program's fonts, as they are installed in egui.
 static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions);
 
 /// A font of the program, identified by name.
@@ -286,8 +288,8 @@ static FONTS: LazyLock<FontDefinitions> = LazyLock::new(theme::font_definitions)
 struct FontName(&'static str);
 
 impl FontName {
-    /// Returns the font that egui uses for a letter: the first font of the family that contains the
-    /// letter.
+    /// Returns the font that egui uses for a letter: the first font in the family's list that contains
+    /// the letter.
     fn for_letter(family: &FontFamily, letter: char) -> FontName {
         let chain = FONTS.families.get(family).map(Vec::as_slice).unwrap_or_default();
         let name = chain.iter().find(|name| FontName(name).glyph(letter).is_some());
@@ -335,7 +337,8 @@ impl FontName {
         self.0.ends_with(" Bold")
     }
 
-    /// Returns a font file that contains only the given letters, in a form that browsers accept.
+    /// Returns the contents of a font file that has only the given letters, in a form that browsers
+    /// accept.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if the font cannot be read.
@@ -472,7 +475,8 @@ mod tests {
         );
     }
 
-    /// A picture of `w` x `h` different pixels, each `across` dots wide and `down` dots high.
+    /// Returns a picture of `w` x `h` pixels, all of different colours, each enlarged to `across` x
+    /// `down` dots.
     fn enlarged([w, h]: [usize; 2], [across, down]: [usize; 2]) -> ColorImage {
         let dots = (0..h * down).flat_map(|k| (0..w * across).map(move |l| (k / down, l / across)));
         let color = |(k, l): (usize, usize)| Color32::from_rgb(k as u8, l as u8, 9);

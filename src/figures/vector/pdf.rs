@@ -1,10 +1,10 @@
 //! Writes a figure as a PDF with one page and embedded fonts. Strokes and text are not converted to
 //! outlines.
 //!
-//! The file is written by the crate krilla, which accepts positioned glyphs, keeps them as text, and
-//! embeds only the letters that occur. The alternative, converting the SVG with `krilla-svg`, would lay
-//! out the text again letter by letter, write each text with a casing twice, and require 23 more
-//! crates.
+//! The file is written by the crate krilla, which takes positioned glyphs, keeps them as selectable
+//! text, and embeds only the letters that occur. The alternative, converting the SVG with `krilla-svg`,
+//! would lay out the text again letter by letter, write each text that has a casing (a halo that
+//! separates it from the picture) twice, and require 23 more crates.
 
 use std::collections::HashMap;
 
@@ -85,8 +85,8 @@ impl Writer<'_> {
         self.surface.draw_path(&outline);
     }
 
-    /// Writes a text. Its casing is written first, as outlines, so that the file contains the text
-    /// itself only once.
+    /// Writes a text. Its casing (the halo around its letters), if any, is written first, as stroked
+    /// outlines, so that the file contains the text itself only once.
     fn text(&mut self, text: &CasedText) -> Result<(), String> {
         if let Some((color, reach)) = text.halo {
             self.surface.set_fill(None);

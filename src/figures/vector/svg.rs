@@ -41,7 +41,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
     Ok(out + "</svg>\n")
 }
 
-/// Writes the style sheet, which contains each font with the letters that occur.
+/// Writes the style sheet, in which each font that is used is embedded with the letters that occur.
 fn style(primitives: &[Primitive]) -> Result<String, String> {
     let mut letters: BTreeMap<FontName, BTreeSet<char>> = BTreeMap::new();
     for primitive in primitives {
@@ -62,7 +62,8 @@ fn style(primitives: &[Primitive]) -> Result<String, String> {
     Ok(if rules.is_empty() { rules } else { format!("<style>\n{rules}</style>\n") })
 }
 
-/// Writes a picture, with the request to display its pixels without smoothing.
+/// Writes an `image` element with the picture as PNG, and the request to display its pixels without
+/// smoothing.
 fn image(picture: &ColorImage, [width, height]: [usize; 2]) -> Result<String, String> {
     let transparent = picture.pixels.iter().any(|pixel| pixel.a() < 255);
     let bytes = STANDARD.encode(to_png(picture.size, &picture.pixels, transparent)?);
@@ -98,8 +99,8 @@ fn element(Path { outline, color, ink }: &Path) -> String {
     }
 }
 
-/// Writes a text. Its casing is written first, as a stroked reference to the same text, since not every
-/// program can stroke a text before filling it.
+/// Writes a text. Its casing (the halo around its letters), if any, is written first, as a stroked
+/// `use` of the same text, since not every program can stroke a text before it fills it.
 fn written(text: &CasedText, number: usize) -> String {
     let color = text.runs.first().map_or(Color32::BLACK, |run| run.color);
     let run_fill =
@@ -132,7 +133,8 @@ fn span(run: &LetterRun, fill: &str) -> String {
     )
 }
 
-/// Formats a colour as an attribute named `name`, with another attribute for its opacity if necessary.
+/// Formats a colour as the attribute `name` (`fill` or `stroke`), followed by an attribute for its
+/// opacity if it is not opaque.
 fn paint(name: &str, color: Color32) -> String {
     let [r, g, b, a] = color.to_srgba_unmultiplied();
     let opacity = match a {
@@ -147,7 +149,8 @@ fn short(x: f32) -> f64 {
     (f64::from(x) * 1000.0).round() / 1000.0 + 0.0
 }
 
-/// Escapes text for XML. Omits hidden characters, most of which are forbidden in XML.
+/// Escapes text for XML. Omits hidden characters, such as control characters, most of which XML
+/// forbids.
 fn escaped(text: &str) -> String {
     let shown: String = text.chars().filter(|c| !is_hidden(*c)).collect();
     let shown = shown.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
