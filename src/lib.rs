@@ -22,14 +22,16 @@
 //!
 //! # The path of one edit
 //!
-//! When the user drags the number eye.x, these steps follow, in the order of [`ui::app`]'s `frame.rs`:
+//! When the user drags the number field of eye.x, the following happens, in the order of [`ui::app`]'s
+//! `frame.rs`:
 //!
-//! 1. *Inputs*: the camera panel writes [`Document::camera`](pinhole_exchange::document::Document)
-//!    `.eye.x` in place. At its end, the pass compares the document with the one that it began with.
+//! 1. *Inputs*: the camera panel writes [`Document::camera`](pinhole_exchange::document::Document) `.eye.x`
+//!    in place. At the end of the egui pass, the document is compared with its state at the start of the
+//!    pass.
 //! 2. *Apply*: keys, menus and views request [`Action`](ui::action::Action)s. Each is applied by the
 //!    part that owns the state.
 //! 3. *Derive*: [`view::derive`] computes everything that is shown from the document and the session
-//!    ([`model::session`]), and caches it by its inputs, so that an idle window does no work.
+//!    ([`model::session`]). It caches the results by their inputs, so that an idle window does no work.
 //! 4. *Outputs*: views, readouts and textures all read the same [`Derived`](view::derive::Derived) and
 //!    cannot change it, so all of them show the same frame.
 //!
@@ -38,10 +40,11 @@
 //!
 //! # The path of one sphere
 //!
-//! [`pinhole_core`]'s `render` leads from the scene to the pixels; its `mod.rs` names every step. The
-//! frame's plan drops the objects that cannot be visible, and chooses how each sphere is drawn. Bands of
-//! rows are drawn in `f32` with error bounds. A pixel in doubt goes up the ladder: it is decided in
-//! double-double arithmetic, or else with exact integers. Then the band is shaded.
+//! [`pinhole_core`]'s `render` turns the scene into pixels; its `mod.rs` names every step. A plan for the
+//! frame drops the objects that cannot be visible, and chooses how each sphere is drawn. Bands of rows are
+//! drawn in `f32` with error bounds. A pixel whose bound leaves hit or miss open is decided again in `f64`;
+//! if necessary in double-double arithmetic, and finally with exact integers (the *ladder*). Then the band is
+//! shaded.
 //!
 //! # Two recipes
 //!
@@ -54,9 +57,9 @@
 //! 2. `exchange/scene_file/read.rs`: the keys, and the rule that exactly one way is given;
 //! 3. `ui/panels/camera.rs`: the button that switches to it; `model/given.rs`: its vectors as fields that
 //!    can be typed and pasted;
-//! 4. patterns that name *at* or *up* alone: `core/camera/difference.rs`, `core/steering/handles.rs`,
-//!    `view/handles.rs`, `highlighted.rs` in `view/overlay/world_view/` and in `view/overlay/camera_view/`,
-//!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
+//! 4. patterns that match only the variants with *at* or *up*: `core/camera/difference.rs`,
+//!    `core/steering/handles.rs`, `view/handles.rs`, `highlighted.rs` in `view/overlay/world_view/` and in
+//!    `view/overlay/camera_view/`, `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/families.rs` converts it.
 //!
 //! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). These places must be changed
@@ -69,8 +72,8 @@
 //!    `exchange/templates/`: a section `@kind`, or a note that the program cannot show it;
 //! 4. `ui/panels/objects.rs`: its button and fields; `model/given.rs` and `view/handles.rs`: what can be
 //!    typed and dragged;
-//! 5. `lecture/derivation.rs` and `view/derivation/objects.rs`: how its t comes about; `reference/object.rs`:
-//!    the oracle's own roots.
+//! 5. `lecture/derivation.rs` and `view/derivation/objects.rs`: how the t of a hit is derived;
+//!    `reference/object.rs`: the oracle's own roots.
 //!
 //! # Where to look
 //!

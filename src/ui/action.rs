@@ -1,4 +1,5 @@
-//! Commands that do more than edit a value of the document or the session in place.
+//! Actions: the user's commands that do more than edit a value of the document or the session in place.
+//! Panels, keys and dialogs request them, and the window applies them.
 
 use std::path::PathBuf;
 
@@ -41,7 +42,7 @@ pub enum Leave {
     BackToStep,
     /// Open the recovered changes that were offered.
     Restore {
-        /// True to open them as a new scene, so that the file to which they belong stays unchanged.
+        /// True to open the changes as a new scene, so that the file of the changed scene stays as it is.
         as_new: bool,
     },
     /// Close the window.
@@ -75,7 +76,8 @@ pub enum FileAction {
     DiscardRecovered,
     /// Read the scene's file again if another program has changed it.
     CheckFile,
-    /// Continue with the user's version, which may then be saved over another program's changes.
+    /// Keep the user's version of a scene whose file another program has changed. Saving then overwrites the
+    /// other program's changes.
     KeepMine {
         /// True to save at once.
         saves: bool,
@@ -134,7 +136,7 @@ pub enum FigureAction {
         /// The file.
         path: PathBuf,
     },
-    /// Copy the layout's figure to the clipboard.
+    /// Copy the figure of the open page to the clipboard.
     Copy,
     /// Copy the derivation to the clipboard.
     CopyDerivation(Markup),
@@ -196,8 +198,8 @@ pub enum GhostAction {
     Swap,
 }
 
-/// Moves the camera with keys, as the mouse does in the camera view. The numbers count steps to the
-/// right and up, or forward.
+/// Moves the camera by key presses, as drags do in the camera view. Two numbers count steps to the right and
+/// up; a single number counts steps forward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steer {
     /// Look around.
@@ -210,7 +212,8 @@ pub enum Steer {
     Dolly(i32),
 }
 
-/// Moves the world view's observer with keys. The numbers count steps, as in [`Steer`].
+/// Moves the observer, the camera from which the world view is drawn, by key presses. The numbers count
+/// steps, as in [`Steer`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observe {
     /// Orbit the point that the observer looks at.
@@ -236,7 +239,7 @@ pub enum ObjectAction {
     Remove,
     /// Choose the object with this index.
     Choose(usize),
-    /// Move the choice by this many objects in the list, wrapping around at its ends.
+    /// Choose the object this many places further down the list, wrapping around at its ends.
     Next(i32),
 }
 
@@ -284,15 +287,16 @@ pub enum HelpAction {
     About,
 }
 
-/// Defines the enum of all actions, and the conversions from the actions of each part.
+/// Defines the enum `Action`, and the conversions to it from the action type of each part of the window.
 macro_rules! actions {
     ($($(#[$doc:meta])* $part:ident($action:ty),)*) => {
-        /// A command from the user. It is applied once per pass, after the panels are drawn and before
-        /// anything is derived.
+        /// A command from the user. Requested actions are applied in each egui pass, after the panels are
+        /// drawn and before anything is derived.
         #[derive(Clone, Debug, PartialEq)]
         pub enum Action {
             $($(#[$doc])* $part($action),)*
-            /// Set a given number to a value in displayed units.
+            /// Set an input number, which is given rather than computed, to a value in the units that the
+            /// window shows.
             Give(Given, f64),
             /// Move the selected pixel.
             Select {
@@ -345,8 +349,8 @@ fn queue() -> Id {
     Id::unique("requested actions")
 }
 
-/// Requests an action of the window. It is applied in this pass if the views are not drawn yet,
-/// otherwise in the next one.
+/// Queues an action. The window applies it in the current egui pass if the views are not drawn yet, otherwise
+/// in the next one.
 pub(crate) fn request(ctx: &Context, action: impl Into<Action>) {
     let action = action.into();
     ctx.data_mut(|data| data.get_temp_mut_or_default::<Vec<Action>>(queue()).push(action));
@@ -362,7 +366,7 @@ pub(crate) fn take_requested(ctx: &Context) -> Vec<Action> {
     ctx.data_mut(|data| data.remove_temp(queue())).unwrap_or_default()
 }
 
-/// The preconditions of actions that hold at the moment.
+/// Flags that say which preconditions of actions hold at the moment.
 #[derive(Clone, Copy)]
 pub(crate) struct Available {
     /// True if there is a step to undo.
@@ -406,9 +410,9 @@ pub enum Switch {
     ExactForms,
     /// Rows and columns are counted from 1.
     CountFromOne,
-    /// Moving the eye keeps the view direction. While this is off, the eye orbits *at*.
+    /// Moving the eye keeps the view direction. While this is off, a moved eye keeps looking at *at*.
     EyeTravels,
-    /// Changing the viewport or the image keeps the pixels' shape.
+    /// Changing the viewport or the image keeps the aspect ratio of the pixels.
     KeepPixelShape,
     /// Distance, width and height scale together, so that the picture stays the same.
     KeepPicture,

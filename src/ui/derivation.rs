@@ -1,6 +1,7 @@
-//! The derivation of every number, line by line. Hovering a line highlights its concept in the views,
-//! and hovering a concept in a view highlights its line. In the formulas, the user can drag the given
-//! numbers, or type new ones.
+//! The derivation panel, which shows how the camera's vectors, the selected ray and its hits are computed,
+//! line by line. Hovering a line highlights its concept (the vector, point or object that the line is about)
+//! in the views, and hovering a concept in a view highlights its line. The user can drag the input numbers in
+//! the formulas, or type new ones.
 
 use std::sync::Arc;
 
@@ -29,13 +30,15 @@ pub(crate) struct DerivationPanel {
     folded: Vec<(DerivationSection, Option<u32>)>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
-    /// The fields of given numbers, with the concepts of the lines that contain them.
+    /// The ids of the number fields in the formulas, each with the concept of the line that contains it.
     fields: Vec<(Id, Option<Concept>)>,
-    /// The number of revealed lines in the last pass.
+    /// The number of lines that were revealed in the last egui pass; `None` if lines are not revealed one by
+    /// one.
     revealed: Option<usize>,
 }
 
-/// The state of one pass over the lines: the inputs that all lines share, and the outputs.
+/// The state while the lines are drawn from top to bottom: the inputs that all lines share, and the values
+/// that drawing them updates.
 struct DerivationPass<'a> {
     givens: Givens<'a>,
     inks: Inks,
@@ -61,7 +64,8 @@ struct Laid {
 }
 
 impl DerivationPanel {
-    /// Returns the concept under the mouse or the keyboard focus in the last frame's derivation.
+    /// Returns the concept of the line under the mouse or, if there is none, of the line with the keyboard
+    /// focus, in the derivation as last drawn.
     pub(crate) fn hovered(&self, ctx: &Context) -> Option<Hovered> {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
@@ -92,8 +96,8 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the derivation without the title and the options above it. If `is_editable` is true, the
-    /// user can change the given numbers; each change requests an action.
+    /// Shows the lines of the derivation, without the title and the options that `head` shows above them. If
+    /// `is_editable` is true, the user can change the input numbers; each change requests an action.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
@@ -102,7 +106,8 @@ impl DerivationPanel {
         session: &Session,
         is_editable: bool,
     ) {
-        // The panel scrolls only once to a concept that is hovered in a view, and once to a new line.
+        // Scrolls only once to the line of a concept that is hovered in a view, and once to a newly revealed
+        // line.
         let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
         let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
@@ -234,8 +239,8 @@ impl DerivationPanel {
     }
 }
 
-/// Shows the title, the choice of how numbers are written, a checkbox for each section, and buttons that
-/// copy the derivation. Shows nothing while presenting.
+/// Shows the derivation's title, the choice of how numbers are written, a checkbox for each section, and
+/// buttons that copy the derivation. Shows nothing in presenter mode.
 pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
     if theme::installed(ui.ctx()).presenting {
         return;
@@ -325,13 +330,14 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     response
 }
 
-/// Distance between the dots below a given number, in points.
+/// Distance between the dots of the dotted underline of an editable number, in points.
 const BETWEEN_DOTS: f32 = 3.0;
-/// Radius of such a dot, in points.
+/// Radius of a dot of the dotted underline of an editable number, in points.
 const DOT: f32 = 0.7;
 
-/// Shows the field of a given number over its digits in a formula, whose first baseline begins at
-/// `baseline`. An edit requests an action, which is applied before the frame is presented.
+/// Shows the field of an input number over the number's digits in a formula; `baseline` is where the
+/// formula's first baseline begins. An edit requests an action, which is applied before the frame is
+/// presented.
 fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -> Option<Response> {
     let given = shown.given;
     let mut value = givens.value(given)?;
@@ -357,7 +363,7 @@ fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -
     Some(response)
 }
 
-/// Underlines a number with dots, which mark it as one that can be changed.
+/// Draws a dotted line below a number, which marks the number as editable.
 fn underline(ui: &Ui, rect: Rect) {
     let color = ui.visuals().weak_text_color();
     let y = rect.bottom() - 1.0;

@@ -38,7 +38,7 @@ impl Stopwatch {
         times.is_new |= work != WorkKind::Rest;
     }
 
-    /// Adds the remaining time to the total of all other work, and returns all times.
+    /// Adds the time since the last call to the total of all other work, and returns the times of all kinds.
     pub(crate) fn stop(self) -> WorkTimes {
         self.record(WorkKind::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
@@ -52,7 +52,7 @@ impl WorkTimes {
     }
 }
 
-/// The times of the last frame's work, summed over the frame's passes.
+/// The times of the last frame's work, summed over the frame's egui passes.
 #[derive(Debug, Default)]
 pub(crate) struct FrameWork {
     /// The context's number for the frame.
@@ -61,8 +61,8 @@ pub(crate) struct FrameWork {
 }
 
 impl FrameWork {
-    /// Adds the times of a pass of the frame with this number. Ignores passes before the first new
-    /// picture.
+    /// Adds the times of an egui pass of the frame with this number. Ignores passes of the frame before the
+    /// first one that makes a new picture.
     pub(crate) fn add(&mut self, frame: u64, pass: WorkTimes) {
         if self.frame != frame {
             *self = FrameWork { frame, work: None };

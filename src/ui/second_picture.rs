@@ -1,5 +1,5 @@
-//! A page's second picture, next to the camera's: the error map, the picture of a wrong camera or of the
-//! ghost, or the map of a student's answers.
+//! The second picture of a page, next to the camera's: the error map, the picture of a wrong camera or of the
+//! ghost (a frozen copy of the camera), or the map of a student's right and wrong answers.
 
 use egui::{Rect, Ui};
 
@@ -20,7 +20,8 @@ pub(crate) fn name(second: SecondPicture) -> &'static str {
     }
 }
 
-/// Shows the picture, or the reason why there is none, in `rect`. Its title strip is in `area`.
+/// Shows the second picture in `rect`, or the reason why there is none. Shows the picture's title above
+/// `area`.
 pub(crate) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,

@@ -1,5 +1,5 @@
-//! The workspaces' pages: what each layout of the window shows, and where. A new layout needs a [`Page`]
-//! here, a line in [`page`], and a row in the model's table of layouts.
+//! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
+//! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
 use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, pos2};
 
@@ -44,7 +44,7 @@ pub(crate) fn page(layout: ViewLayout) -> &'static Page {
 pub(crate) struct Page {
     /// True if the side panel with camera and objects is shown.
     pub(crate) has_panel: bool,
-    /// True if the ray under the pointer is shown instead of the selected one.
+    /// True if the page is about the ray under the pointer rather than the selected ray.
     pub(crate) follows_pointer: bool,
     /// Lays out the page's parts.
     pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
@@ -52,10 +52,11 @@ pub(crate) struct Page {
     pub(crate) second: Option<SecondPicture>,
     /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Shows the content that replaces `rest` while the question of a lesson's step waits for its
-    /// answer.
+    /// Shows the content that replaces `rest` while the question of a lesson's step is open, so that `rest`
+    /// does not reveal the answer.
     pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
-    /// Returns the concept under the pointer or under the focus in `rest`.
+    /// Returns the concept (such as a vector or an object) that is under the pointer, or has the keyboard
+    /// focus, in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
     /// The subject of the page's figure.
     pub(crate) figure: FigureSubject,
@@ -230,7 +231,7 @@ const EXERCISES: Page = Page {
 const ACCURACY: Page = Page {
     areas: |divider| {
         let (views, rest) = divider.above(Split::Accuracy);
-        // Both views leave space for the map's legend, so that they have the same size.
+        // Both pictures leave space for the error map's legend, so that they have the same size.
         let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
         let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
         Areas { world: None, camera: Some(left), second: Some(right), rest }

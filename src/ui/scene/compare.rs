@@ -1,5 +1,5 @@
-//! The comparison with the ghost. Next to the camera view is the ghost's picture or the map of
-//! differences. Below them are the numbers of both cameras.
+//! The comparison of the camera with the ghost, a frozen copy of it. Next to the camera view is the ghost's
+//! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
@@ -22,7 +22,8 @@ const DIGITS: usize = 4;
 /// Text that is shown if there is no ghost.
 const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
 
-/// Shows, above the picture, the choice between the ghost's picture and the differences.
+/// Shows, above the second picture, the choice between the ghost's picture and the map of the pixels that
+/// differ.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     strip_above(ui, area, |ui| match ghost {
         None => {
@@ -103,7 +104,8 @@ fn buttons(ui: &mut Ui, has_ghost: bool) {
 /// A quantity's name, its values for the ghost and for the current camera, and their difference.
 type ComparedLine = (&'static str, String, String, String);
 
-/// Shows the name in the vector's colour; screen readers read the whole line.
+/// Shows a quantity's name; if it is a vector, in the colour that it has in the views. Screen readers read
+/// the whole line instead of the name.
 fn name_of(ui: &mut Ui, (name, ghost, now, between): &ComparedLine) {
     let color = vector_color(ui, name).unwrap_or(ui.visuals().strong_text_color());
     let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
@@ -115,8 +117,8 @@ fn heads<const N: usize>(ui: &mut Ui, heads: [&str; N]) {
     ui.end_row();
 }
 
-/// Shows text in a field with a fixed width in characters, so that nothing moves sideways while the
-/// numbers change.
+/// Shows a text and pads it to a width in characters, so that nothing moves sideways while the numbers
+/// change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     ui.horizontal(|ui| {
         let response = ui.label(text);
@@ -124,7 +126,8 @@ fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     });
 }
 
-/// Shows vectors of both cameras, one above the other, and their difference.
+/// Shows a table of vectors. Each has two rows: the current camera's vector with its difference from the
+/// ghost's, and the ghost's vector.
 fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -203,7 +206,7 @@ fn moved(
     ]
 }
 
-/// Shows the angles by which the camera is turned and rolled.
+/// Shows the angles by which the camera is turned and rolled relative to the ghost.
 fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
     let by = &against.difference;
     let roll = by.roll.map(|roll| format!(", rolled by {}", degrees(roll, style)));
@@ -227,7 +230,7 @@ fn numbers(
     ]
 }
 
-/// Returns the lines about the first hit of the selected ray, for both cameras.
+/// Returns the lines that compare the first hit of the selected ray of both cameras: the object and t.
 fn hits(
     now: Option<&Inspection>,
     ghost: &Inspection,

@@ -1,6 +1,6 @@
-//! Mouse input on the handles of the world view, and in the camera view, where dragging looks around and
-//! orbits. The input is processed before anything is drawn, so that everything drawn is up to date.
-//! [`crate::view::handles`] and [`pinhole_core::steering`] calculate the effects.
+//! Mouse input on the handles of the world view, and in the camera view, where drags look around and orbit.
+//! The input is applied before anything is drawn, so that the frame already shows its effect. The effects of
+//! drags are computed in [`crate::view::handles`] and [`pinhole_core::steering`].
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
 use pinhole_core::steering::SteerError;
@@ -16,18 +16,20 @@ use crate::view::handle_drag::HandleDrag;
 use crate::view::handles::{PlacedHandle, Stage, hit, placed};
 use crate::view::overlay;
 
-/// The state of the input in the two views between passes: the drags, and the steps by keys and wheel.
+/// The input state of the world view and the camera view that persists between egui passes: the drag in
+/// progress, and recent steps by keys and wheel.
 #[derive(Debug, Default)]
 pub(crate) struct Dragging {
     /// The world view's rectangle and its id in egui.
     pub(super) world: Option<(Rect, Id)>,
     /// The camera view's rectangle and its id in egui.
     pub(super) camera: Option<(Rect, Id)>,
-    /// The position where a handle was pressed; `None` once the pointer has moved from there.
+    /// The position where the mouse button was pressed on a handle; `None` once the pointer has moved away
+    /// from there, because the press is then a drag rather than a click.
     pressed_at: Option<Pos2>,
-    /// The handle that was clicked last. A second click there reaches the handle below it.
+    /// The handle that was clicked last. A second click at the same place selects the handle that it covers.
     clicked: Option<Handle>,
-    /// True while the mouse button stays pressed after Escape has cancelled its drag.
+    /// True from the moment when Escape cancels a drag until the mouse button is released.
     given_back: bool,
     /// True if a handle is under the pointer.
     pub(super) by_pointer: bool,
@@ -41,7 +43,7 @@ pub(crate) struct Dragging {
     pub(super) scrolled: f32,
 }
 
-/// The input in the views, and the data that it edits.
+/// The context in which input in the views is handled: what the user sees, and the data that the input edits.
 pub(crate) struct ViewInput<'a> {
     pub(crate) ctx: &'a Context,
     /// The values shown in the last frame, to which the user's input refers.
@@ -81,8 +83,9 @@ impl WorldArea<'_> {
         placed(&stage, &session.handles)
     }
 
-    /// Returns the inputs of a drag. Ctrl makes the drag snap. Alt switches to the other choice of what
-    /// the eye keeps when it moves.
+    /// Returns the parameters of a handle's drag. While Ctrl is held, values snap to round steps. While Alt
+    /// is held, a moved eye keeps its view direction if the setting says that it keeps looking at *at*, and
+    /// vice versa.
     pub(super) fn handle_drag<'a>(
         &'a self,
         ctx: &Context,
@@ -164,7 +167,8 @@ impl Dragging {
         (session.handles.drag, session.handles.over) = (None, None);
     }
 
-    /// Updates which handle has the pointer or the keyboard focus, and grabs the handle that is pressed.
+    /// Updates which handle is under the pointer or has the keyboard focus, and starts a drag if the mouse
+    /// button was pressed on a handle.
     fn point(&mut self, view: &WorldArea, response: &Response, input: &mut ViewInput) {
         let ViewInput { ctx, shown, document, session, chosen_object } = input;
         let chosen = chosen_object.filter(|chosen| *chosen < document.object_count());
@@ -207,8 +211,8 @@ impl Dragging {
         session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
     }
 
-    /// Returns the handle at a position of the screen, unless the point that can be dragged along the
-    /// selected ray is nearer.
+    /// Returns the handle at a position on the screen; `None` if the draggable point on the selected ray is
+    /// nearer.
     fn hit(
         &mut self,
         all: &[PlacedHandle],
@@ -232,7 +236,8 @@ impl Dragging {
         is_nearest.then_some(found)
     }
 
-    /// Starts a drag in the camera view, if the button that looks around or orbits is pressed.
+    /// Starts a drag in the camera view if a button that looks around or orbits was pressed there in this
+    /// pass.
     fn press_camera(&mut self, response: &Response, input: &mut ViewInput) {
         let ViewInput { ctx, document, session, .. } = input;
         let grabbed = ctx.input(|i| {
@@ -308,8 +313,8 @@ impl Dragging {
     }
 }
 
-/// Returns the camera after it has looked around or orbited with the pointer, which is at `uv` in its
-/// viewport.
+/// Returns the camera after a drag in the camera view that looks around or orbits. The pointer is now at `uv`
+/// in the camera's viewport.
 fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     let camera = drag.before.camera;
     if drag.grabbed == Grabbed::Orbit {
@@ -321,8 +326,8 @@ fn turned(drag: &Drag, uv: DVec2) -> Result<Camera, SteerError> {
     }
 }
 
-/// Consumes all keys, so that they have no other effect during a drag. Returns true if one of them is
-/// Escape.
+/// Consumes all key events, so that keys have no other effect during a drag. Returns true if Escape was
+/// pressed.
 fn is_escape_pressed(ctx: &Context) -> bool {
     ctx.input_mut(|i| {
         let is_pressed = i.events.iter().any(|event| {
@@ -333,7 +338,7 @@ fn is_escape_pressed(ctx: &Context) -> bool {
     })
 }
 
-/// Returns the index of the sphere at a position of the world view, in physical pixels.
+/// Returns the index of the sphere at a position of the world view. The position is in physical pixels.
 pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
     let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();

@@ -1,5 +1,6 @@
-//! The numbers below the views, either as blocks that can be selected and copied or as a strip of one or two
-//! rows. Hovering a number highlights its concept in both views.
+//! The readouts: the numbers below the views, shown either as blocks that can be selected and copied, or as a
+//! compact strip of one or two rows. Hovering a number highlights what it is about, such as a vector or an
+//! object, in both views.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
@@ -16,10 +17,10 @@ use crate::view::derive::Derived;
 use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme;
 
-/// Minimum width of the hits, in points.
+/// Minimum width of the block that lists the hits, in points.
 const HITS: f32 = 280.0;
 
-/// Shows the three blocks side by side.
+/// Shows the blocks Basis, Ray and Hits side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
         ui.label(fault_text(ui, fault).strong());
@@ -57,8 +58,8 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     });
 }
 
-/// Shows, in the row above the blocks, how the renderer decided between hit and miss for the picture,
-/// and what it left out.
+/// Shows, in the row above the blocks, how many hit-or-miss decisions of the picture each kind of arithmetic
+/// made, and how much the renderer skipped.
 pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     if derived.fault.is_some() {
         return;
@@ -70,7 +71,8 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
     left_out(ui, derived);
 }
 
-/// Shows what the renderer left out of the camera's picture. Shows nothing if the camera has no basis.
+/// Shows how many spheres and rows the renderer skipped in the camera's picture. Shows nothing if the camera
+/// or the scene is invalid.
 pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
     let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
@@ -85,8 +87,8 @@ pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
 pub(crate) const STEPS: &str = "The number of decisions on whether a ray hits, by the arithmetic that \
                                 they needed: f64 has 16 digits, double-double 32";
 
-/// Returns a text with the number of decisions between hit and miss in the picture, by the arithmetic
-/// that they needed.
+/// Returns a text that says how many hit-or-miss decisions of the picture were made in `f64`, in
+/// double-double and in exact arithmetic.
 pub(crate) fn steps(steps: Steps) -> String {
     let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
     if steps.beyond_f64() == 0 {
@@ -109,7 +111,8 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     });
 }
 
-/// Lays out a reading's name, in the vector's colour if the views show the vector.
+/// Lays out the name of a reading, a named quantity with its value. A vector that the views draw has its
+/// colour from there.
 fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
@@ -130,8 +133,8 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
     job
 }
 
-/// Gives a label the reading's text for screen readers, and its meaning as a tooltip. Hovering the label
-/// highlights the reading's concept.
+/// Sets a label's text for screen readers and its tooltip to the text and the meaning of the reading that it
+/// shows. Hovering the label highlights the reading's concept in the views.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
     point(&label, reading);
     let label = label.spoken(written(reading, style));
@@ -144,7 +147,7 @@ fn written(Reading { name, value, .. }: &Reading, style: NumberStyle) -> String 
     format!("{name} = {}", style.text(value))
 }
 
-/// Shows readings in a block, one per line, with a button that copies them.
+/// Shows readings (named quantities) in a block, one per line, with a button that copies them.
 fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
     let copied = style.for_programs();
     self::title(ui, title, || {
@@ -189,7 +192,8 @@ fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: N
     weak(ui, "p + t d, t = 1 on the viewport");
 }
 
-/// Shows the roots, each with its object and its verdict, and the numbers that decide between hit and miss.
+/// Shows where the ray's line meets the objects. Each root t has its object and the reason why it is, or is
+/// not, the first hit. Below are the numbers that decide between hit and miss.
 fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let Some(inspection) = derived.inspection.as_deref() else { return };
     let object_of = |index: usize| document.title_of(inspection.roots[index].object as usize);
@@ -238,8 +242,8 @@ fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle)
     }
 }
 
-/// Returns, for each object, the numbers that decide between hit and miss. Returns nothing if there are
-/// too many objects to list.
+/// Returns the title of each object with the numbers that decide whether the ray hits it; nothing if there
+/// are too many objects to list.
 fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec<(String, String)> {
     let scene = shown.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
     let inspection = shown.inspection.as_deref().filter(|_| scene.is_some());
@@ -247,7 +251,8 @@ fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec
     listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
 }
 
-/// Returns the numbers that decide between hit and miss for one object.
+/// Returns the numbers that decide whether the ray hits an object: the coefficients and the discriminant of a
+/// sphere's quadratic, or the dot products of a plane.
 fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     let number = |x| style.number(x);
     match found {
@@ -268,7 +273,7 @@ fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     }
 }
 
-/// Returns the height of the strip, including the sentence and the buttons below it, in points.
+/// Returns the height of the strip of numbers, including the sentence and the buttons below it, in points.
 pub(crate) fn strip_height(width: f32) -> f32 {
     if is_narrow(width) { 92.0 } else { 66.0 }
 }
@@ -287,9 +292,9 @@ fn is_narrow(width: f32) -> bool {
     width < 780.0
 }
 
-/// Shows the strip: the basis, the selected ray and its first hit, as large and with as many digits as
-/// fit. If there are no numbers, shows the reason. While presenting, the basis and the ray have a row
-/// each, and the reason is shown over the picture instead.
+/// Shows the strip of numbers: the basis, the selected ray and its first hit, as large and with as many
+/// digits as fit. If there are no numbers, shows the reason. While presenting, the basis and the ray have a
+/// row each, and the reason is shown over the picture instead.
 pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let presented = theme::installed(ui.ctx()).presenting;
     if let Some(fault) = derived.fault {
@@ -323,8 +328,8 @@ pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: 
     }
 }
 
-/// Shows rows of numbers, at least `height` high. Uses the first choice of digits and size at which all
-/// numbers fit.
+/// Shows rows of numbers, each at least `height` points high. Each choice is a number of digits and a text
+/// size; the first choice with which all numbers fit is used.
 fn rows(
     ui: &mut Ui,
     rows: &[Vec<Reading>],
@@ -369,7 +374,8 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
     format!("{}(𝑢, 𝑣) = {}\n{hit}", pixel.unwrap_or_default(), style.uv(inspection.uv))
 }
 
-/// The number under the mouse in the last pass: its label's id, and its concept.
+/// The readout that was under the mouse in the last egui pass: the id of its label, and the concept that it
+/// is about.
 #[derive(Clone, Copy, PartialEq)]
 struct Pointed(Id, Hovered);
 
@@ -383,7 +389,7 @@ fn point(label: &Response, reading: &Reading) {
     let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
     if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
         label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
-        // The views are derived before the numbers are shown, so they change in the next pass.
+        // The views are drawn before the numbers, so they show the highlight only in the next pass.
         label.ctx.request_repaint();
     }
 }

@@ -1,6 +1,6 @@
-//! Steps with keys and the wheel, which move the focused handle, the camera in its view, and the loupe.
-//! Also shows the text next to the pointer during a drag or after a step. [`pinhole_core::steering`]
-//! calculates the cameras.
+//! Stepwise input by keys and the wheel: moves the focused handle, moves the camera in the camera view, and
+//! opens, magnifies or closes the loupe. Also shows the text next to the pointer during a drag or after a
+//! step. The moved cameras are computed by [`pinhole_core::steering`].
 
 use std::time::Duration;
 
@@ -25,7 +25,7 @@ use crate::view::derive::Derived;
 use crate::view::handle_drag::step_of;
 use crate::view::handles::{PlacedHandle, label, value};
 
-/// The effect of a drag, a key or the wheel in the camera view.
+/// A way in which a drag, a key or the wheel moves the camera in the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum CameraMove {
     Look,
@@ -41,7 +41,7 @@ pub(super) struct RecentSteps {
     before: Camera,
     /// The resulting camera.
     made: Camera,
-    /// Sum of the steps, x to the right and y up. If the movement has only one direction, x is forwards.
+    /// Sum of the steps: x to the right and y up or, for zoom and dolly, x forwards.
     total: DVec2,
     /// Time of the last step, in egui's seconds.
     pub(super) time: f64,
@@ -74,7 +74,8 @@ impl WorldArea<'_> {
         }
     }
 
-    /// Returns the point to which a handle is moved by steps to the right, upwards and away.
+    /// Returns the point to which a handle is moved by `steps`: x to the right, y upwards, and z away from
+    /// the observer.
     fn target(&self, handle: Handle, drag: &Drag, steps: DVec3) -> Option<DVec3> {
         let forward = steps.x + steps.y + steps.z;
         let basis = drag.before.camera.basis();
@@ -94,7 +95,8 @@ impl WorldArea<'_> {
     }
 }
 
-/// Returns the steps of the arrow keys: to the right, upwards, and (with Shift) away from the observer.
+/// Returns the presses of the arrow keys as steps to the right, upwards, and (with Shift) away from the
+/// observer.
 fn arrow_steps(ctx: &Context) -> DVec3 {
     ctx.input(|i| {
         let count = |key| i.num_presses(key) as f64;
@@ -104,7 +106,7 @@ fn arrow_steps(ctx: &Context) -> DVec3 {
     })
 }
 
-/// Returns the world axes that point most nearly to the right, upwards and away from the observer.
+/// Returns the signed world axes that are closest to the directions right, up and away from the observer.
 fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
     let basis = observer.basis();
     let most = |direction: DVec3, taken: DVec3| {
@@ -172,7 +174,8 @@ impl Dragging {
         self.recent.take_if(|recent| recent.made != *now || !recent.is_shown(time));
     }
 
-    /// Adds a step to the recent steps if it is of the same kind; otherwise starts a new sum.
+    /// Moves the camera by one step. The step is added to the recent steps if it is of the same kind;
+    /// otherwise a new sum starts with it.
     fn step(&mut self, way: CameraMove, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
         let now = *camera;
         let recent = self.recent.take().filter(|recent| recent.way == way);
@@ -197,8 +200,8 @@ impl RecentSteps {
     }
 }
 
-/// Applies the wheel to the loupe. Turning it forwards opens the loupe and enlarges its pixels. Turning
-/// it backwards shows more pixels, and finally closes the loupe.
+/// Applies notches of the wheel to the loupe, which magnifies the pixels around the selected point. Forward
+/// notches open it and then magnify more. Backward notches magnify less, and finally close it.
 fn look_closer(settings: &mut Settings, notches: i32) {
     let (least, most) = LOUPE_PIXELS;
     for _ in 0..notches.unsigned_abs() {
@@ -215,7 +218,8 @@ fn look_closer(settings: &mut Settings, notches: i32) {
     }
 }
 
-/// Returns the camera with its viewport scaled by a factor. The width is rounded to three digits.
+/// Returns the camera with its viewport scaled by a factor. The new width is rounded to the shortest decimal
+/// that is within 0.1 % of it.
 fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     let width = factor * camera.viewport.width;
     let readable = rounded_to(width, 0.01 * width)? / camera.viewport.width;
@@ -231,7 +235,8 @@ const REST: f32 = 15.0;
 const GAP: f32 = 20.0;
 
 impl Dragging {
-    /// Shows the text about handles and steps, and stores the views' rectangles.
+    /// Shows the texts about handles and steps, and stores the views' rectangles for the input of the next
+    /// pass.
     pub(crate) fn show_text(
         &mut self,
         ui: &Ui,
@@ -291,7 +296,7 @@ impl Dragging {
         show_lines(ui, view.id, at, at - view.rect.center(), &lines, refused);
     }
 
-    /// Returns true if there is text to show about the camera view.
+    /// Returns true if there is text to show about a drag or a recent step in the camera view.
     pub(crate) fn has_step_text(&self, session: &Session, time: f64) -> bool {
         session.handles.drag.is_some_and(|drag| drag.handle().is_none())
             || self.recent.as_ref().is_some_and(|recent| recent.is_shown(time))
@@ -335,7 +340,8 @@ fn value_of(handle: Handle, digits: usize, document: &Document, session: &Sessio
     value(handle, &values, settings.digits.min(digits), settings.count_from_one)
 }
 
-/// Shows lines of text next to a position, on the side to which `away` points.
+/// Shows lines of text next to a position, on the side to which `away` points; below them, the reason why the
+/// input had no effect, if there is one.
 fn show_lines(ui: &Ui, id: Id, at: Pos2, away: Vec2, lines: &[String], refused: Option<String>) {
     let align = |is_far: bool| if is_far { Align::Max } else { Align::Min };
     let side = RectAlign::outside(Align2([align(away.x >= 0.0), align(away.y >= 0.0)]));

@@ -10,16 +10,17 @@ use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
-/// Width of the handle between two areas, in points.
+/// Width of the draggable divider between two areas, in points.
 const HANDLE: f32 = 8.0;
-/// Movement of a handle by an arrow key, in points.
+/// Movement of a divider by one press of an arrow key, in points.
 const PUSH: f32 = 16.0;
 /// Height of three views side by side while presenting, as a multiple of the width of one view.
 const THIRD: f32 = 0.92;
 /// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
 
-/// The rectangles in the middle of the window, in points, aligned to physical pixels.
+/// The rectangles of the pictures and of the content around them, in the middle of the window. They are in
+/// points, aligned to physical pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ViewRects {
     /// The rectangle of the world view's picture.
@@ -28,8 +29,8 @@ pub(crate) struct ViewRects {
     pub camera_area: Option<Rect>,
     /// The rectangle of the camera view's picture, with the image's aspect ratio.
     pub camera: Option<Rect>,
-    /// The area for the second picture, next to the camera view: the error map, the picture of a wrong
-    /// camera or of the ghost, or the map of wrong answers.
+    /// The area for the second picture, next to the camera view: the error map, the picture of a wrong camera
+    /// or of the ghost (a frozen camera), or the map of wrong answers.
     pub second_area: Option<Rect>,
     /// The rectangle of the second picture. It is as large as the camera view's picture.
     pub second: Option<Rect>,
@@ -48,7 +49,7 @@ pub(crate) struct Areas {
     pub(crate) rest: Rect,
 }
 
-/// Divides the middle of the window into areas. Dragging the handles between them changes `splits`.
+/// Divides the middle of the window into areas. Dragging the dividers between the areas changes `splits`.
 pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
@@ -56,7 +57,7 @@ pub(crate) struct Divider<'a> {
     pub(crate) numbers: Numbers,
 }
 
-/// The numbers below the two views.
+/// How the numbers below the two views are shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Numbers {
     /// All numbers, in an area whose height the user drags.
@@ -121,20 +122,22 @@ impl Divider<'_> {
         }
     }
 
-    /// Splits off the area below the views, at the height to which the user last dragged it.
+    /// Splits the whole into the views and the area below them, which has the height that the user has set.
+    /// Returns both.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         self.above_with(split, self.splits.get(split))
     }
 
-    /// Returns the height of the area below three views if the pictures get only as much space as a
-    /// square image needs. It is at least the height that is stored for the boundary.
+    /// Returns the default height of the area below three views: the height that remains if the pictures are
+    /// only as high as a square image of their width, but at least the stored height.
     fn rest_below_pictures(&self, split: Split) -> f32 {
         let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
         let picture = 0.5 * (1.0 - share) * self.whole.width();
         self.splits.get(split).max(self.whole.height() - picture - STRIP - HANDLE)
     }
 
-    /// Splits off the area below the views, at this height unless the user drags the boundary.
+    /// Splits the whole into the views and an area of this height below them, and returns both. Stores the
+    /// new height if the user drags the divider.
     fn above_with(&mut self, split: Split, height: f32) -> (Rect, Rect) {
         let area = self.whole;
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
@@ -145,15 +148,16 @@ impl Divider<'_> {
         (area.with_max_y(boundary - HANDLE), area.with_min_y(boundary))
     }
 
-    /// Moves a boundary that is shown at `shown`. If it is not dragged, its stored position stays, because a
-    /// window that is temporarily too small must not change the user's choice.
+    /// Stores the new position of a divider that is shown at `shown` and is dragged by `by`. Without a drag,
+    /// the stored position stays, because a window that is temporarily too small must not change the user's
+    /// choice.
     fn move_by(&mut self, split: Split, shown: f32, by: f32) {
         if by != 0.0 {
             self.splits.set(split, shown + by);
         }
     }
 
-    /// Splits an area into a left and a right part, with a handle between them.
+    /// Splits an area into a left and a right part, with a draggable divider between them.
     pub(crate) fn across(&mut self, area: Rect, split: Split, name: &str) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.width());
         let x = area.left() + share * area.width();
@@ -162,7 +166,7 @@ impl Divider<'_> {
         (area.with_max_x(handle.left()), area.with_min_x(handle.right()))
     }
 
-    /// Splits an area into a top and a bottom part, with a handle between them.
+    /// Splits an area into a top and a bottom part, with a draggable divider between them.
     fn down(&mut self, area: Rect, split: Split) -> (Rect, Rect) {
         let share = within(self.splits.get(split), area.height());
         let y = area.top() + share * area.height();
@@ -210,7 +214,7 @@ pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     (area.with_max_x(x - HANDLE / 2.0), area.with_min_x(x + HANDLE / 2.0))
 }
 
-/// Shows a handle. Returns the handle's movement in this frame, by a drag or by arrow keys.
+/// Shows a divider. Returns its movement in this pass, by a drag or by arrow keys.
 fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
     let (cursor, line) = match vertical {
@@ -236,9 +240,9 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     Rect::from_min_max(snap(rect.min), snap(rect.max))
 }
 
-/// Returns the largest rectangle with the image's aspect ratio, in the middle of the area or directly
-/// below its title. If pixels are large, each covers the same whole number of physical pixels, so that
-/// all look alike.
+/// Returns the largest rectangle in the area that has the image's aspect ratio, in the middle or, if `at_top`
+/// is true, at the upper edge. If an image pixel covers three or more physical pixels in each direction,
+/// their number is whole, so that all image pixels look alike.
 fn fitted(area: Rect, image: ImageSize, per_point: f32, at_top: bool) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);

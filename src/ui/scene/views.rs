@@ -146,7 +146,7 @@ pub(crate) fn spoken(shown: &Derived) -> String {
 /// Returns the centre of the physical pixel under the mouse in a view, in physical pixels. A picture samples
 /// each physical pixel at its centre.
 fn dot_under(ui: &Ui, rect: Rect, pointer: Pos2) -> Vec2 {
-    // A whole number that is divided by the zoom and then multiplied by it may be slightly smaller.
+    // Dividing a whole number by the zoom and multiplying the quotient by it may yield slightly less.
     const ROUNDING: Vec2 = Vec2::splat(1.0 / 64.0);
     let at = (pointer - rect.min) * ui.ctx().pixels_per_point();
     (at + ROUNDING).floor() + Vec2::splat(0.5)
@@ -188,7 +188,8 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     }
 }
 
-/// Moves the observer with the mouse: drag to orbit, drag with Shift or another button to pan, wheel to zoom.
+/// Moves the observer, the camera of the world view, with the mouse: drag to orbit, drag with Shift or
+/// another button to pan, wheel to zoom.
 pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
     let shift = ui.input(|i| i.modifiers.shift);
     let delta = response.drag_delta();
@@ -213,7 +214,7 @@ pub(crate) fn wheel_zoom(ui: &Ui) -> f64 {
     f64::from(pinch) * f64::from(scroll.y * WHEEL_ZOOM).exp()
 }
 
-/// Maximum number of objects for which the camera view determines the hovered object.
+/// Maximum number of objects in a scene for which the camera view finds the object under the pointer.
 const ASKED_OBJECTS: usize = 4096;
 
 /// Returns the pointer's position if it hovers the view of this name.
@@ -222,8 +223,8 @@ fn pointer_in(ui: &Ui, name: &str) -> Option<Pos2> {
     response.hover_pos().filter(|_| response.hovered())
 }
 
-/// Returns the hovered concept in a view: the concept of the nearest mark, or else the object under the
-/// mouse. A ray that follows the pointer is always under it, and so is ignored.
+/// Returns what is under the mouse in a view: the concept of the nearest mark, or else the object. If a ray
+/// follows the pointer, that ray's marks are ignored, because they are always under the pointer.
 pub(crate) fn hovered(
     ui: &Ui,
     rects: &ViewRects,
@@ -268,7 +269,8 @@ fn object_in_picture(ui: &Ui, shown: &Derived, rect: Rect, at: Vec2) -> Option<C
     (!is_ignored).then_some(Concept::Object(object))
 }
 
-/// Returns the pixel under the mouse, either in the camera view or on the viewport in the world view.
+/// Returns, as a selection, the pixel under the mouse, either in the camera view or on the viewport in the
+/// world view.
 pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Selection> {
     let resolved = shown.resolved.as_ref().filter(|_| shown.fault.is_none())?;
     if ui.input(|i| i.pointer.any_down()) {
@@ -307,8 +309,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
         });
 }
 
-/// Width of a view, in points, below which its strip omits the image's size, and the button that
-/// switches what the eye keeps when it moves.
+/// Width of a view, in points, below which its title omits the image's size and the button of `eye_keeps`.
 const NARROW: f32 = 310.0;
 
 /// Shows the titles above the views, each with a button that maximises the view.
@@ -349,8 +350,8 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
     }
 }
 
-/// Shows a button that says what a moved eye keeps in the world view. A click on it switches to the
-/// other choice.
+/// Shows a button that says whether an eye moved in the world view keeps looking at *at* or keeps its view
+/// direction. A click switches between the two.
 fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
     let text = if *keeps == Keep::At { "Eye orbits at" } else { "Eye travels" };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
@@ -425,8 +426,8 @@ const PEN_POINTER: f32 = 5.0;
 /// Colour of the pen, which occurs nowhere else in the views.
 const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
 
-/// Draws with presenter mode's pen on `area`, above everything below the lesson's text. The pen has a pointer
-/// that is visible from the back row.
+/// Draws with presenter mode's pen on `area`, everything below the lesson's text. The pen's pointer is large
+/// enough to be seen from the back row of a classroom.
 pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
     let id = ui.scope_id().with(PEN);
     let layer = Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false);
