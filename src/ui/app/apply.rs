@@ -1,5 +1,5 @@
-//! Applies the actions of a pass, each to the part of the window that it concerns. Presenter mode and
-//! the window's colours and sizes are handled here.
+//! Applies the actions that were requested in an egui pass, each to the part of the window that it concerns.
+//! Presenter mode and the window's colours and sizes are handled here.
 
 use std::path::Path;
 
@@ -127,7 +127,8 @@ impl App {
         Dialog::Question(Question::new(title, text, answers))
     }
 
-    /// Opens the other scene or step, or closes the window, without asking the user.
+    /// Opens what `leave` names, or closes the window, without asking about unsaved changes. Returns a
+    /// message if that fails.
     fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
         self.settle(ctx, None);
         let before = self.scene.clone();
@@ -222,13 +223,14 @@ impl App {
         dialog
     }
 
-    /// Shows a passing notice with notes.
+    /// Shows a notice, which disappears by itself, with a title and notes below it.
     pub(crate) fn say(&mut self, title: String, notes: Vec<String>) {
         let notice = Notice { title, notes, worked: true, camera: None, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Reads the scene's file again as a step that the user can undo.
+    /// Reads the scene's file, which another program has changed, again as a step that the user can undo.
+    /// Returns a message if that fails.
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.settle(ctx, None);
         if let Err(error) = self.scene.reload() {

@@ -76,8 +76,8 @@ pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog>
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
 }
 
-/// Maximum size of a file to grade in the window, in bytes. That is about two million answers, which
-/// take several seconds.
+/// Maximum size of a file of answers that the window grades, in bytes. That is about two million answers,
+/// which take several seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
 const ANSWERS: FileQuestion = FileQuestion {
@@ -88,7 +88,8 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file dropped on the window, which depends on the file's first bytes.
+/// Returns the action for a file dropped on the window. Its first bytes tell whether it is graded as answers
+/// or opened as a scene.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
@@ -146,11 +147,12 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     Ok(())
 }
 
-/// The larger side of a view that is not on the screen, in points.
+/// The larger side, in points, of a figure of a view that is not on the screen.
 const VIEW: f32 = 960.0;
-/// Size of a derivation that is not on the screen, in points.
+/// Size, in points, of a figure of the derivation if it is not on the screen.
 const DERIVATION: [f32; 2] = [800.0, 600.0];
-/// Size of a lab of lines that is not on the screen, in points.
+/// Size, in points, of a figure of the lab of lines (two lines in the plane) if the lab has not been shown
+/// yet.
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
@@ -191,7 +193,7 @@ impl App {
         ExportForm::new(self.scene.open.file(), subjects, self.figure_style(ctx))
     }
 
-    /// Returns the subject of the open layout's figure.
+    /// Returns what a figure of the open page shows: a view, the derivation or the lab of lines.
     fn layout_subject(&self) -> FigureSubject {
         page(self.scene.session.settings.layout).figure
     }
@@ -200,7 +202,7 @@ impl App {
         Style::new(self.scene.session.settings.scheme, ctx.theme() == egui::Theme::Dark)
     }
 
-    /// Copies the layout's figure to the clipboard at its size on the screen.
+    /// Copies a figure of the open page to the clipboard, at the page's size on the screen.
     fn copy_figure(&mut self, ctx: &Context) -> Option<Dialog> {
         let shown = self.on_screen(ctx, self.layout_subject());
         let order = shown.order(shown.dots(), self.figure_style(ctx), false);
@@ -219,7 +221,7 @@ impl App {
         order.figure(self.document(), &self.figure_session(), is_folded)
     }
 
-    /// Returns the session without the hovered concept, which figures do not show.
+    /// Returns the session without what is under the pointer, because figures do not highlight it.
     fn figure_session(&self) -> Session {
         Session { hovered: None, ..self.scene.session.clone() }
     }

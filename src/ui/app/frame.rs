@@ -1,9 +1,9 @@
 //! The order of a frame: inputs, actions, derivation, outputs.
 //!
-//! Panels edit the document while they are drawn, from the top. At the end of the pass, the document and
-//! the session are compared with their state before the panels were drawn. If anything on the screen is
-//! out of date, egui runs the pass again before it presents anything. If a pass panics, the next one
-//! shows a page about the panic: the scene is kept, and the user chooses how to continue.
+//! Panels edit the document while they are drawn, from the top of the window to the bottom. At the end of the
+//! pass, the document and the session are compared with their state before the panels were drawn. If anything
+//! on the screen is out of date, egui runs the pass again before it presents anything. If a pass panics, the
+//! next one shows a page about the panic: the scene is kept, and the user chooses how to continue.
 
 use egui::{
     CentralPanel, Context, Key, Modifiers, Panel, Popup, RichText, ScrollArea, Ui, UiBuilder,
@@ -111,15 +111,15 @@ impl App {
         self.window.geometry.update(ctx);
     }
 
-    /// Requests the actions of the pressed keys. The keys of the views are excepted: [`views`] handles
-    /// them.
+    /// Requests the actions of the pressed keys, except for keys that work only in the views: [`views`]
+    /// handles those.
     fn keys(&mut self, ctx: &Context) {
         let is_typing = ctx.text_edit_focused();
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
-        // A vote handles the key first, because the key must reveal the vote's answer rather than
-        // advance the lesson.
+        // An open vote handles its keys first, because they must reveal the vote's answer rather than advance
+        // the lesson.
         if !is_typing {
             vote::reveal_by_key(ctx, &mut self.scene.session);
         }
@@ -354,8 +354,9 @@ impl OpenScene {
     }
 }
 
-/// Returns true if the cameras differ at most in *eye* and orientation, which only the camera's own
-/// fields and the views show. If the cameras differ, both must be valid and given in the same way.
+/// Returns true if the cameras are equal, or if they differ only in *eye* and orientation, which only the
+/// camera's own fields and the views show. In the latter case, both must also be valid and given in the same
+/// way.
 fn is_same_but_for_pose(before: &Camera, now: &Camera) -> bool {
     let moved = Camera { eye: now.eye, orientation: now.orientation, ..*before };
     let is_same_kind = before.orientation.kind() == now.orientation.kind();

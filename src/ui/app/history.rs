@@ -9,12 +9,12 @@ use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
 use crate::ui::action::HistoryAction;
 
-/// Time within which a repeated change without a mouse button, such as scrolling, extends the last step,
-/// in seconds.
+/// Maximum time, in seconds, after which another change of the same kind, made without a mouse button (such
+/// as by scrolling), still extends the last undo step.
 const PAUSE: f64 = 1.0;
 
-/// The undo steps, and the document as it was after the last step. The next step records how the
-/// document differs from it.
+/// The undo steps, and the document as it was after the last of them. The next step is what has changed
+/// since.
 #[derive(Debug)]
 pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
@@ -45,8 +45,8 @@ impl SceneHistory {
         SceneHistory { steps: History::default(), settled: document.clone(), last: None }
     }
 
-    /// Records any changes since the last step as a step. Without a `name`, the name of the step
-    /// describes the changes.
+    /// Records what has changed in the document since the last undo step, if anything, as a new step or as
+    /// part of the last one. Without a `name`, the step is named after the changes.
     fn settle(&mut self, ctx: &Context, document: &Document, name: Option<&str>) {
         if *document == self.settled {
             return;
@@ -71,7 +71,8 @@ impl SceneHistory {
         self.last = Some(Last { name: name.text, focus, time });
     }
 
-    /// Records that another scene or step was opened, or that the same one was reset.
+    /// Records, as an undo step, that another scene or lesson step was opened, or that the open one was
+    /// reset.
     pub(super) fn went_elsewhere(&mut self, before: OpenScene, now: &OpenScene) {
         if now.open.origin() == before.open.origin()
             && now.open.document == before.open.document
@@ -85,15 +86,16 @@ impl SceneHistory {
         self.last = None;
     }
 
-    /// Excludes the changes so far from the next step, because they were saved or belong to a lesson's step.
+    /// Excludes the changes so far from the next undo step, because they were saved or belong to a lesson's
+    /// step.
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }
 }
 
 impl App {
-    /// Records any changes since the last step as a step. Without a `name`, the name of the step
-    /// describes the changes.
+    /// Records what has changed in the document since the last undo step, if anything, as a new step or as
+    /// part of the last one. Without a `name`, the step is named after the changes.
     pub(super) fn settle(&mut self, ctx: &Context, name: Option<&str>) {
         self.history.settle(ctx, &self.scene.open.document, name);
     }

@@ -20,17 +20,18 @@ pub(super) struct Lessons {
     pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
-    /// The step's initial observer, fitted to the world view.
+    /// The observer (the world view's camera) with which the step began, fitted to the world view.
     seen_from: Option<Observer>,
     /// The session before the first step.
     before: Option<Session>,
-    /// The scene that was open before the first step, as an argument of the command line.
+    /// The command-line argument that opens the scene from before the first step.
     pub(super) scene_before: Option<PathBuf>,
 }
 
 impl Lessons {
-    /// Updates the step's initial observer when the world view is framed again, unless the user has moved the
-    /// observer.
+    /// Replaces the stored observer with which the step began, after the world view was framed again. Does
+    /// nothing if the user had moved the observer, so that `before`, the previous one, differs from the
+    /// stored one.
     pub(super) fn framed(&mut self, before: Option<Observer>, observer: Observer) {
         if self.seen_from.is_none() || self.seen_from == before {
             self.seen_from = Some(observer);
@@ -91,8 +92,9 @@ impl OpenScene {
         Some(Opened { is_another: !same_scene, play })
     }
 
-    /// Shows the answer to the step's question, with its lines of the derivation. If no question is open,
-    /// shows the next line while presenting. Returns false if everything is already shown.
+    /// Shows the answer to the step's question, and the lines of the derivation that lead to it. If no
+    /// question is open, shows the next line of the derivation while presenting. Returns false if everything
+    /// was already shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
         let is_asking = self.session.is_asking;
         if is_asking {
@@ -179,8 +181,8 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip. While presenting, a vote replaces the strip, because the vote asks a
-    /// different question.
+    /// Shows the lesson's strip. While presenting, an open classroom vote replaces the strip, because the
+    /// vote asks a question of its own.
     pub(super) fn lesson_strip(&self, ui: &mut Ui) {
         let Some(open) = &self.lessons.open else { return };
         if self.session.presenting.is_some() && self.session.shows_vote() {

@@ -96,7 +96,7 @@ impl App {
         theme::install_base(ctx);
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
-            // Scroll bars that stay visible show that there is more.
+            // Scroll bars stay visible, so that the user sees that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
         // The zoom's keys are in the table of commands.

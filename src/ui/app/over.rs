@@ -35,8 +35,8 @@ impl Overlays {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
-    /// Opens a dialog. If the dialog asks for a file and the desktop has a file dialog, that one is
-    /// used.
+    /// Opens a dialog. If the dialog asks for a file and the desktop has its own file dialog, the user
+    /// chooses the file there.
     pub(super) fn open(&mut self, mut dialog: Dialog) {
         if self.has_desktop {
             dialog.leave_to_desktop();

@@ -34,8 +34,8 @@ impl Playback {
 }
 
 impl App {
-    /// Advances the open animation, shows its strip and updates the scene. This must happen before
-    /// anything else draws the scene.
+    /// Advances the open animation, shows the strip with its controls, and updates the scene. This must
+    /// happen before anything else draws the scene.
     pub(super) fn advance_animation(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         let Some(player) = &mut self.playback.player else { return };
@@ -59,7 +59,7 @@ impl App {
         show_still(player, &still, &mut self.scene);
     }
 
-    /// Applies an action of the animation's strip or of a key.
+    /// Applies an action from the controls of the open animation, or from a key.
     pub(super) fn play(&mut self, ctx: &Context, action: PlayAction) {
         match (action, &mut self.playback.player) {
             (PlayAction::Open(kind), _) => {
@@ -174,7 +174,7 @@ impl App {
     }
 }
 
-/// Sets the parts of the scene that the animation changes to their state in `still`.
+/// Sets the parts of the scene that the animation changes to `still`, the state of the animation at one time.
 fn show_still(player: &mut Player, still: &Still, scene: &mut OpenScene) {
     still.show(player.kind, &mut scene.open.document, &mut scene.session);
     player.shown = scene.open.document.camera;

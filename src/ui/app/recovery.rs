@@ -1,5 +1,5 @@
-//! Recovery files. Unsaved changes are written to such a file while the user works. If a window ends
-//! without asking the user, its changes are offered later.
+//! Recovery files, to which unsaved changes are written while the user works. If a window ends without asking
+//! whether to save its changes, a later start of the program offers them.
 
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -22,7 +22,8 @@ const LONGEST: f64 = 4.0;
 /// Time until the next attempt if the last write is still in progress.
 const BUSY: Duration = Duration::from_millis(100);
 
-/// This window's recovery slot, and the changes found in the slots of other windows.
+/// This window's recovery slot, which is a file for its unsaved changes, and the changes found in the slots
+/// of windows that have ended.
 #[derive(Default)]
 pub(super) struct Recovery {
     slot: Option<Arc<Slot>>,
@@ -41,7 +42,8 @@ pub(super) struct Recovery {
 }
 
 impl Recovery {
-    /// Opens a slot, and finds the changes that other windows have left.
+    /// Opens a recovery slot for this window, and finds the changes that ended windows have left in their
+    /// slots.
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
@@ -75,13 +77,13 @@ impl Recovery {
         (self.next < self.found.len()).then(|| self.found.remove(self.next))
     }
 
-    /// Continues in the slot of the restored changes, which stay there until they are saved.
+    /// Takes over the slot of the restored changes, so that they stay there until they are saved.
     pub(super) fn go_on_in(&mut self, slot: Slot) {
         self.clear();
         (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
-    /// Writes changes on another thread once the user pauses, or after [`LONGEST`].
+    /// Writes unsaved changes to the slot, on another thread, once the user pauses or [`LONGEST`] has passed.
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
         if self.slot.is_none() {
             return;

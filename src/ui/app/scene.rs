@@ -19,7 +19,7 @@ use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
 
-/// The state that undo restores when it returns to a scene.
+/// The open scene, and everything that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]
 pub(super) struct OpenScene {
     pub(super) open: OpenDocument,
@@ -103,15 +103,15 @@ impl OpenScene {
         Opened { is_another: true, play: None }
     }
 
-    /// Returns two flags: true if there are unsaved changes, and true if anything differs from the
-    /// lesson's step.
+    /// Returns two flags: whether there are unsaved changes, and whether anything differs from the lesson's
+    /// step.
     pub(super) fn marks(&self) -> [bool; 2] {
         [self.open.has_changes(), self.differs_from_step()]
     }
 
-    /// Frames the whole scene in a world view of this size if there is no observer yet. An observer that
-    /// the user has not moved is fitted again in two cases: when the size changes, and when *eye* or
-    /// *at* leaves its sight while nothing is dragged or played.
+    /// Frames the whole scene in a world view of this size if there is no observer (the world view's camera)
+    /// yet. An observer that the user has not moved is fitted again in two cases: when the size changes, and
+    /// when *eye* or *at* leaves its sight while nothing is dragged or played.
     pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
         let shown = self.session.observer;
         let own = self.framed.filter(|framed| shown == Some(framed.observer));
@@ -131,7 +131,7 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
-        // Switching items later must not move the observer.
+        // Overlay items that are switched on or off later must not move the observer.
         let items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
             None => self.session.settings.items,
@@ -205,8 +205,8 @@ impl OpenScene {
         self.session.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, removes the ghost, or swaps the camera and the ghost. Returns
-    /// true if the camera changed.
+    /// Freezes the camera as the ghost, with which it is then compared; removes the ghost; or swaps the
+    /// camera and the ghost. Returns true if the camera changed.
     pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
         let camera = &mut self.open.document.camera;
         let ghost = &mut self.session.ghost;
@@ -234,7 +234,8 @@ impl OpenScene {
         }
     }
 
-    /// Sets a given number, with the same effect as editing its field in the side panel.
+    /// Sets an input number, which is given rather than computed, with the same effect as editing its field
+    /// in the side panel.
     pub(super) fn give(&mut self, ctx: &Context, given: Given, value: f64) {
         let (document, session) = (&mut self.open.document, &mut self.session);
         let before = document.camera;
@@ -250,7 +251,8 @@ impl OpenScene {
         session.follow_camera(&before, &document.camera);
     }
 
-    /// Returns to a scene or step that was open before, with its view. The window's own settings stay.
+    /// Returns to a scene or lesson step that was open before, with its view. Settings of the window itself,
+    /// such as the theme, stay.
     pub(super) fn go_back(&mut self, to: OpenScene) {
         let now = &self.session.settings;
         let settings = Settings {

@@ -105,7 +105,7 @@ impl App {
             views::show(ui, rect, view, &mut shown.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &spoken);
         }
-        // Only one of the two labels is shown at a time.
+        // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
             views::show_pointed(ui, session, derived, document);

@@ -20,7 +20,7 @@ pub(super) struct AppWindow {
     title: String,
     /// The renderer's name.
     pub(super) renderer: String,
-    /// While presenting, true if the window filled the screen before; otherwise `None`.
+    /// While presenting, whether the window filled the screen before; `None` otherwise.
     filled_before: Option<bool>,
     /// True if the close button may close the window without a question.
     may_close: bool,
@@ -118,16 +118,16 @@ pub(crate) fn complain(text: &str) {
 /// Notices that another program has changed the scene's files.
 #[derive(Default)]
 pub(super) struct FileWatch {
-    /// The files' stamps at the last check, if a file had changed.
+    /// The files' stamps (times and sizes) at the last check, if a file had changed by then.
     last: Option<Stamps>,
     /// The stamps of the last reported change.
     reported: Option<Stamps>,
 }
 
 impl FileWatch {
-    /// Returns true if a change of the scene's files must be reported. `touched` is the files' stamps if
-    /// one of them has changed. A change is reported once, and only when two checks see the same stamps,
-    /// because until then another program may still be writing the file.
+    /// Returns true if a change of the scene's files must be reported. `touched` is the files' stamps (times
+    /// and sizes) if one of them has changed. A change is reported once, and only when two checks see the
+    /// same stamps, because until then another program may still be writing the file.
     pub(super) fn is_news(&mut self, touched: Option<Stamps>, may_report: bool) -> bool {
         let rests = touched.is_some() && touched == self.last;
         self.last = touched;

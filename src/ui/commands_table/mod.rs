@@ -136,7 +136,8 @@ fn with_action(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|command| command.action == *action)
 }
 
-/// Returns the common name of commands that differ only in direction; `None` for other commands.
+/// Returns the name that an action's command shares, in the list of keys, with those that differ from it only
+/// in direction; `None` for other actions.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
@@ -153,7 +154,8 @@ fn family(action: &Action) -> Option<&'static str> {
     }
 }
 
-/// Returns the keys of a family of commands: a short form such as `Alt+arrows`, or a list of all keys.
+/// Returns the keys of a family of commands, which differ only in direction: a short form such as
+/// `Alt+arrows`, or a list of all keys.
 fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
     let keys: Vec<&Keys> = family.iter().flat_map(|command| &command.keys).collect();
@@ -191,10 +193,10 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     groups
 }
 
-/// The condition under which a key works. No key works under a dialog.
+/// The condition under which a key works. While a dialog is open, no key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
-    /// Always, even during typing; the typed text is accepted first.
+    /// Always, even while the user types into a field; the typed text is then accepted first.
     Anywhere,
     /// Except during typing.
     Untyped,
@@ -255,7 +257,7 @@ impl Keys {
     }
 
     fn is_held(self, now: Modifiers) -> bool {
-        // Signs may need Shift or AltGr, depending on the keyboard.
+        // Punctuation may need Shift or AltGr, depending on the keyboard.
         let mut letters = name(self.key).chars();
         let begins_with_sign = letters.next().is_some_and(|c| !c.is_alphabetic());
         let is_sign = begins_with_sign && letters.next().is_none();
@@ -276,8 +278,8 @@ fn name(key: Key) -> &'static str {
     }
 }
 
-/// Returns the actions of the keys that were pressed, once per press. `counts` returns true for the
-/// conditions that hold now. If two commands share a key, the first one in the table gets it.
+/// Returns the actions of the keys that were pressed, one for each press, with the key's condition. `counts`
+/// tells whether a condition holds now. If two commands share a key, the first one in the table gets it.
 pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Action)> {
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     if !ctx.input(|input| input.events.iter().any(is_key)) {

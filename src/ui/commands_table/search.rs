@@ -32,8 +32,8 @@ enum Fit {
     Whole,
 }
 
-/// Returns the commands that match the typed words, ranked by their worst-matching word, best first. If
-/// nothing was typed, returns all commands in their order.
+/// Returns the commands that match every typed word, best first: commands are compared by the word that fits
+/// them worst. If nothing was typed, returns all commands in their order.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
     let typed = typed.to_lowercase();
     let words: Vec<&str> = typed.split_whitespace().collect();
@@ -55,8 +55,8 @@ pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> 
     ranked.into_iter().map(|(_, command)| command).collect()
 }
 
-/// Returns the quality of a word's match with a command, all in lower case; `None` if the word does not
-/// match.
+/// Returns how well a typed word matches a command's title or description; `None` if it matches neither. All
+/// arguments must be in lower case.
 fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     let other = SYNONYMS.iter().find(|(typed, _)| *typed == word).map(|(_, word)| *word);
     let in_words = |word: &str| {
@@ -70,7 +70,7 @@ fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
     })
 }
 
-/// Returns the quality of the best match of a word in a text.
+/// Returns how well a word fits the best place in a text; `None` if the text does not contain it.
 fn stands_in(word: &str, text: &str) -> Option<Fit> {
     let matches = text.match_indices(word).map(|(at, _)| {
         let begins = !text[..at].ends_with(char::is_alphanumeric);

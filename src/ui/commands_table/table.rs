@@ -29,8 +29,8 @@ macro_rules! commands {
     };
 }
 
-/// The gestures with the mouse or with held keys: group, gesture, effect. They appear in the list of
-/// keys, but the keyboard does not look them up.
+/// The gestures with the mouse or with held keys, each as its group, the gesture and its effect. This table
+/// is only for the list of keys; other code handles the gestures.
 pub const GESTURES: [(Group, &str, &str); 16] = [
     (Group::Views, "Drag in the world view", "Orbit the observer"),
     (Group::Views, "Shift+drag in the world view", "Pan the observer"),
@@ -191,7 +191,7 @@ fn playing() -> Vec<UiCommand> {
     ]
 }
 
-/// The arrow keys: their direction in words, and their steps to the right and up.
+/// The arrow keys, each with its direction in words and its steps to the right and up.
 const ARROWS: [(Key, &str, i32, i32); 4] = [
     (Key::ArrowUp, "up", 0, 1),
     (Key::ArrowDown, "down", 0, -1),
@@ -263,7 +263,8 @@ fn switches() -> Vec<UiCommand> {
     commands
 }
 
-/// Returns the commands that show one of several layouts, colours, methods, scenes, lessons and exercises.
+/// Returns the commands that choose one of several alternatives, such as a layout, a shading, a method, a
+/// scene, a mistake, an exercise or a lesson step.
 fn choices() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     let mut add = |group, name: &str, about: &str, action: Action| {

@@ -34,8 +34,8 @@ impl OnScreen {
         self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
     }
 
-    /// Returns the order for a figure of this size in pixels. The scale is the largest at which the
-    /// figure fits; a derivation only needs to fit in width.
+    /// Returns the request for a figure of this size in pixels. Its scale is the largest at which the subject
+    /// fits; a derivation only needs to fit in width.
     pub(crate) fn order(self, size: [u32; 2], style: Style, transparent: bool) -> Order {
         let [across, down] = [0, 1].map(|k| size[k] as f32 / self.points[k].max(1.0));
         let scale =
@@ -88,7 +88,8 @@ impl ExportForm {
         }
     }
 
-    /// Returns the same form for an animation, with all frames of the animation's duration.
+    /// Turns the form into one for an animation of this kind, with as many frames as its whole duration
+    /// needs.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
         self.animation = Some((kind, Frames::new(kind, Frames::PER_SECOND)));
         self.field.question = ANIMATION;

@@ -76,8 +76,8 @@ fn height(groups: &[Entries]) -> usize {
     groups.iter().map(|(_, rows)| rows.len() + 2).sum()
 }
 
-/// Returns the index of the column for a group. All groups form one long column that is cut into equal
-/// parts. A group belongs to the part that contains its middle.
+/// Returns the index of the column that shows group `k`. All groups form one long column, which is cut into
+/// `columns` equal parts. A group belongs to the part that contains its middle.
 fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
     let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
     (columns * middle / height(groups).max(1)).min(columns - 1)

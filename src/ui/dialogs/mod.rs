@@ -91,8 +91,8 @@ impl Dialog {
         Dialog::File(field, Box::new(move |path| action(path).into()))
     }
 
-    /// If this dialog needs a file, lets the user choose the file in the desktop's dialog. For a figure,
-    /// that dialog opens only when its button is clicked.
+    /// If this dialog needs a file, lets the user choose the file in the desktop's own dialog. When a figure
+    /// is exported, the desktop's dialog opens only once a button is clicked.
     pub(crate) fn leave_to_desktop(&mut self) {
         let at_once = !matches!(self, Dialog::Export(_));
         if let Some(field) = self.field() {

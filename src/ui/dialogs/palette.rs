@@ -54,8 +54,8 @@ pub(crate) fn ui(
     is_open && !response.should_close()
 }
 
-/// Returns the number of commands by which the pressed keys move the selection down. Consumes these keys, so
-/// that the text field does not receive them.
+/// Returns by how many entries the pressed keys move the selection down. Consumes these keys, so that the
+/// text field does not receive them.
 fn moves(ctx: &Context) -> isize {
     let page = ROWS as isize - 1;
     let keys =

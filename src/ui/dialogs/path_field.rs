@@ -18,7 +18,7 @@ pub struct FileQuestion {
     pub endings: &'static [&'static str],
     /// The hint in the empty field.
     pub hint: &'static str,
-    /// The extension added to the name of a file to write if it has none; `None` for a file to read.
+    /// For a file to write, the extension that is added to a name without one; `None` for a file to read.
     pub writes: Option<&'static str>,
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct PathField {
     overwrite: Option<PathBuf>,
 }
 
-/// A file or folder in the list. Folders are first, each kind by name.
+/// A file or folder in the list. Sorting puts folders before files, and each kind in order of names.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct FolderEntry {
     is_file: bool,
@@ -134,8 +134,8 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the field. Returns the path of a file once the user has chosen it. In the list, the user must
-    /// confirm before an existing file is overwritten.
+    /// Shows the field. Returns the path of a file once the user has chosen it. In the window's own list, the
+    /// user must confirm before an existing file is overwritten.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = match self.is_desktops {
             true => self.desktop_ui(ui, cancel),

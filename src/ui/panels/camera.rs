@@ -12,8 +12,9 @@ use crate::model::session::Settings;
 use crate::model::symbols::{SymbolKind, meaning, typeset_message};
 use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, vector_color, vector_row};
 
-/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' shape, which is the ratio of width :
-/// height to W : H. The setting `keep_picture` locks distance : width : height.
+/// Shows the fields that edit the camera. The setting `keep_pixel_shape` locks the aspect ratio of the
+/// pixels: the viewport's width / height, divided by the image's W / H. The setting `keep_picture` locks the
+/// ratios of the viewport's distance, width and height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -42,7 +43,8 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     settings.unfolded.viewport = unfolded;
 }
 
-/// Shows the choice of how the camera is given. Converts the camera to the chosen form.
+/// Shows the choice of how the camera is given (by *at*, *view* or a basis). Converts the camera to the
+/// chosen form.
 fn given_by(ui: &mut Ui, camera: &mut Camera) {
     ui.horizontal(|ui| {
         ui.label("Given by");
@@ -139,8 +141,8 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     field_of_view(ui, camera, !settings.keep_picture);
 }
 
-/// After an edit of the viewport or the image, restores the picture or the pixels' shape if the settings
-/// lock it.
+/// After an edit of the viewport or the image, restores the picture or the aspect ratio of the pixels,
+/// whichever the settings lock.
 pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
     if settings.keep_picture && camera.viewport != before.viewport {
         teaching::keep_picture(ctx, before, camera);
@@ -197,10 +199,9 @@ fn shape_of(camera: &Camera) -> f64 {
     camera.viewport.width / camera.viewport.height / camera.image.aspect()
 }
 
-/// Restores the pixels' shape: adapts the height of the viewport after an edit of its width, and the
-/// width after an edit of its height. After an edit of the image, the larger extent stays as it was, so
-/// that no field of view grows. Nothing is adapted if the other extent would exceed the range of
-/// numbers.
+/// Restores the aspect ratio of the pixels: adapts the height of the viewport after an edit of its width, and
+/// vice versa. After an edit of the image, the larger of the viewport's width and height stays as it was, so
+/// that no field of view grows. Nothing is adapted if a value would exceed the range of numbers.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     let ratio = shape_of(before) * camera.image.aspect();
     let Viewport { width, height, .. } = camera.viewport;
@@ -243,7 +244,8 @@ fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     }
 }
 
-/// Edits the selected ray of a valid camera: row and column, or (u, v).
+/// Shows the fields of the selected ray: row and column, or (u, v). If the camera is invalid, says that there
+/// is no ray.
 pub(crate) fn selected_ray(
     ui: &mut Ui,
     selection: &mut Selection,

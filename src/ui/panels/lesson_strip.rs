@@ -63,8 +63,8 @@ fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
     ui.add_space(2.0);
 }
 
-/// Shows the titles of the lesson and the step, and leaves `reserved` points free. If there is a step at
-/// which both titles do not fit, the lesson's title is reduced to its number.
+/// Shows the titles of the lesson and the step, and leaves `reserved` points free. If the lesson's title does
+/// not fit next to the longest title of its steps, only its number is shown.
 fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
     let gap = 10.0;
     ui.spacing_mut().item_spacing.x = gap;
@@ -117,7 +117,7 @@ const COLUMNS: usize = 3;
 /// Width of a column, in points.
 const COLUMN: f32 = 330.0;
 
-/// Shows all lessons with their steps; a teacher's lesson is above the built-in ones.
+/// Shows all lessons with their steps; a lesson from a teacher's file is above the built-in ones.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
     let width = COLUMNS as f32 * COLUMN;
     // The default limit of a menu is too small for all lessons.

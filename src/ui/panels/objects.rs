@@ -73,7 +73,7 @@ fn row_of_file(document: &Document, index: usize) -> String {
 
 /// The centres of the picture's quarters, as fractions of the viewport.
 const QUARTERS: [[f64; 2]; 4] = [[0.25, 0.25], [-0.25, 0.25], [-0.25, -0.25], [0.25, -0.25]];
-/// The distance between spheres behind each other, in viewport distances.
+/// The difference in t between new spheres that are placed one behind another; t is 1 on the viewport.
 const BEHIND: f64 = 1.5;
 
 /// Returns a new sphere that the camera sees. It is in the upper right quarter of the picture, or at the
@@ -154,8 +154,8 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     }
 }
 
-/// Edits an object. Writes the object only if it has changed, because writing copies the list, which is
-/// shared with the history. Returns true if the object was removed.
+/// Shows the fields of an object. Stores the object only if it has changed, because storing it copies the
+/// list, which is shared with the undo history. Returns true if the object was removed.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,

@@ -1,4 +1,4 @@
-//! The strip of the open animation, and the menu that opens one.
+//! The strip with the controls of the open animation, and the menu that opens an animation.
 
 use egui::{Button, Checkbox, RichText, Slider, Ui};
 

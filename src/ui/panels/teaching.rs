@@ -1,5 +1,5 @@
-//! The camera panel's experiments: edits that change a single property of the camera, and a dial that
-//! shows the camera's conditioning. The conditioning is in degrees of roll per degree that up is tipped
+//! The camera panel's experiments: edits that change a single property of the camera, and a dial that shows
+//! the camera's conditioning, that is, by how many degrees it rolls for each degree that up is tipped
 //! sideways.
 
 use std::f32::consts::PI;
@@ -59,8 +59,9 @@ pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) 
     Kept { made: *camera, ..kept }.keep(ctx, "kept picture");
 }
 
-/// The camera from which a control starts to turn or scale, and what the control has made of it. Every
-/// move of the control starts from the same camera again, so that rounding errors do not accumulate.
+/// The state of a control that turns or scales the camera: the camera before the control was used, and the
+/// last camera that the control made of it. Every move of the control starts from the first one again, so
+/// that rounding errors do not accumulate.
 #[derive(Clone, Copy)]
 struct Kept {
     /// The camera before the control was used.
@@ -71,8 +72,8 @@ struct Kept {
 }
 
 impl Kept {
-    /// Returns the stored state if `is_now` returns true for the last camera that the control made.
-    /// Otherwise, the user has changed the camera elsewhere, and the returned state starts at `now`.
+    /// Returns the stored state of the control if `is_now` returns true for the last camera that the control
+    /// made. Otherwise the camera has been changed elsewhere, and the returned state starts at `now`.
     fn resume(ctx: &Context, name: &str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ctx.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
@@ -84,8 +85,8 @@ impl Kept {
     }
 }
 
-/// Turns up about the view direction. The angle is in degrees, counted from the direction that up had
-/// before the user touched the control.
+/// Shows the control that turns *up* about the view direction. Its angle is in degrees, counted from the
+/// direction that up had before the user touched the control.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
@@ -104,7 +105,8 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
     });
 }
 
-/// Turns up towards the view direction or away from it, in the plane that contains both.
+/// Shows the control that turns *up* towards the view direction or away from it, in the plane that contains
+/// both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::resume(ui.ctx(), "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
@@ -131,7 +133,8 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     });
 }
 
-/// Ends of the slider: log10 of the tangent of half the angle.
+/// End of the slider's range, which is from -`ENDS` to `ENDS`: log10(tan(a / 2)), where a is the angle
+/// between up and view.
 const ENDS: f64 = 5.0;
 /// Minimum angle between up and view that can be typed, in degrees.
 const SMALLEST: f64 = 1e-9;
@@ -147,7 +150,7 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
     });
 }
 
-/// Number of decades of the scale, which ends at 10^6.
+/// Number of decades of the dial's scale, which ends at 10^6.
 const DECADES: f32 = 6.0;
 const RADIUS: f32 = 64.0;
 /// Size of the number, in points; it is legible from the back row.
@@ -216,7 +219,7 @@ fn face(ui: &mut Ui, conditioning: f64) {
     ui.painter().circle_filled(hub, 5.0, text);
 }
 
-/// Draws the zones calm, sensitive and very sensitive, which differ both in width and in colour.
+/// Draws the dial's zones (calm, sensitive and very sensitive), which differ both in width and in colour.
 fn arcs(ui: &Ui, hub: Pos2) {
     let quiet = ui.visuals().weak_text_color();
     let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);
@@ -236,8 +239,8 @@ fn arcs(ui: &Ui, hub: Pos2) {
     }
 }
 
-/// Returns the angle, in radians, at which the scale has the number with this decimal logarithm. The
-/// scale runs from the left over the top to the right.
+/// Returns the angle on the dial, in radians, of the number with this decimal logarithm. The scale runs from
+/// the left over the top to the right.
 fn angle_of(decades: f32) -> f32 {
     PI * (1.0 - decades / DECADES)
 }

@@ -1,5 +1,6 @@
-//! A student's answers: the error map next to the camera's picture. Below them are the number of right
-//! answers, the worst answer, and the mistake that explains the errors.
+//! The page about a student's answers: a map of the right and wrong answers, next to the camera's picture.
+//! Below the pictures are the number of right answers, the worst answer, and the mistake that explains the
+//! errors.
 
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,

@@ -209,7 +209,8 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
     });
 }
 
-/// Shows the fields of one part. Returns true if Enter was pressed in one of the fields.
+/// Shows the fields for the answer to one part of the question. Returns true if Enter was pressed in one of
+/// the fields.
 fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     let mut entered = false;
     let name = part.asked.id();
@@ -261,7 +262,7 @@ fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer) -> bool {
     entered
 }
 
-/// Shows the verdict on a part once it was checked.
+/// Shows the verdict on the answer to a part of the question, once it has been checked.
 fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
     let Some(said) = &typed.feedback else { return };
     let text = RichText::new(said.sentence(part)).size(text_size(ui) - 1.0).strong();
@@ -300,7 +301,7 @@ pub(crate) struct QuestionScene {
 struct QuestionObserver {
     question: (Exercise, Option<u64>),
     observer: Observer,
-    /// The observer that sees everything, and the size of the picture for which it was framed.
+    /// The observer that frames the whole scene, and the size of the picture for which it was computed.
     framed: (Observer, ViewSize),
 }
 
@@ -428,8 +429,8 @@ fn sections(exercises: &Exercises) -> DerivationSections {
     DerivationSections([asks(Asked::W), has_pixel, asks(Asked::T)])
 }
 
-/// Returns the lab of lines for a question in two dimensions, with t at the intersection of its lines.
-/// Returns `None` for other questions.
+/// Returns the lab of lines, which draws two lines in the plane, for a question in two dimensions, with t at
+/// the intersection of its lines. Returns `None` for other questions.
 fn lab(exercises: &Exercises) -> Option<LinesLab> {
     let Given::Lines { line, origin, direction } = exercises.question().given else { return None };
     let line = ImplicitLine { a: line.x, b: line.y, c: line.z };

@@ -1,5 +1,6 @@
-//! The mistakes view: a wrong camera's picture next to the right one. Below them are the gallery, the
-//! explanation of the mistake, and the checks, each of which catches or misses the mistake.
+//! The mistakes page: the picture of a camera that is computed with a typical mistake, next to the right
+//! picture. Below the pictures are the gallery of mistakes, the explanation of the chosen one, and checks
+//! (properties of every right camera), each of which catches or misses the mistake.
 
 use egui::{
     Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
@@ -34,7 +35,8 @@ const LETTER: f32 = 16.0;
 /// Width of the letter, the signs and the gaps in a row with two vectors, in points.
 const BESIDE_VECTORS: f32 = 110.0;
 
-/// Shows the title above the wrong picture, and the choice between that picture and the map of differences.
+/// Shows the title above the wrong picture, and the choice between that picture and the map of the pixels
+/// that differ.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
     strip_above(ui, area, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -1,5 +1,5 @@
-//! A vote on which mistake made the wrong picture. It has four large options. Once the answer is
-//! revealed, it shows the right option and its explanation.
+//! A classroom vote on which mistake made the wrong picture, with four large options. Once the answer is
+//! revealed, the page shows the right option and its explanation.
 
 use egui::{
     Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
@@ -43,7 +43,7 @@ const LEAST_OPTION: f32 = 36.0;
 /// Minimum height of the reason in a low window, in points.
 const LEAST_REASON: f32 = 24.0;
 
-/// Width of the page, in points, from which the reason needs fewer lines.
+/// Width of the page, in points, from which on the reason needs fewer lines.
 const WIDE: f32 = 820.0;
 
 /// Space between the options, in points.

@@ -1,5 +1,5 @@
-//! The lab of lines: a drawing in which everything can be dragged, with the numbers and the substitution
-//! on its right.
+//! The lab of lines, a page that intersects two lines in the plane: a drawing in which the lines can be
+//! dragged, with their numbers and the substitution of one line into the other on its right.
 
 use egui::accesskit::Role;
 use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Slider, Ui, Vec2};
@@ -18,7 +18,7 @@ fn lab_id() -> Id {
     Id::unique("the lab's area")
 }
 
-/// Returns the width and height at which the lab was last shown, in points.
+/// Returns the width and height at which the lab of lines was last shown, in points.
 pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
     ctx.data(|data| data.get_temp::<Vec2>(lab_id())).map(Into::into)
 }
@@ -41,7 +41,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     plane(ui, left, lab, digits);
 }
 
-/// Shows both lines while the class is asked where they meet.
+/// Shows both lines, but not their intersection, while a lesson asks the class where they meet.
 pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
     let mut lab = lab.clone();
     lab.set_t(0.0);
@@ -101,7 +101,7 @@ fn fields(ui: &mut Ui, lab: &mut LinesLab) {
     });
 }
 
-/// Shows t as a slider that generates points, and the options for the trail of points.
+/// Shows a field and a slider for t, and the options for the trail of points that p + t d leaves.
 fn time(ui: &mut Ui, lab: &mut LinesLab) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {
@@ -146,7 +146,7 @@ fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     }
 }
 
-/// Pans when a drag does not start on a handle, and zooms about the pointer with the wheel.
+/// Pans the drawing when a drag does not start on a handle, and zooms about the pointer with the wheel.
 fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
     let response = response.with_role(Role::Image).named("Plane with both lines");
@@ -165,7 +165,8 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     }
 }
 
-/// Handles the dragging of a handle. Returns the response of its area, if it is visible.
+/// Handles mouse and keys on a handle of the drawing. Returns the response of the handle's area, if the
+/// handle is visible.
 fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> Option<Response> {
     let at = plane.in_sight(lab, handle)?;
     let id = ui.scope_id().with(handle.name());
@@ -173,7 +174,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> 
     let response = ui.interact(around, id, Sense::click_and_drag());
     let response = response.on_hover_cursor(CursorIcon::Grab);
     keep_arrows(&response, true, true);
-    // Rounds to hundredths, or more finely if a pixel is smaller than that.
+    // The number of rounding steps per unit: the next power of ten above the number of pixels per unit.
     let dots = plane.unit() * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {

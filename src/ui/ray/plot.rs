@@ -1,5 +1,6 @@
-//! The plot of f(p + t d) against t, with the point that walks along the ray. It is below both views and
-//! shows all objects on a common t axis. On its right there is a text for each curve.
+//! The plot of f(p + t d) against t, where f(x) = 0 is an object's surface and p + t d the selected ray. It
+//! is below both views, and has a curve for each object on a common t axis, and a point that the user moves
+//! along the ray. On its right there is a text for each curve.
 
 use std::sync::Arc;
 
@@ -75,7 +76,7 @@ fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT, ui.visuals().text_color());
 }
 
-/// Shows the t of the walking point as a number and as a slider.
+/// Shows the t of the point that the user moves along the ray, as a number and as a slider.
 fn walk(ui: &mut Ui, ray_point_t: &mut Option<f64>, plot: &Plot, first_hit: f64) {
     ui.horizontal(|ui| {
         let mut walks = ray_point_t.is_some();
@@ -101,8 +102,8 @@ fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
     format!("p + t d = ({x}, {y}, {z})")
 }
 
-/// Returns a text that names the objects that contain the point, and those that have it on their
-/// surface, judging by the values of f there.
+/// Returns a text that names the objects that contain the point on the ray, and those on whose surface it is.
+/// `values` holds the value of f at the point for each curve.
 fn objects_at(plot: &Plot, values: &[f64]) -> String {
     let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
         let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
@@ -118,7 +119,7 @@ fn objects_at(plot: &Plot, values: &[f64]) -> String {
     }
 }
 
-/// Returns the concept under the mouse in the text of the last frame's plot.
+/// Returns, as a concept, the object whose text next to the plot was under the mouse in the last frame.
 pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
     let mut objects = derived.plot.as_ref()?.curves.iter().map(|curve| curve.named.object);
     let response = |object: &u32| ctx.read_response(curve_text_id(*object));
@@ -130,7 +131,8 @@ fn curve_text_id(object: u32) -> Id {
     Id::unique(("said of a curve", object))
 }
 
-/// Shows a curve's line sample, title and text, and f at the walking point.
+/// Shows the text about a curve: a sample of its line, its title and description, and the value of f at the
+/// point on the ray.
 fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
     let curve: &Curve = &plot.curves[k];
     let object = curve.named.object;
@@ -156,15 +158,16 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f at the upper edge, in the units of its curve: on an even scale, and on a compressed scale.
+/// Value of f at the plot's upper edge, in the unit of each curve: on a linear scale, and on the compressed
+/// scale.
 const TOP: (f64, f64) = (4.4, 45.0);
-/// Value of f at the lower edge, in the units of its curve: with planes, and without planes.
+/// Value of f at the plot's lower edge, in the unit of each curve: with planes, and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap of a curve's line, in points, by the curve's index.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 
-/// Vertical distance between two positions of a caption, in points.
+/// Vertical distance between two possible positions of a caption, in points.
 const ROW: f32 = 20.0;
 
 /// The plot on the screen.
@@ -214,7 +217,7 @@ fn draw(ui: &Ui, rect: Rect, plot: &Plot, first: Option<(u32, f64)>, ray_t: &mut
 
 /// Sets t when the user presses or drags in the plot, and changes it with the arrow keys.
 fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
-    // Uses only as many digits as the width of a point justifies.
+    // Rounds t to a power of ten that is just fine enough for one point on the screen.
     let per_unit = 10_f64.powf(scale.unit().log10().ceil());
     let t_at = |x: f32| {
         let x = x.clamp(rect.left(), rect.right());
@@ -492,7 +495,7 @@ const SAMPLE: f32 = 34.0;
 /// Distance between two paragraphs, in points.
 const GAP: f32 = 3.0;
 
-/// A paragraph about a curve, which begins with its name, or about the walking point.
+/// A paragraph of text about a curve, beginning with the curve's name, or about the point on the ray.
 struct Paragraph<'a> {
     curve: Option<&'a Curve>,
     text: String,

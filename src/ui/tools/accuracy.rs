@@ -1,6 +1,6 @@
-//! The accuracy view: another method's error map next to the camera's picture. Below them, the error of
-//! every method is shown against its run time, as a plot and a table. `Measuring` measures them for the
-//! current scene, a small part in each frame, so that the window never stalls.
+//! The accuracy page: next to the camera's picture, the error map of another method of intersection. Below
+//! the pictures, the error of every method is shown against its run time, as a plot and a table. `Measuring`
+//! takes the measurements for the current scene, a small part in each frame, so that the window never stalls.
 
 #[cfg(feature = "report")]
 use std::sync::Arc;
@@ -57,7 +57,7 @@ fn hint(method: Method) -> String {
     format!("{}\n{}", method.about(), method.source())
 }
 
-/// Shows, above the map, its name and the choice of its method.
+/// Shows, above the error map, its name and the choice of the method whose errors it shows.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
         ui.label(MAP);
@@ -85,7 +85,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     });
 }
 
-/// Shows the map's colours, from an error of 1 ulp to the largest error.
+/// Shows the colours of the error map as a bar, from an error in t of 1 ulp to the largest error.
 fn color_bar(ui: &mut Ui) {
     let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
     let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
@@ -111,8 +111,8 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns a label for the camera's picture if another method than the ladder drew it, or if the ladder
-/// drew it in place of the chosen method. Returns `None` for other pictures.
+/// Returns a label for the camera's picture if a method other than the ladder (the exact method) drew it, or
+/// if the ladder drew it in place of the chosen method. Returns `None` for other pictures.
 pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
@@ -183,8 +183,8 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     }
 }
 
-/// Returns the results of the ladder and of the map's method at the selected pixel, whether or not
-/// the map shows that pixel.
+/// Returns the results, at the selected pixel, of the ladder (the exact method) and of the method whose
+/// errors the map shows, even if the map does not show that pixel.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
     if derived.too_many.is_some() {
         return None;
@@ -250,7 +250,8 @@ fn plot(ui: &mut Ui, case: &Case) {
     }
 }
 
-/// Draws with colours chosen for white paper, and converts them to the window's colours.
+/// Runs a function that draws in colours chosen for white paper, and converts the colours of what it has
+/// drawn to the window's.
 fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
     let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
     let next_shape =

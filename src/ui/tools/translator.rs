@@ -75,7 +75,7 @@ pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
     });
 }
 
-/// Shows a button for each format; below them, one for each language.
+/// Shows a button for each program's format; below them, one for each programming language.
 fn targets(ui: &mut Ui, translator: &mut Translator) {
     let mut row = |ui: &mut Ui, title: &str, formats: &'static [Format]| {
         ui.horizontal_wrapped(|ui| {
@@ -92,8 +92,8 @@ fn targets(ui: &mut Ui, translator: &mut Translator) {
     row(ui, "code", &LANGUAGES);
 }
 
-/// Shows the translated text with the changed signs marked, and the notes about what the format cannot
-/// express.
+/// Shows the translated text, in which numbers with changed signs are underlined, and the notes about what
+/// the format cannot express.
 fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     let written = match &translation.written {
         Ok(written) => written,

@@ -10,7 +10,8 @@ use crate::model::symbols;
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::theme;
 
-/// Shows the text, wrapped. Screen readers and tests receive it without the marks.
+/// Shows the text, typeset and wrapped. Screen readers and tests receive it without the asterisks that mark
+/// symbols.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
     ui.add(Label::new(job).wrap()).spoken(plain(text));
@@ -51,7 +52,8 @@ pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
 
-/// Returns the runs of letters with the same style; true marks a vector.
+/// Splits the text into runs of letters with the same style; true marks a vector. Scalars become italic
+/// letters.
 fn runs(text: &str) -> Vec<(String, bool)> {
     let mut runs: Vec<(String, bool)> = Vec::new();
     let (mut is_vector, mut is_scalar) = (false, false);

@@ -38,8 +38,9 @@ pub(crate) trait ResponseExt: Sized {
         self.node(|node| node.set_value(value.into()))
     }
 
-    /// Sets the accessible description, such as what a picture shows or where a handle is. A value would
-    /// not do, because AT-SPI passes on only numeric values for such widgets.
+    /// Sets the accessible description, such as what a picture shows or where a handle is. A value would not
+    /// do, because AT-SPI, the accessibility interface of Linux desktops, passes on only numeric values for
+    /// such widgets.
     fn described(self, text: impl Into<String>) -> Self {
         self.node(|node| node.set_description(text.into()))
     }
