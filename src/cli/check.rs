@@ -15,8 +15,8 @@ use super::console::{CommandError, is_standard, named, read, scene_fault, to_jso
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
-/// Runs `pinhole check`. If the scene or another input cannot be read, the answers get no grade, because
-/// the student is not to blame.
+/// Runs `pinhole check`. If the scene or another input cannot be read, the exit status is not that of wrong
+/// answers, because the student is not to blame.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
     let text = if arguments.json {

@@ -61,7 +61,7 @@ pub(super) fn warn(note: &str) {
     let _ = writeln!(io::stderr(), "note: {}", legible(note));
 }
 
-/// Rejects an output file with an extension other than `ending`; `what` begins the message.
+/// Rejects the path of an output with an extension other than `ending`. The error message begins with `what`.
 pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
     match output.extension() {
         Some(other) if !other.eq_ignore_ascii_case(ending) => {

@@ -1,5 +1,5 @@
-//! `pinhole figure`: writes a view, the derivation or the lab of lines as SVG, PDF or PNG. The
-//! derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
+//! `pinhole figure`: writes a view, the derivation or the lab of lines (two lines in the plane) as SVG, PDF
+//! or PNG. The derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
 
 use std::io::Write as _;
 
@@ -17,15 +17,15 @@ use crate::model::play::{Kind, Start};
 use crate::model::{Item, Observer, Session, ViewSize};
 use crate::view::derive::{Deriver, ViewSizes};
 
-/// The default size of the world view, in dots.
+/// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];
-/// The default size of the lab of lines, in dots.
+/// The default size of a figure of the lab of lines (two lines in the plane), in pixels.
 const LINES: [u32; 2] = [1280, 960];
-/// The default size of the derivation, in dots; its height depends on its lines.
+/// The default size of a figure of the derivation, in pixels. Its final height depends on its lines.
 const DERIVATION: [u32; 2] = [1600, 1600];
-/// The width of the derivation, in points.
+/// The width, in points, for which the derivation in a figure is laid out.
 const DERIVATION_POINTS: f32 = 800.0;
-/// The shorter side of the lab of lines, in points.
+/// The shorter side, in points, for which the lab of lines in a figure is laid out.
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
@@ -196,8 +196,8 @@ fn session_of(
     Ok(session)
 }
 
-/// Returns the size of the camera view's figure. It has the aspect ratio of the camera's image and, by
-/// default, a whole number of dots per pixel if possible.
+/// Returns the size of a figure of the camera view, in pixels. It has the aspect ratio of the camera's image
+/// and, by default, is a whole multiple of that image's size if possible.
 fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<ImageSize, CommandError> {
     let (columns, rows) = (image.width(), image.height());
     let times = (WORLD[1] / columns.min(rows)).max(1).min(ImageSize::MAX / columns.max(rows));

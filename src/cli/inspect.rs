@@ -186,9 +186,10 @@ fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
     table.iter().map(line).collect()
 }
 
-/// The JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such
-/// as the distance between two points at opposite ends of the range, is `null`, because JSON has no
-/// infinity. The conditioning is never `null`, because the core caps it at the largest `f64`.
+/// The JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such as the
+/// distance between two points at opposite ends of the range, is `null`, because JSON has no infinity. The
+/// conditioning (degrees of roll for each degree that up is tipped sideways) is never `null`, because the
+/// core caps it at the largest `f64`.
 #[derive(Serialize)]
 struct Inspect<'a> {
     camera: CameraJson,

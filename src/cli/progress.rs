@@ -30,7 +30,7 @@ struct ProgressState {
 }
 
 impl Progress {
-    /// Continues with other work, of unknown amount.
+    /// Shows other work from now on, the amount of which is unknown.
     pub(super) fn go_on(&self, work: &'static str) {
         *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
     }

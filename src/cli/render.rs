@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let progress = if arguments.overlay || arguments.view == FigureSubject::World {
         Progress::new("drawing", None)
     } else {
-        // Each row is traced; for the OpenEXR file, its certificates are computed in a second pass.
+        // Each row is traced. For the OpenEXR file, the pixels' certificates are computed in a second pass.
         let passes = 1 + usize::from(arguments.aov.is_some());
         Progress::new("row", Some(passes * image.height() as usize))
     };
@@ -83,7 +83,8 @@ pub struct Rendering {
     pub pixels: Vec<[u8; 4]>,
     /// Hits of the camera's rays, pixel by pixel; `None` if they were neither requested nor needed.
     pub frame: Option<Frame<f32>>,
-    /// The certificate of each pixel; empty unless requested.
+    /// The certificate of each pixel: which arithmetic its hardest decision needed, and with which margin.
+    /// Empty unless requested.
     pub certificates: Vec<Certificate>,
 }
 
@@ -146,7 +147,7 @@ fn with_overlay(
         // A picture in a file has no handles.
         items.with(Item::Handles, false)
     } else {
-        // Planes are infinite: the world view draws a patch.
+        // Planes are infinite: the world view draws a finite part of each.
         OverlayItems::NONE.with(Item::Planes, true)
     };
     let session = Session {

@@ -24,7 +24,8 @@ pub(super) struct Cpu {
     size: [u32; 2],
     painter: SoftwarePainter,
     canvas: Canvas,
-    /// True if the buffers may differ from the canvas; then the next frame is copied as a whole.
+    /// True if the display's buffers may differ from the canvas, so that the next frame must be copied as a
+    /// whole.
     stale: bool,
     /// True if the display keeps the presented picture, so that a frame needs to present only its
     /// changes. X11 does not: it can report the loss of a part in the same event as a requested redraw.
@@ -55,8 +56,8 @@ impl Cpu {
         })
     }
 
-    /// Presents the canvas. Only the canvas's `rects` have changed since the last frame. If the window
-    /// was `exposed`, the display needs the whole canvas.
+    /// Presents the canvas, of which only `rects` have changed since the last frame. If the window was
+    /// `exposed`, the display needs the whole canvas.
     fn present(
         &mut self,
         window: &Arc<Window>,

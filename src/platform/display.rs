@@ -23,7 +23,8 @@ pub(super) enum UserEvent {
     End,
     /// The desktop has a file dialog that can be used.
     FileDialog,
-    /// The number of a file dialog of the desktop, and the dialog's answer.
+    /// The number of one of the desktop's file dialogs, and its answer. Only the answer of the latest dialog
+    /// counts.
     File(u64, FileAnswer),
     /// A request from a screen reader or a similar tool.
     Accessibility(accesskit_winit::Event),
@@ -88,8 +89,8 @@ pub(super) fn reason_of_end(error: &EventLoopError) -> String {
     }
 }
 
-/// Returns the first line of an error without winit's file and line: `TEXT` of `os error at
-/// FILE.rs:LINE: TEXT`.
+/// Returns the first line of an error without the source location that winit puts before it: `TEXT` of `os
+/// error at FILE.rs:LINE: TEXT`.
 pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     let text = text.lines().next().unwrap_or_default();

@@ -1,8 +1,8 @@
-//! The window's first pass and the log of its frame times.
+//! The app's first egui pass, and the log of the window's frame times.
 //!
-//! The app's first pass runs while the window opens: it reads the fonts, draws the glyphs and
-//! traces the pictures, which is most of the cost of a first frame. If the window opens at the size
-//! at which it was closed, its first frame only has to show the results.
+//! The first pass runs on another thread while the window opens: it reads the fonts, draws the glyphs and
+//! traces the pictures, which is most of the cost of a first frame. If the window opens at the size at which
+//! it was closed, its first frame only has to show the results.
 //!
 //! When the window is closed, `PINHOLE_FRAME_TIMES=times.csv pinhole` writes the time of each frame in
 //! milliseconds, from input to presentation. The time of the first frame excludes the pass that ran
@@ -55,7 +55,7 @@ impl FirstPass {
     }
 }
 
-/// Returns the input for the first pass of a window, without any user input.
+/// Returns egui's input for the first pass of a window with this geometry and zoom. It contains no events.
 fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
     let info = ViewportInfo {
         native_pixels_per_point: Some(geometry.screen_scale()),
@@ -72,7 +72,8 @@ fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
     }
 }
 
-/// The environment variable that names the file: a CSV with one row per frame, in milliseconds.
+/// The environment variable that holds the path of the log: a CSV file with one row per frame, in
+/// milliseconds.
 const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
 
 /// The times of a frame.

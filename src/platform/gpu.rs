@@ -39,7 +39,7 @@ pub(super) struct Gpu {
     retries: u32,
 }
 
-/// The error that the driver reported, from any thread.
+/// The first error that the driver reported, on any thread, if there was one.
 type Failure = Arc<Mutex<Option<String>>>;
 
 impl Gpu {
@@ -91,7 +91,8 @@ impl Gpu {
         Ok((Self { painter, size, failure, took_surface, retries: 0 }, description))
     }
 
-    /// Draws and presents a frame, or requests another frame on a new surface.
+    /// Draws and presents a frame. If the display has invalidated the surface, creates a new one and requests
+    /// another frame instead.
     fn try_paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);

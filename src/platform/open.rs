@@ -37,7 +37,7 @@ pub(super) struct Open {
     info: ViewportInfo,
     /// Changes of textures that no frame has uploaded yet.
     delta: TexturesDelta,
-    /// The contents of the adapter's textures.
+    /// A record of what the graphics adapter's textures contain.
     textures: Textures,
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
@@ -50,7 +50,8 @@ pub(super) struct Open {
     shown: Option<Instant>,
     /// Start of the last frame.
     began: Instant,
-    /// Minimum time from the start of a frame to the start of a frame that only animates.
+    /// Minimum time from the start of a frame to the start of the next one, if egui requests the latter, as
+    /// during an animation. Frames caused by input are not delayed.
     pace: Duration,
     /// Time when the scene's file was last checked for changes.
     last_check: Instant,
@@ -66,7 +67,7 @@ pub(super) struct Open {
 const CHECK_INTERVAL: Duration = Duration::from_secs(1);
 
 impl Open {
-    /// Combines the app, after its first pass, with a window that is not shown yet.
+    /// Waits for the app's first pass, and combines the app with a window that is not shown yet.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
@@ -231,7 +232,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Handles a mouse motion, which is reported even if the pointer cannot move further.
+    /// Handles a raw motion of the mouse, which is reported even if the pointer cannot move further.
     pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) -> Result<bool, String> {
         if self.state.on_mouse_motion(delta) {
             self.repaint_by(Instant::now());
@@ -294,8 +295,8 @@ impl Open {
         }
     }
 
-    /// Keeps the pointer at the same position on the screen when the zoom changes. Until the mouse
-    /// moves, egui stores the position in points.
+    /// Corrects the pointer's position in egui, which is in points, when the zoom changes. Without the
+    /// correction, egui would use an outdated position until the mouse moves.
     fn keep_pointer(&mut self, before: f32) {
         let ratio = before / self.ctx.zoom_factor();
         if let (true, Some(pointer)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
@@ -460,8 +461,9 @@ fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallbac
 /// Characters whose keys step or zoom repeatedly while held.
 const STEPPING: [&str; 7] = [",", ".", "[", "]", "+", "-", "="];
 
-/// Returns true if an event is the repeat of a held key that is neither typed text, nor a shortcut
-/// with Ctrl, nor a step. Such a repeat would cost a frame, and would switch a command on and off.
+/// Returns true if an event only repeats a held key and can be ignored: the key types no text, Ctrl is not
+/// held, and the key does not move or zoom in steps. Such a repeat would cost a frame, and would switch a
+/// command on and off.
 pub(super) fn is_idle(event: &WindowEvent, ctx: &Context) -> bool {
     let WindowEvent::KeyboardInput { event, .. } = event else { return false };
     let KeyEvent { repeat: true, state: ElementState::Pressed, logical_key, .. } = event else {

@@ -14,8 +14,8 @@ static WINDOW: Mutex<Option<End>> = Mutex::new(None);
 /// The signal that ended the window; 0 if none did.
 static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 
-/// Signals within this time count as one. A terminal that closes sends SIGHUP twice, and a session that
-/// ends sends SIGTERM and SIGHUP.
+/// Time within which several signals count as one. A terminal that closes sends SIGHUP twice, and a session
+/// that ends sends SIGTERM and SIGHUP.
 const TOGETHER: Duration = Duration::from_secs(2);
 
 /// Makes the first signal call `end`, which closes the window. A later signal ends the program as usual.

@@ -142,8 +142,8 @@ pub(super) fn surface(
 
 /// Returns the minimum time between two frames of an animation.
 ///
-/// A graphics adapter waits for the display by itself. Our painter would draw as fast as it can,
-/// and would keep a processor busy with frames that are never shown.
+/// A graphics adapter waits for the display by itself. Our own painter, on the CPU, would draw as fast as it
+/// can, and would keep a processor busy with frames that are never shown.
 pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
     const USUAL_MILLIHERTZ: u32 = 60_000;
     match renderer {

@@ -1,5 +1,5 @@
-//! The interface of the window's renderers, the frames that they draw, and the contents of the adapter's
-//! textures. If the adapter fails, the CPU needs these contents to take over.
+//! The interface of the window's renderers, the frames that they draw, and a record of what the graphics
+//! adapter's textures contain. With this record, the CPU's renderer can take over if the adapter fails.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -47,7 +47,8 @@ pub(super) struct WindowFrame<'a> {
     pub(super) exposed: bool,
 }
 
-/// The contents of egui's textures other than the glyph texture. egui sends each change only once.
+/// A record of the contents of egui's textures, except for the glyph texture. It is needed because egui sends
+/// each change only once.
 ///
 /// The images are shared with the app, not copied.
 #[derive(Default)]

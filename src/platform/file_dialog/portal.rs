@@ -31,7 +31,7 @@ const REQUEST: &str = "org.freedesktop.portal.Request";
 /// call waits for the user.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-/// A dialog that ends within this time was not closed by the user.
+/// Time within which no user closes a dialog. A dialog that ends sooner could not be opened.
 const AT_ONCE: Duration = Duration::from_millis(500);
 
 /// Calls `on_found` on another thread if the bus has a portal, or can start one.
