@@ -130,9 +130,10 @@ struct Check {
     advice: String,
     /// Other sets of mistakes that would lead to the same answers.
     alternatives: Vec<Vec<&'static str>>,
-    /// The shading that the graded picture is assumed to have; `None` if the answers are not a picture.
+    /// The name of the shading with which the graded picture was compared; `None` if the answers are not a
+    /// picture.
     shade: Option<&'static str>,
-    /// Number of pixels without an answer, if each of them counts as wrong; otherwise 0.
+    /// Number of pixels without an answer if such pixels count as wrong; otherwise 0.
     unanswered: usize,
 }
 
@@ -159,9 +160,9 @@ impl Check {
     }
 }
 
-/// Returns the worst answer as JSON: its position, the given and the right answer, and the distance
-/// between the two. The distance is `null` if a hit is confused with a miss, or with a hit of another
-/// object. A miss is `"miss"`. If the pixel does not exist, the right answer is `null`.
+/// Returns the worst answer as JSON: its position, the given and the right answer, and the distance between
+/// these two. The distance is `null` if a hit is confused with a miss, or with a hit of another object. A
+/// miss is `"miss"`. If the pixel does not exist, the right answer is `null`.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let json_of = |value: AnswerValue| match value {

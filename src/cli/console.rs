@@ -15,8 +15,8 @@ pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads a file, or standard input for `-`, of at most `most` bytes. Also returns the file's name for
-/// messages.
+/// Reads a file, or standard input if the path is `-`, of at most `most` bytes. Also returns the name to use
+/// in messages.
 pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
     if is_standard(path) {
         let path = Path::new("standard input");

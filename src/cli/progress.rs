@@ -24,8 +24,8 @@ const TICK: Duration = Duration::from_millis(100);
 struct ProgressState {
     since: Instant,
     done: AtomicUsize,
-    /// The unit that is counted, such as `row`, and the total number of units. If the total is unknown,
-    /// the name of the work and `None`.
+    /// The unit that is counted, such as `row`, with the total number of units. If the total is unknown, the
+    /// name of the work instead of the unit, with `None`.
     what: Mutex<(&'static str, Option<usize>)>,
 }
 

@@ -88,11 +88,11 @@ pub struct Rendering {
     pub certificates: Vec<Certificate>,
 }
 
-/// Draws the requested view of the document at this size. Calls `done` with the number of newly finished
-/// rows.
+/// Draws the requested view of the document at this size. Calls `done` whenever rows are finished, with their
+/// number.
 ///
-/// If the size differs from that of the document's image, the camera view is drawn with an image of this
-/// size. The world view keeps the camera's own pixels and draws them on its viewport.
+/// If the size differs from that of the document's image, the camera view is traced with an image of this
+/// size. The world view, on the other hand, shows the camera's own pixels on its viewport.
 ///
 /// # Errors
 /// Returns an error if the camera sees nothing, or an object is invalid.

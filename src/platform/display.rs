@@ -16,7 +16,8 @@ pub(super) enum UserEvent {
     /// A repaint that egui requested.
     Repaint {
         when: Instant,
-        /// The pass that requested the repaint. The request is outdated once another pass has run.
+        /// The number of the egui pass that requested the repaint. The request is outdated once a later pass
+        /// has run.
         pass: u64,
     },
     /// A signal that ends the program.

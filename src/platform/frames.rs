@@ -25,8 +25,7 @@ use crate::ui::frame_times::WorkTimes;
 pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);
 
 impl FirstPass {
-    /// Starts the first pass on another thread, for a window with the geometry that it had at the end of
-    /// the last run.
+    /// Starts the first pass on another thread, for a window with the geometry from the end of the last run.
     pub(super) fn start(ctx: Context, mut app: App, geometry: WindowGeometry) -> FirstPass {
         App::set_up(&ctx, &app.session().settings);
         let input = input(geometry, ctx.zoom_factor());

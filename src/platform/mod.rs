@@ -38,7 +38,7 @@ mod start;
 mod surface;
 mod window;
 
-/// Replaces the module on systems without signals that end a program.
+/// Replaces the module `signals` on systems without signals that end a program.
 #[cfg(not(unix))]
 pub mod signals {
     /// Does nothing: no signal ends the window.

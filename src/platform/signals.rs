@@ -18,7 +18,8 @@ static ENDED_BY: AtomicI32 = AtomicI32::new(0);
 /// that ends sends SIGTERM and SIGHUP.
 const TOGETHER: Duration = Duration::from_secs(2);
 
-/// Makes the first signal call `end`, which closes the window. A later signal ends the program as usual.
+/// Arranges that the first signal calls `end`, which closes the window. A later signal ends the program as
+/// usual.
 pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
     *WINDOW.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(end));
 }

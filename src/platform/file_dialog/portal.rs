@@ -152,7 +152,8 @@ fn options(request: &FileRequest) -> HashMap<&'static str, Value<'static>> {
     options
 }
 
-/// Reads the portal's response, which arrived `after` the dialog was opened.
+/// Returns the answer in the portal's response. `after` is the time from the opening of the dialog to the
+/// response.
 fn read(response: &Message, after: Duration) -> zbus::Result<FileAnswer> {
     const CHOSEN: u32 = 0;
     const CANCELLED: u32 = 1;

@@ -103,7 +103,8 @@ pub(super) fn dropped(path: PathBuf) -> Action {
     }
 }
 
-/// Applies the action. Returns a dialog if the user must answer a question or read a message.
+/// Applies an action on a student's answers. Returns a dialog if the user must answer a question or read a
+/// message.
 pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
     let session = &mut scene.session;
     match action {
@@ -156,7 +157,8 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
-    /// Applies the action. Returns a dialog if the user must answer a question or read a message.
+    /// Applies an action on figures or animations to export. Returns a dialog if the user must answer a
+    /// question or read a message.
     pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
         match action {
             FigureAction::Ask => {

@@ -1,4 +1,4 @@
-//! Undo and redo: recording changes of the document as steps, and moving between them.
+//! Undo and redo: records changes of the document as undo steps, and moves back and forth between them.
 
 use egui::{Context, Id};
 use pinhole_exchange::document::Document;

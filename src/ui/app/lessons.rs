@@ -111,8 +111,8 @@ impl OpenScene {
         is_asking || is_left
     }
 
-    /// Returns how many lines of the derivation are visible when a step starts while presenting: as many
-    /// as before if the derivation stays the same, otherwise none. Returns `None` if lines are not
+    /// Returns how many lines of the derivation are visible when a lesson's step opens while presenting: as
+    /// many as before if the derivation stays the same, otherwise none. Returns `None` if lines are not
     /// revealed one by one.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let session = &self.session;
@@ -141,7 +141,7 @@ impl OpenScene {
         }
     }
 
-    /// Resets everything to the state of the open step, if anything differs from it.
+    /// Resets everything to the state that the open lesson's step specifies, if anything differs from it.
     pub(super) fn back_to_step(&mut self) -> Opened {
         let open = self.lessons.open.clone().filter(|_| self.differs_from_step());
         let Some(open) = open else { return Opened::default() };

@@ -77,9 +77,9 @@ impl App {
         }
     }
 
-    /// Opens an animation at its start. Moves the observer back far enough that the camera stays in
-    /// sight throughout the animation. The animation of a lesson's step does not move the observer,
-    /// because the step has its own.
+    /// Opens an animation at its start. Moves the observer (the world view's camera) back far enough that the
+    /// animated camera stays in sight throughout. The animation of a lesson's step does not move the
+    /// observer, because the step has its own.
     fn open_animation(&mut self, kind: Kind) {
         let (scene, derived) = (&mut self.scene, &self.views.derived);
         let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());

@@ -30,7 +30,7 @@ pub(super) struct Recovery {
     found: Vec<Found>,
     /// Index of the next changes to offer.
     next: usize,
-    /// True if the slot contains changes, or is being written to.
+    /// True if the recovery slot contains changes, or is being written to.
     is_written: bool,
     /// The document in the last pass.
     last_document: Option<Document>,
@@ -141,7 +141,7 @@ impl Recovery {
         }
     }
 
-    /// Clears the slot, because its changes are saved or no longer wanted.
+    /// Clears the recovery slot, because its changes are saved or no longer wanted.
     fn clear(&mut self) {
         self.finish_writing();
         (self.last_document, self.first_edit) = (None, None);
@@ -150,8 +150,8 @@ impl Recovery {
         }
     }
 
-    /// Writes unsaved changes when the window ends without asking, for example because the display is lost.
-    /// Clears the slot if the changes are saved or discarded.
+    /// Writes unsaved changes to the recovery slot when the window ends without asking, for example because
+    /// the display is lost. Clears the slot if the changes are saved or discarded.
     pub(super) fn end(&mut self, open: &OpenDocument, discarded: bool) {
         if discarded || !open.has_changes() {
             self.clear();

@@ -27,8 +27,8 @@ pub(super) struct OpenScene {
     pub(super) lessons: Lessons,
     /// Index of the object whose fields and handles are shown.
     pub(super) chosen_object: Option<usize>,
-    /// The observer that was last fitted to the world view. If the current observer differs from it, the
-    /// user has moved the observer.
+    /// The observer (the world view's camera) that was last fitted to the world view. If the current observer
+    /// differs from it, the user has moved the observer.
     pub(super) framed: Option<Framed>,
 }
 

@@ -1,8 +1,8 @@
 //! The table of commands: each command's name, description, keys and [`Action`].
 //!
-//! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a
-//! new command is a row in `table.rs`. That file also lists the [gestures](GESTURES), but the views
-//! handle them, because their effect depends on what is under the pointer.
+//! Menus, the keyboard ([`pressed`]), the command palette and the list of keys all use this table, so a new
+//! command is a row in `table.rs`. That file also lists the mouse [gestures](GESTURES), but only for the list
+//! of keys: what a gesture does depends on what is under the pointer, so the views handle it.
 
 use std::sync::LazyLock;
 
@@ -169,8 +169,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
     keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
 }
 
-/// Returns the list of keys, by group: the commands that have keys, and the gestures. Commands that
-/// differ only in direction share one entry.
+/// Returns the list of keys, by group: the commands that have keys, and the gestures. Each entry is the keys
+/// and a name. Commands that differ only in direction share one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
     let with_keys: Vec<&UiCommand> =

@@ -197,7 +197,7 @@ impl ExportForm {
     }
 }
 
-/// Shows a row with a number. Returns true if the number changed.
+/// Shows a row with a field for a number. Returns true if the number changed.
 fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
     ui.label(label);
     let response = ui.add(field).named(name);

@@ -190,7 +190,7 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     ui.end_row();
 }
 
-/// Range of the field of view of a flat viewport. It is less than 180 degrees, where the viewport would be
+/// Range of valid fields of view, in degrees. It ends below 180 degrees, for which a flat viewport would be
 /// infinite.
 const FOV_DEGREES: std::ops::RangeInclusive<f64> = 1e-6..=179.999;
 
@@ -225,7 +225,7 @@ fn is_extent(x: f64) -> bool {
     x.is_finite() && x > 0.0
 }
 
-/// If pixels are not square, shows their shape and a button that makes them square.
+/// If the image's pixels are not square, shows their aspect ratio and a button that makes them square.
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
     let is_known = camera.viewport.check().is_ok() && is_extent(shape);

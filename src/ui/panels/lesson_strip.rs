@@ -10,7 +10,7 @@ use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::{ResponseExt as _, marked_text, text_width};
 
-/// Size of the text, in points; it is legible from the back row.
+/// Size of the text, in points; it is legible from the back row of a classroom.
 const TEXT: f32 = 18.0;
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;

@@ -10,7 +10,7 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
 
-/// Width of the strip, in points, below which its right part moves to a second row.
+/// Width of the strip with the controls, in points, below which its right part moves to a second row.
 const NARROW: f32 = 1180.0;
 
 /// Width reserved for the animation's current position, in points.
@@ -25,7 +25,8 @@ pub(crate) fn menu(ui: &mut Ui) {
     }
 }
 
-/// Shows the strip. Changes that cannot be made in place are requested as actions.
+/// Shows the strip with the animation's controls. Changes that cannot be made in place are requested as
+/// actions.
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
@@ -58,7 +59,7 @@ fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction) {
     ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play);
 }
 
-/// Shows, from right to left, the buttons that end the animation, and its position.
+/// Shows, from right to left, the buttons that end or export the animation, and its current position.
 fn ends(ui: &mut Ui, player: &mut Player) {
     let hint = "Closes the animation and restores the state from before it";
     button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close);
@@ -88,7 +89,8 @@ fn speed(ui: &mut Ui, speed: &mut f64) {
     });
 }
 
-/// Shows, from right to left, the position as text and as a slider. Dragging the slider pauses the animation.
+/// Shows, from right to left, the animation's current position as text and as a slider. Dragging the slider
+/// pauses the animation.
 fn position(ui: &mut Ui, player: &mut Player) {
     let width = if player.kind == Kind::Scan { SCAN_PLACE } else { PLACE };
     let height = ui.spacing().interact_size.y;

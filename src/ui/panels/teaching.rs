@@ -39,8 +39,8 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     }
 }
 
-/// After the user edits one of the three extents of the viewport, scales the other two, so that the
-/// picture stays the same.
+/// After the user edits the viewport's width, height or distance, scales the other two, so that the picture
+/// stays the same.
 pub(crate) fn keep_picture(ctx: &Context, before: &Camera, camera: &mut Camera) {
     let kept = Kept::resume(ctx, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
@@ -153,9 +153,9 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
 /// Number of decades of the dial's scale, which ends at 10^6.
 const DECADES: f32 = 6.0;
 const RADIUS: f32 = 64.0;
-/// Size of the number, in points; it is legible from the back row.
+/// Size of the dial's number, in points; it is legible from the back row of a classroom.
 const NUMBER: f32 = 20.0;
-/// Size of the words, in points; they are legible from the back row.
+/// Size of the words below the dial, in points; they are legible from the back row of a classroom.
 const WORDS: f32 = 15.0;
 /// Size of the scale's numbers, in points.
 const TICK: f32 = 12.0;
@@ -198,7 +198,7 @@ fn words(ui: &mut Ui, conditioning: f64) {
     ui.label(RichText::new(meaning).size(WORDS));
 }
 
-/// Draws the semicircle with its scale, from 1 on the left to a million on the right, and the needle.
+/// Draws the dial: a semicircle with a scale from 1 on the left to a million on the right, and the needle.
 fn face(ui: &mut Ui, conditioning: f64) {
     let size = vec2(ui.available_width(), RADIUS + 30.0);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());

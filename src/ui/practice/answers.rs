@@ -29,8 +29,8 @@ const NARROWEST: f32 = 330.0;
 const NONE: &str = "Drop a student's answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
-/// Returns the reason why the answers are not graded: either the scene is invalid, or grading takes long
-/// and the user is dragging.
+/// Returns the reason why the answers are not graded at the moment: either the scene is invalid, or grading
+/// takes long and the user is dragging something.
 fn not_graded(derived: &Derived) -> &'static str {
     match derived.fault {
         Some(_) => "The scene is invalid, so the answers cannot be checked.",

@@ -40,7 +40,7 @@ const BAR: f32 = 32.0;
 
 /// Minimum height of an option in a low window, in points.
 const LEAST_OPTION: f32 = 36.0;
-/// Minimum height of the reason in a low window, in points.
+/// Minimum height of the text with the reason in a low window, in points.
 const LEAST_REASON: f32 = 24.0;
 
 /// Width of the page, in points, from which on the reason needs fewer lines.

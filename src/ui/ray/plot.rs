@@ -23,7 +23,7 @@ use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::{self, formula, plain, unbroken};
 use crate::view::typesetting::theme;
 
-/// Size of the text, in points; it is legible from the back row.
+/// Size of the text, in points; it is legible from the back row of a classroom.
 const TEXT: f32 = 15.5;
 /// Maximum width of the text to the right of the plot, in points and as a fraction of the total width.
 const WORDS: (f32, f32) = (430.0, 0.44);
@@ -96,7 +96,7 @@ fn walk(ui: &mut Ui, ray_point_t: &mut Option<f64>, plot: &Plot, first_hit: f64)
     });
 }
 
-/// Returns the coordinates of the point at t, as a formula.
+/// Returns the coordinates of the ray's point at t, as a formula.
 fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
     let [x, y, z] = inspection.ray.at(t).to_array().map(|x| number(x, digits));
     format!("p + t d = ({x}, {y}, {z})")
@@ -268,7 +268,7 @@ impl PlotDrawing<'_> {
     }
 
     /// Draws the title, the numbers of t and f, the line f = 0, the grey area behind the eye, and the
-    /// lines of the eye and of the viewport.
+    /// vertical lines t = 0 (the eye) and t = 1 (the viewport).
     fn axes(&self, around: &Painter, outer: Rect) {
         let (rect, ink, compressed) = (self.rect, self.colors.ink, self.plot.compressed);
         around.rect_filled(rect, 0.0, self.colors.background);
@@ -373,7 +373,7 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Draws the vertical line that the user drags, and a mark on it for each curve's value.
+    /// Draws the vertical line at the t that the user drags, with a mark at each curve's value there.
     fn ray_point(&self, words: &mut LabelLayout) {
         let Some((t, values)) = &self.plot.ray_point_t else { return };
         let x = self.t.position(*t);
@@ -390,7 +390,8 @@ impl PlotDrawing<'_> {
         }
     }
 
-    /// Labels the lines of the eye and of the viewport, at positions where no curve runs through the words.
+    /// Labels the vertical lines t = 0 (the eye) and t = 1 (the viewport), at positions where no curve runs
+    /// through the words.
     fn captions(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let [eye, viewport] = [0.0, 1.0].map(|t| self.t.position(t));
         for x in [eye, viewport] {
@@ -501,7 +502,7 @@ struct Paragraph<'a> {
     text: String,
 }
 
-/// Shows the text for presenting: a paragraph for each curve, at the largest size that fits.
+/// Shows the shorter text of presenter mode: a paragraph for each curve, at the largest size that fits.
 fn brief(ui: &mut Ui, plot: &Plot, inspection: &Inspection, digits: usize) {
     let first = inspection.first_hit();
     let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {

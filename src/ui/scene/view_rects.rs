@@ -39,7 +39,8 @@ pub(crate) struct ViewRects {
     pub rest: Rect,
 }
 
-/// The areas into which the middle of the window is divided. They include the strips above the pictures.
+/// The areas into which the middle of the window is divided. They include the strips above the pictures, with
+/// their titles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Areas {
     pub(crate) world: Option<Rect>,

@@ -232,7 +232,8 @@ const COLUMNS: [(&str, &str); 7] = [
 /// Maximum distance of the pointer from the mark whose numbers are shown, in points.
 const NEAR: f32 = 14.0;
 
-/// Shows the plot of a case. If the pointer is on a mark, also shows the numbers of its method.
+/// Shows the plot of the measured scene. If the pointer is on a mark, also shows the numbers of the mark's
+/// method.
 fn plot(ui: &mut Ui, case: &Case) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);

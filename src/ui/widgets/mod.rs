@@ -20,7 +20,8 @@ pub mod number;
 
 pub(crate) use number::{NumberField, vector_color, vector_row};
 
-/// The accessible properties of a widget, and the action that a click on it requests.
+/// Extends a widget's response with methods that set its accessible properties, and that request an action
+/// when it is clicked.
 pub(crate) trait ResponseExt: Sized {
     /// Changes the widget's node in the accessibility tree.
     fn node(self, change: impl FnOnce(&mut Node)) -> Self;
@@ -64,7 +65,7 @@ impl ResponseExt for Response {
     }
 }
 
-/// Keeps arrow keys from moving the focus away from a widget.
+/// Keeps the horizontal or the vertical arrow keys from moving the focus away from a widget.
 pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool) {
     let arrows = EventFilter {
         horizontal_arrows: horizontal,
