@@ -1,6 +1,6 @@
-//! A drawing: marks and labels with positions in dots, before they are painted. It is read by the
-//! window, by exported figures and by tests. [`Drawing::paths`] returns the marks as a sequence of
-//! fills and strokes, for painting pixels as well as for writing files.
+//! A drawing: marks and labels with positions in screen pixels, before they are painted. The window,
+//! exported figures and tests read it. [`Drawing::paths`] returns the marks as a sequence of fills and
+//! strokes, for painting pixels as well as for writing files.
 
 use egui::Color32;
 use pinhole_core::DVec2;
@@ -8,14 +8,14 @@ use tiny_skia::PathBuilder;
 
 use crate::model::{Concept, Item};
 
-/// A shape. Positions are in dots from the top left corner.
+/// A shape. Positions are in screen pixels from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// A polyline. It is closed if its last point equals its first.
     Line {
         /// The corners.
         points: Vec<[f32; 2]>,
-        /// Width in dots.
+        /// Width in screen pixels.
         width: f32,
     },
     /// A filled polygon.
@@ -27,7 +27,7 @@ pub enum Shape {
     Disc {
         /// The centre.
         center: [f32; 2],
-        /// Radius in dots.
+        /// Radius in screen pixels.
         radius: f32,
     },
 }
@@ -37,7 +37,7 @@ pub enum Shape {
 pub struct Mark {
     /// The overlay item to which the mark belongs.
     pub item: Item,
-    /// The concept that is hovered when the pointer is on this mark.
+    /// The concept that becomes hovered when the pointer is on this mark.
     pub concept: Option<Concept>,
     /// The shape and position.
     pub shape: Shape,
@@ -46,18 +46,19 @@ pub struct Mark {
     /// The colour of a casing around the mark. The casing separates the mark from the lines that it
     /// crosses.
     pub halo: Option<Color32>,
-    /// True if the mark is drawn dashed, because an object hides it or because it belongs to the ghost.
+    /// True if the mark is drawn dashed, because an object hides it or because it belongs to the ghost (the
+    /// camera that is compared with the edited one).
     pub hidden: bool,
-    /// Dash and gap, in points, of a visible line whose colour alone does not distinguish it.
+    /// Dash and gap, in points, of a visible line; set if the colour alone does not distinguish the line.
     pub pattern: Option<[f32; 2]>,
 }
 
-/// A text in the picture. The caller draws it, since only the caller has the fonts.
+/// A text in the picture. The caller of the overlay draws it, since only the caller has the fonts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     /// The overlay item to which the label belongs.
     pub item: Item,
-    /// The middle of the text, in dots.
+    /// The middle of the text, in screen pixels.
     pub position: [f32; 2],
     /// The text.
     pub text: String,
@@ -74,7 +75,7 @@ pub struct Label {
 /// All marks of a picture, in painting order, and its labels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Drawing {
-    /// Dots per point.
+    /// Screen pixels per point.
     pub scale: f32,
     /// The marks. Later ones are painted over earlier ones.
     pub marks: Vec<Mark>,
@@ -82,8 +83,8 @@ pub struct Drawing {
     pub labels: Vec<Label>,
 }
 
-/// Returns the concept of the mark nearest to a position, at most `within` away, or `None` if there is
-/// none. Both arguments are in dots. Among equally near marks, the topmost is chosen.
+/// Returns the concept of the mark nearest to a position, or `None` if no such mark lies within the
+/// distance `within`. Both arguments are in screen pixels. Of equally near marks, the topmost is chosen.
 pub fn concept_at<'a>(
     marks: impl IntoIterator<Item = &'a Mark>,
     position: [f32; 2],
@@ -112,7 +113,7 @@ impl Shape {
         Shape::Line { points, width }
     }
 
-    /// Returns the distance from a point to the shape, in dots; 0 if the point lies on it.
+    /// Returns the distance from a point to the shape, in screen pixels; 0 if the point lies on it.
     fn distance(&self, at: DVec2) -> f64 {
         let to_chain = |points: &[[f32; 2]]| {
             let sides = points.windows(2).map(|pair| (wide(pair[0]), wide(pair[1])));
@@ -144,8 +145,8 @@ fn distance_to_side(at: DVec2, a: DVec2, b: DVec2) -> f64 {
 }
 
 impl Label {
-    /// Returns half the width and half the height, in dots, of a box that is large enough for the text
-    /// in any font of ordinary width.
+    /// Returns half the width and half the height, in screen pixels, of a box that is large enough for the
+    /// text in any font of ordinary width.
     pub fn half_extent(&self, scale: f32) -> [f32; 2] {
         let size = self.size * scale;
         [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
@@ -163,14 +164,14 @@ pub(super) fn wide([x, y]: [f32; 2]) -> DVec2 {
     DVec2::new(x.into(), y.into())
 }
 
-/// Converts a position in dots to the rasterizer's type.
+/// Converts a position in screen pixels to the rasterizer's type.
 pub(super) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }
 
 /// Width of a mark's casing on each side, in points.
 const HALO_WIDTH: f32 = 1.25;
-/// Maximum width of a line's casing on each side, as a fraction of the line's width.
+/// Maximum width of a line's casing on each side, as a fraction of the line's own width.
 const HALO_SHARE: f32 = 0.5;
 
 /// Dash and gap of a hidden mark's line, in points.
@@ -223,8 +224,8 @@ pub enum Ink {
 }
 
 impl PathOutline {
-    /// Converts the outline to tiny-skia's type, which is also used to write PDF files. Returns `None`
-    /// if the outline is empty.
+    /// Converts the outline to a tiny-skia path, a type from which PDF files are written, too. Returns
+    /// `None` if the outline is empty.
     pub(crate) fn to_path(&self) -> Option<tiny_skia::Path> {
         let (points, closed) = match self {
             PathOutline::Circle { center: [x, y], radius } => {

@@ -1,4 +1,5 @@
-//! A plane in the world, seen by the observer: maps dots to points of the plane without tracing rays.
+//! A plane in the world, as the observer sees it: maps screen pixels to points of the plane without tracing
+//! rays.
 
 use std::ops::Range;
 
@@ -6,28 +7,29 @@ use pinhole_core::{DVec2, DVec3};
 
 use crate::view::overlay::screen::{PixelRays, unit};
 
-/// A plane with two coordinates, a and b.
+/// A plane with coordinates (a, b), as the observer sees it.
 ///
-/// The ray through the dot (x, y) has the direction `d = x*across + y*down + corner`. With the plane's
-/// origin O, its normal n, and the vectors A and B along which the coordinates are measured, the ray
-/// meets the plane at
+/// The observer's ray through the screen position (x, y) has the direction
+/// `d = x*across + y*down + corner`, with three constant vectors. With the plane's origin O, its normal n,
+/// and the vectors A and B along which a and b are measured, the ray meets the plane at
 ///
 /// ```text
 /// t = n.(O - eye) / n.d     a = A.(eye - O + t d)     b = B.(eye - O + t d)
 /// ```
 ///
-/// Since d is linear in x and y, each of t, a and b is a quotient of two linear functions of x and y.
+/// Since d is linear in x and y, each of t, a and b is a quotient of two linear functions of x and y. Their
+/// numerators are `offset`, `a` and `b`, and their common denominator is `rate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flat {
-    /// Greater than 0. A dot's ray therefore meets the plane exactly where `rate` is also greater than
-    /// 0.
+    /// The numerator of t, which is greater than 0. A pixel's ray therefore meets the plane in front of the
+    /// observer exactly where `rate` is greater than 0.
     offset: f64,
     rate: Linear,
     a: Linear,
     b: Linear,
 }
 
-/// The point where one dot's ray meets a [`Flat`].
+/// The point where one screen pixel's ray meets a [`Flat`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FlatSpot {
     /// The t of the observer's ray, greater than 0.
@@ -36,7 +38,7 @@ pub(crate) struct FlatSpot {
     pub(crate) position: DVec2,
 }
 
-/// The linear function `x*X + y*Y + Z` of a dot (x, y).
+/// The linear function `x*X + y*Y + Z` of a screen position (x, y), stored as (X, Y, Z).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Linear(DVec3);
 
@@ -51,17 +53,17 @@ impl Linear {
 }
 
 impl Flat {
-    /// Creates the plane through `origin` in which the first coordinate increases by 1 along the vector
-    /// `a`, and the second by 1 along the vector `b`. The vectors must be orthogonal. Returns `None` if
-    /// the numbers leave the range of `f64`, or if the observer lies in the plane.
+    /// Creates the plane through `origin` in which the coordinate a increases by 1 along the vector `a`,
+    /// and b by 1 along the vector `b`. The vectors must be orthogonal. Returns `None` if the numbers leave
+    /// the range of `f64`, or if the observer lies in the plane.
     pub(crate) fn new(rays: &PixelRays, origin: DVec3, a: DVec3, b: DVec3) -> Option<Flat> {
         let (unit_a, unit_b) = (unit(a)?, unit(b)?);
         let normal = unit_a.cross(unit_b);
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
         let rate = Linear::new(rays, normal);
-        // All four functions may be multiplied by the same factor. This one keeps their values near 1,
-        // since rows of dots are computed in `f32`.
+        // The quotients stay the same if all four functions are multiplied by the same factor. This one
+        // keeps their values near 1, since rows of screen pixels are computed in `f32`.
         let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
@@ -79,8 +81,8 @@ impl Flat {
         (finite && flat.offset > 0.0).then_some(flat)
     }
 
-    /// Returns the point where a dot's ray meets the plane. Returns `None` if the point is not in front
-    /// of the observer, or if `|a|` or `|b|` is greater than `half`.
+    /// Returns the point where the ray through a screen position meets the plane. Returns `None` if the
+    /// point is not in front of the observer, or if `|a|` or `|b|` is greater than `half`.
     pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
         let position = DVec2::new(self.a.at(dot), self.b.at(dot));
@@ -91,10 +93,10 @@ impl Flat {
         (t > 0.0 && t.is_finite() && position.is_finite()).then_some(FlatSpot { t, position })
     }
 
-    /// Returns the range of dots in a row for which [`Flat::at`] finds a point. Each end may be off by
-    /// one dot.
+    /// Returns the range of screen pixels in a row for which [`Flat::at`] finds a point. Each end may be
+    /// off by one pixel.
     pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
-        // Each condition is linear in x: value + slope x >= 0.
+        // Each condition on x is linear: value + slope x >= 0.
         let reach = half * self.rate.0;
         let conditions =
             [self.rate.0, reach - self.a.0, reach + self.a.0, reach - self.b.0, reach + self.b.0];
@@ -115,9 +117,9 @@ impl Flat {
         (from as usize).min(to)..to
     }
 
-    /// Computes a part of a row of dots: for each dot, the result of [`Flat::at`] and the fraction of
-    /// the dot that grid lines cover. The loops over `f32` are kept simple so that the compiler can
-    /// vectorize them.
+    /// Computes a part of a row of screen pixels: for each pixel, the result of [`Flat::at`] and the
+    /// fraction of the pixel that grid lines cover. The loops over `f32` are kept simple so that the
+    /// compiler can vectorize them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
@@ -149,8 +151,8 @@ impl Flat {
         }
     }
 
-    /// Adds the grid lines that are perpendicular to one coordinate. Each dot's coverage is raised to
-    /// at least its coverage by these lines.
+    /// Adds the grid lines that are perpendicular to one coordinate's axis. Where they cover more of a pixel
+    /// than `line` says, `line` is raised.
     fn cover(
         &self,
         line: &mut [f32],
@@ -159,7 +161,7 @@ impl Flat {
         numerator: Linear,
         lines: &Lines,
     ) {
-        // Change of the numerator and of `rate` per dot, to the right and down.
+        // Changes of the coordinate's numerator and of `rate` per screen pixel to the right and down.
         let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
         let reach = 0.5 * lines.width + 0.5;
         let sparse = 1.0 / (3.0 * lines.width);
@@ -168,7 +170,7 @@ impl Flat {
             let per_dot =
                 (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
             let cells = (position - lines.shift) * lines.inverse_step;
-            // Adding and subtracting 1.5 * 2^23 rounds to a whole number without calling a function.
+            // Adding and subtracting 1.5 * 2^23 rounds to an integer without a function call.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
             let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
@@ -178,16 +180,16 @@ impl Flat {
     }
 }
 
-/// The dots of one row whose rays meet a [`Flat`], with the values at each dot.
+/// The screen pixels of one row whose rays meet a [`Flat`], with the values at each of them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FlatRow {
-    /// The range of these dots in the row.
+    /// The range of these pixels in the row.
     pub(crate) span: Range<usize>,
     pub(crate) t: Vec<f32>,
     pub(crate) a: Vec<f32>,
     pub(crate) b: Vec<f32>,
-    /// Fraction of each dot that grid lines cover, 0 to 1. Lines that are too dense to be distinguished
-    /// fade out.
+    /// Fraction of each screen pixel that grid lines cover, 0 to 1. It fades to 0 where the lines are too
+    /// dense to be distinguished.
     pub(crate) line: Vec<f32>,
     inverse_rate: Vec<f32>,
 }
@@ -203,13 +205,13 @@ impl FlatRow {
         self.span = span.clone();
     }
 
-    /// Returns (a, b, coverage by grid lines) of the dot at index `k` of the span.
+    /// Returns a, b and the coverage by grid lines at index `k` of the span.
     #[inline(always)]
     pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
         [self.a[k], self.b[k], self.line[k]]
     }
 
-    /// Returns t and (a, b, coverage by grid lines) for each dot in `part` of the row.
+    /// Returns t and (a, b, coverage by grid lines) for each screen pixel in `part` of the row.
     pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
         let part = part.start - self.span.start..part.end - self.span.start;
         let values = self.t[part.clone()].iter().zip(&self.a[part.clone()]);
@@ -218,7 +220,7 @@ impl FlatRow {
     }
 }
 
-/// Grid lines at all whole multiples of a step, in a and in b.
+/// Grid lines where the coordinate a or b differs by a multiple of a step from that of one crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
     of_a: Lines,
@@ -229,12 +231,12 @@ pub(crate) struct Grid {
 struct Lines {
     inverse_step: f32,
     shift: f32,
-    /// Width in dots.
+    /// Width in screen pixels.
     width: f32,
 }
 
 impl Grid {
-    /// Creates grid lines that are `width` dots wide. `shift` is the (a, b) of one crossing.
+    /// Creates grid lines that are `width` screen pixels wide. `shift` is the (a, b) of one crossing.
     pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
         let lines = |step: f64, shift: f64| Lines {
             inverse_step: (1.0 / step) as f32,

@@ -1,6 +1,6 @@
-//! Flat layers of the world view, painted dot by dot: the background, the patches of planes, and the
-//! viewport with the picture on it. Nearer layers cover farther ones. Whether a sphere covers a layer
-//! is decided by comparing t.
+//! Flat layers of the world view, painted pixel by pixel over the traced picture: the background, the drawn
+//! parts of planes, and the viewport with the camera's picture on it. Nearer layers cover farther ones.
+//! Whether a sphere covers a layer is decided by comparing t.
 
 use std::ops::Range;
 
@@ -10,9 +10,8 @@ use rayon::prelude::*;
 
 use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
 
-/// The layers painted over the observer's picture but below the camera and its marks: the cut-away
-/// spheres around the camera, and the patches of planes. They do not change while only the camera
-/// moves.
+/// The layers between the observer's traced picture and the camera: the spheres around the camera, which
+/// are cut away, and the drawn parts of planes. They do not change while only the camera moves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Backdrop {
     pub(crate) background: Color32,
@@ -31,7 +30,7 @@ impl Backdrop {
     }
 }
 
-/// All flat layers of a world view, and the traced frame with whose t they are compared.
+/// All flat layers of a world view, and the traced frame, whose t decides what hides them.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
@@ -40,8 +39,8 @@ pub(crate) struct Layers<'a> {
     pub(crate) viewport: Option<ViewportLayer<'a>>,
 }
 
-/// A sphere around the camera, cut away: only the far side of its surface is painted, where the
-/// observer's rays leave the sphere.
+/// A sphere around the camera, cut away so that the camera is visible: only the far side of its surface is
+/// painted, where the observer's rays leave the sphere.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Bowl {
     pub(crate) sphere: Sphere,
@@ -54,13 +53,14 @@ pub(crate) struct Bowl {
 const BOWL: f32 = 0.45;
 
 impl Bowl {
-    /// Returns the colour of a dot painted over `below`. `traced_t` is the t of the traced object at
-    /// that dot.
+    /// Returns the colour of a screen pixel at (x, y) after the bowl is painted over the colour `below`.
+    /// `traced_t` is the t of the traced object there.
     fn paint(&self, [x, y]: [f64; 2], traced_t: f32, below: Color32) -> Color32 {
         let PixelRays { eye, across, down, corner } = self.rays;
         let (q, radius) = (eye - self.sphere.center, self.sphere.radius);
         let direction = x * across + y * down + corner;
-        // q is in units of the radius and the direction has length 1, so that neither overflows.
+        // q, the vector from the centre to the eye, is in units of the radius, so that its square does not
+        // overflow.
         let (q, length) = (q / radius, direction.length());
         let along = q.dot(direction) / length;
         let discriminant = along * along - (q.length_squared() - 1.0);
@@ -77,56 +77,57 @@ impl Bowl {
 
 /// The viewport's rectangle: the picture, and the edges between its pixels.
 pub(crate) struct ViewportLayer<'a> {
-    /// The rectangle, with (a, b) = (u / width, v / height).
+    /// The viewport's rectangle, with the coordinates a = u / width and b = v / height.
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
-    /// The picture, stretched so that it has one dot for each pixel of the image.
+    /// The camera's picture, with one colour for each pixel of the image.
     pub(crate) picture: Option<StretchedPicture<'a>>,
-    /// The edges between pixels that are drawn, and their opacity from 0 to 1.
+    /// The edges between the image's pixels as grid lines, and their opacity from 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
     /// The colour behind transparent pixels.
     pub(crate) behind: Color32,
 }
 
-/// The part of an infinite plane near the observer's target. It has grid lines in world units and fades
-/// out towards its rim.
+/// The drawn part of an infinite plane: a disc near the observer's target, with grid lines in world units,
+/// which fades out towards its rim.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlanePatch {
-    /// The plane; (a, b) is measured in world units from the patch's centre.
+    /// The plane; its coordinates (a, b) are measured in world units from the disc's centre.
     pub(crate) flat: Flat,
     pub(crate) radius: f64,
     pub(crate) color: Color32,
     pub(crate) grid_color: Color32,
-    /// Opacity in the middle of the patch, 0 to 1.
+    /// Opacity in the middle of the disc, 0 to 1.
     pub(crate) opacity: f32,
     pub(crate) grid: Grid,
 }
 
-/// An object hides a point only if it is nearer by more than this relative margin. Without the margin,
-/// a surface would hide its own points.
+/// Relative margin by which an object must be nearer than a point to hide it. Without it, a surface would
+/// hide its own points.
 const TOLERANCE: f64 = 1e-3;
 
-/// Relative margin for painting layers over the traced picture. Layers do not touch the traced
-/// surfaces, so it only has to cover the rounding of `f32`.
+/// Relative margin by which a layer may lie behind the traced object and still be painted. Layers do not
+/// touch the traced surfaces, so it only has to cover the rounding of `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
 /// Value of |a| and |b| at the viewport's edges.
 const HALF_VIEWPORT: f64 = 0.5;
 
-/// Number of rows of dots that are painted at a time.
+/// Number of rows of screen pixels that are painted at a time.
 const BAND: usize = 32;
 
-/// Opacity up to which a patch does not hide lines behind it.
+/// Opacity of a plane's drawn part up to which it does not hide lines behind it.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl ViewportLayer<'_> {
-    /// Returns the point where the dot's ray passes through the rectangle; `None` if it passes outside.
+    /// Returns the point where the ray through a screen position passes through the viewport's rectangle;
+    /// `None` if it passes outside.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
         self.flat.at(dot, HALF_VIEWPORT)
     }
 
-    /// Returns the colour of a dot at (a, b) painted over `below`. `line` is the fraction of the dot
-    /// that grid lines cover.
+    /// Returns the colour of a screen pixel at (a, b) after the layer is painted over the colour `below`.
+    /// `line` is the fraction of the pixel that grid lines cover.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
         let (w, h) = (self.image.width(), self.image.height());
@@ -143,8 +144,8 @@ impl ViewportLayer<'_> {
 }
 
 impl PlanePatch {
-    /// Returns the patch's opacity at a point with this value of `|(a, b)|^2`. It fades to 0 at the
-    /// rim.
+    /// Returns the plane's opacity at a point whose squared distance from the disc's centre, a^2 + b^2, is
+    /// `length_squared`. It fades to 0 at the rim.
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
@@ -158,8 +159,8 @@ impl PlanePatch {
         })
     }
 
-    /// Returns the colour of a dot at (a, b) painted over `below`. `line` is the fraction of the dot
-    /// that grid lines cover.
+    /// Returns the colour of a screen pixel at (a, b) after the layer is painted over the colour `below`.
+    /// `line` is the fraction of the pixel that grid lines cover.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], is_visible: bool, below: Color32) -> Color32 {
         let opacity = if is_visible { self.opacity_at(a * a + b * b) } else { 0.0 };
@@ -169,20 +170,20 @@ impl PlanePatch {
 }
 
 impl<'a> Layers<'a> {
-    /// Creates layers over the observer's frame, in which every pixel must be traced.
+    /// Creates layers over the observer's frame, which must have a value for every screen pixel.
     pub(crate) fn new(frame: &'a Frame<f32>, backdrop: &'a Backdrop) -> Self {
         let image = frame.camera().image();
         let (width, height) = (image.width() as usize, image.height() as usize);
         Layers { frame, width, height, backdrop, viewport: None }
     }
 
-    /// Returns true if the frame has a t and an object for every dot.
+    /// Returns true if the frame has a t and an object for every screen pixel.
     fn is_traced(&self) -> bool {
         self.frame.t.len() == self.width * self.height
             && self.frame.object.len() == self.frame.t.len()
     }
 
-    /// Returns the t of the traced object at a dot; infinity outside the picture.
+    /// Returns the t of the traced object at a screen position; infinity outside the picture.
     pub(crate) fn traced_t(&self, dot: DVec2) -> f64 {
         let inside =
             dot.cmpge(DVec2::ZERO).all() && dot.x < self.width as f64 && dot.y < self.height as f64;
@@ -192,8 +193,8 @@ impl<'a> Layers<'a> {
         self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
     }
 
-    /// Returns true if something hides a point at `t` from the observer. If `on_viewport` is true, the
-    /// point lies on the viewport, which then does not hide it.
+    /// Returns true if something hides from the observer the point at `t` on the ray through a screen
+    /// position. If `on_viewport` is true, the point lies on the viewport, which then does not hide it.
     pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
         let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
         if covers(self.traced_t(dot)) {
@@ -206,8 +207,8 @@ impl<'a> Layers<'a> {
         self.backdrop.patches.iter().any(|patch| patch.hides(dot, covers))
     }
 
-    /// Paints all layers over the `traced` picture at the viewport's dots, in a band of rows starting
-    /// at row `top`. All other dots must already show the result of [`Backdrop::paint`].
+    /// Paints all layers over the `traced` picture in the pixels that the viewport covers, in a band of rows
+    /// of which `top` is the first. All other pixels must already show the result of [`Backdrop::paint`].
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
@@ -217,7 +218,7 @@ impl<'a> Layers<'a> {
         });
     }
 
-    /// Paints all layers over a part of each row, starting at row `top`. Calls `before` on the dots of
+    /// Paints all layers over a part of each row, starting at row `top`. Calls `before` on the pixels of
     /// each part before painting them.
     fn paint_parts(
         &self,
@@ -240,7 +241,8 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// Computes the values of each layer in a part of a row: the viewport's first, then the patches'.
+    /// Computes the values of each layer in a part of a row: the viewport's first, then those of the
+    /// planes.
     fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
         let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
@@ -269,7 +271,7 @@ impl<'a> Layers<'a> {
                 *dot = bowl.paint([column as f64 + 0.5, y], t[column], *dot);
             }
         }
-        // Between two adjacent ends of spans, the set of layers is constant.
+        // Between two successive ends of spans, the layers that cover a pixel stay the same.
         let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
         ends.sort_unstable();
         for pair in ends.windows(2) {
@@ -294,7 +296,7 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // Each kind of layer has its own loop, because most of the time is spent here: patches can
+        // Each kind of layer has its own loop, because most of the time is spent here: planes can
         // cover the whole screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
@@ -321,7 +323,7 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
-        // The picture is opaque, so layers behind it need not be sorted.
+        // The camera's picture is opaque, so layers behind it need not be sorted.
         let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
@@ -352,15 +354,16 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Returns true if a layer is nearer than the traced object at the same dot.
+/// Returns true if a layer at `t` is nearer than the traced object in the same screen pixel, or at the same
+/// t.
 fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// Returns a blend of two opaque colours, with weight `share` for `top` and the rest for `bottom`.
+/// Returns a blend of two opaque colours: `top` with weight `share`, and `bottom` with the rest.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
-    // The sum 2^23 + x has x in its lowest bits. This avoids the special cases of a cast.
+    // The lowest bits of the sum 2^23 + x hold x as an integer. This avoids the special cases of a cast.
     let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
     // Two channels are processed at a time: 8 bits of colour times 9 bits of weight fit into 16 bits.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
@@ -371,9 +374,9 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Returns black for a light colour, white for a very dark one (luma of ITU-R BT.601), and a grey for a
-/// colour in between, so that a line across a shaded surface has no seam. A transparent colour is
-/// replaced by the colour `behind` it.
+/// Returns a grey that contrasts with a colour: black for a light colour, white for a very dark one (by the
+/// luma of ITU-R BT.601), and a grey in between for others, so that a line across a shaded surface has no
+/// seam. For a transparent colour, the colour `behind` it counts.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
     const FROM: u32 = 40_000;
     const TO: u32 = 95_000;

@@ -1,19 +1,19 @@
-//! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene and
-//! the selected ray.
+//! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene and the
+//! selected ray.
 //!
-//! Pure functions build a [`Drawing`]: marks and labels with positions in dots (physical pixels).
-//! [`world`] and [`camera`] also paint the marks into the picture, on the CPU. The caller draws the
-//! text, since it has the fonts. The window and exported figures use the same drawing; in vector
-//! formats it stays separate from the picture.
+//! Pure functions build a [`Drawing`]: marks and labels with positions in screen pixels. [`world`] and
+//! [`camera`] also paint the marks into the picture, on the CPU. The caller draws the text, since it has
+//! the fonts. The window and exported figures use the same drawing; in vector formats it stays separate
+//! from the picture. In names, *dots* are pixels of the screen, and *pixels* usually those of an image.
 //!
-//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: highlights a concept on
-//!   top of everything else.
-//! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels;
-//!   `style`: colours and text sizes.
-//! - `screen`: projection and clipping; `flat`: the inverse, from a dot to a point of a plane.
+//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: highlights a concept on top
+//!   of everything else.
+//! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels; `style`:
+//!   colours and text sizes.
+//! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
 //!   labels.
-//! - `layers`: occlusion, and areas filled dot by dot (planes, the picture on the viewport).
+//! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
 use std::ops::Deref;
 use std::sync::Arc;
@@ -81,8 +81,8 @@ impl<T> Deref for Same<T> {
 
 /// A scene with the colour of each of its objects.
 ///
-/// Views borrow it only while they are drawn. If a view kept a reference to the scene, an edit would
-/// have to copy all objects instead of replacing one in place.
+/// Views borrow it only while they are drawn. If a view kept a reference to the scene, an edit would have
+/// to copy all objects instead of replacing one in place.
 #[derive(Clone, Copy)]
 pub struct ColoredScene<'a> {
     /// The scene.

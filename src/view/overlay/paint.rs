@@ -1,5 +1,5 @@
-//! Painting of pixels: paints marks directly into a picture with tiny-skia, and stretches the edited
-//! camera's picture over a view without smoothing.
+//! Painting of pixels: marks are painted directly into a picture with tiny-skia, and the edited camera's
+//! picture is stretched over a view without smoothing.
 
 use egui::Color32;
 use pinhole_core::{ImageSize, Raster};
@@ -8,7 +8,7 @@ use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDas
 
 use crate::view::overlay::drawing::{Drawing, Ink, Path};
 
-/// Number of rows painted at a time. Their dots fit into the cache.
+/// Number of rows painted at a time, few enough that their pixels fit into the cache.
 const BAND: usize = 32;
 
 /// Paths prepared for painting: outlines to fill, each with its paint.
@@ -31,8 +31,8 @@ impl Fills {
         Fills(filled.collect())
     }
 
-    /// Paints a picture of `width` dots per row, in parallel bands of rows. For each band, calls
-    /// `before` with the band's first row and its dots, and then paints the paths.
+    /// Paints the paths over a picture of `width` screen pixels per row, in parallel bands of rows. For
+    /// each band, first calls `before` with the band's first row and its pixels.
     pub(super) fn paint_after(
         &self,
         width: usize,
@@ -45,7 +45,7 @@ impl Fills {
         dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
             let (top, height) = (band * BAND, dots.len() / width);
             before(top, dots);
-            // egui and tiny-skia use the same layout: four bytes per dot, premultiplied.
+            // egui and tiny-skia use the same layout: four bytes per pixel, premultiplied.
             let bytes = bytemuck::cast_slice_mut(dots);
             let band = PixmapMut::from_bytes(bytes, width as u32, height as u32);
             let Some(mut band) = band else { return };
@@ -60,12 +60,12 @@ impl Fills {
     }
 }
 
-/// Paints paths over a picture of `width` dots per row.
+/// Paints paths over a picture of `width` screen pixels per row.
 pub fn paint_paths(paths: &[Path], width: usize, dots: &mut [Color32]) {
     Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
 }
 
-/// Returns the outline to fill: that of the path or, for a stroke, the outline of the stroked line.
+/// Returns the outline of the area to fill: that of the path or, for a stroke, that of the stroked line.
 /// Returns `None` if it is empty.
 fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     let outline = path.outline.to_path()?;
@@ -83,7 +83,7 @@ fn outlined(path: &Path) -> Option<tiny_skia::Path> {
     outline.stroke(&stroke, 1.0)
 }
 
-/// The picture of the edited camera, with one colour per traced pixel.
+/// The picture of the edited camera, with one colour for each traced pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// The traced rows and columns of the image.
@@ -100,7 +100,7 @@ impl Picture {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
     }
 
-    /// Prepares the picture for stretching over a buffer of `columns` x `rows` dots.
+    /// Prepares the picture for stretching over a buffer of `columns` x `rows` screen pixels.
     pub(crate) fn on(&self, [columns, rows]: [usize; 2]) -> StretchedPicture<'_> {
         let [nearest_row, nearest_column] = self.raster.nearest(self.image);
         let pixel = |k: usize, dots: usize, count: u32| (2 * k + 1) * count as usize / (2 * dots);
@@ -114,30 +114,32 @@ impl Picture {
     }
 }
 
-/// A picture stretched over a buffer of dots, nearest-neighbour: dot `k` of `n` shows pixel
-/// `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
+/// A picture stretched over a buffer of screen pixels, nearest-neighbour. Of n screen pixels in a row,
+/// number k shows the pixel `floor((2k + 1) W / (2n))` of the image's W: the one that [`Raster::shown_on`]
+/// traces for it.
 pub(crate) struct StretchedPicture<'a> {
     picture: &'a Picture,
-    /// The traced column that each column of dots shows.
+    /// The traced column that each column of screen pixels shows.
     columns: Vec<usize>,
-    /// The traced row that each row of dots shows.
+    /// The traced row that each row of screen pixels shows.
     rows: Vec<usize>,
 }
 
 impl StretchedPicture<'_> {
-    /// Returns the colour of a dot.
+    /// Returns the colour of a screen pixel.
     #[inline(always)]
     pub(crate) fn color(&self, row: usize, column: usize) -> Color32 {
         let width = self.picture.raster.columns().len();
         self.picture.pixels[self.rows[row] * width + self.columns[column]]
     }
 
-    /// Fills a band of the buffer. `top` is the band's first row of dots.
+    /// Fills a band of rows of the buffer, of which `top` is the first.
     pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
         let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
         for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
             let source_row = self.rows[row];
-            // Rows of dots that show the same row of pixels are equal, so the previous row is copied.
+            // Rows of the screen that show the same row of the image are equal, so the previous one is
+            // copied.
             if k > 0 && self.rows[row - 1] == source_row {
                 dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
                 continue;
@@ -157,8 +159,8 @@ mod tests {
 
     const WIDTH: usize = 40;
 
-    /// Paints a path in white on 40 x 100 black dots, which span several bands, and returns the covered share
-    /// of each dot.
+    /// Paints a path in white on 40 x 100 black pixels, which span several bands, and returns the covered
+    /// fraction of each pixel.
     fn covered(points: &[[f32; 2]], ink: Ink) -> Vec<f32> {
         let outline = PathOutline::Chain { points: points.into(), closed: true };
         let path = Path { outline, color: Color32::WHITE, ink };

@@ -1,34 +1,34 @@
-//! Projects the world to the dots of the observer's picture, after clipping. Also converts between
-//! positions in the viewport and dots of the camera view.
+//! Projects the world, after clipping, to the pixels of the observer's picture. Also converts between
+//! positions in the viewport and pixels of the camera view.
 
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::observer::ViewSize;
 use crate::view::overlay::drawing::dot;
 
-/// The observer's picture plane. Positions are in dots from its top left corner.
+/// The observer's picture plane. Positions are in screen pixels from its top left corner.
 ///
-/// Points are first converted to *view coordinates*: x to the right, y down, and z the depth in front
-/// of the observer. They are in units of [`Screen::unit`], so that no product of them overflows.
+/// Points are first converted to *view coordinates*: x to the right, y down, and z the depth in front of
+/// the observer. They are in units of [`Screen::unit`], so that products of them do not overflow.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Screen {
     observer: ResolvedCamera,
-    /// Focal length in dots, horizontally and vertically.
+    /// Focal length in screen pixels, horizontally and vertically.
     focal: DVec2,
-    /// Width and height in dots.
+    /// Width and height in screen pixels.
     pub(crate) size: DVec2,
     /// The unit of length in view coordinates, usually the observer's distance to its target.
     unit: f64,
-    /// Dots per point.
+    /// Screen pixels per point.
     pub(crate) scale: f64,
 }
 
 /// A point on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spot {
-    /// Position in dots from the top left corner.
+    /// Position in screen pixels from the top left corner.
     pub(crate) at: DVec2,
-    /// `1 / t` along the observer's ray. Unlike t, it is linear along a line on the screen.
+    /// `1 / t` along the observer's ray. Unlike t, it varies linearly along a line on the screen.
     pub(crate) inverse_t: f64,
 }
 
@@ -45,24 +45,24 @@ impl Spot {
 /// Minimum depth of drawn points, in view coordinates.
 const NEAR: f64 = 1e-7;
 
-/// Maximum coordinate of drawn points, in view coordinates. No sensible scene exceeds it, and products
-/// of smaller coordinates are far from overflow.
+/// Maximum magnitude of the view coordinates of drawn points. No sensible scene exceeds it, and products of
+/// smaller coordinates are far from overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Distance beyond the picture's border at which lines are clipped, as a fraction of the picture's
-/// size. The clipped ends are thus not visible.
+/// Distance beyond the picture's border at which lines are clipped, as a fraction of the picture's size, so
+/// that the clipped ends are not visible.
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// Creates a screen with `scale` dots per point. `unit` is a length of the same order of magnitude
-    /// as the visible scene.
+    /// Creates a screen with `scale` screen pixels per point. `unit` is the unit of view coordinates, a
+    /// length of the order of magnitude of the visible scene.
     pub(crate) fn new(observer: &ResolvedCamera, unit: f64, scale: f32) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         Screen::of_size(observer, size, unit, scale)
     }
 
-    /// Creates a screen for the observer's image stretched to `size` dots.
+    /// Creates a screen for the observer's image stretched to `size` screen pixels.
     pub(crate) fn of_size(observer: &ResolvedCamera, size: DVec2, unit: f64, scale: f32) -> Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
@@ -96,8 +96,8 @@ impl Screen {
             .then(|| self.spot_of_view(q))
     }
 
-    /// Returns the inward normals, in view coordinates, of the four planes through the observer's eye
-    /// that bound the drawn region.
+    /// Returns the inward normals, in view coordinates, of the four planes through the observer's eye that
+    /// bound the region in which lines are drawn.
     fn borders(&self) -> [DVec3; 4] {
         let slope = (0.5 + BEYOND_BORDER) * self.size / self.focal;
         [
@@ -155,35 +155,37 @@ impl Screen {
     }
 
     /// Returns true if a spot lies within the region to which lines are clipped, with a margin for
-    /// rounding. This protects the rasterizer from extreme positions.
+    /// rounding. Other spots are rejected, to protect the rasterizer from extreme positions.
     fn is_near(&self, spot: Spot) -> bool {
         let reach = 2.0 * self.size;
         (spot.at - 0.5 * self.size).abs().cmple(reach).all() && spot.inverse_t.is_finite()
     }
 
-    /// Returns the number of dots that a length of 1 in the world covers at this point; `None` if it is
-    /// too far away to be drawn.
+    /// Returns the number of screen pixels that a length of 1 in the world covers at this point; `None` if
+    /// the point is too far away to be drawn.
     pub(crate) fn dots_per_unit(&self, point: DVec3) -> Option<f64> {
         let q = self.view(point)?;
         let dots = self.focal.min_element() / (q.z.max(NEAR) * self.unit);
         dots.is_finite().then_some(dots)
     }
 
-    /// Returns the length in the world that covers a limited number of points on the screen. The number
-    /// is that of a length of 1 at `at`, clamped to the range from `least` to `most`. Returns 0 if `at`
-    /// cannot be drawn.
+    /// Returns the length in the world at which something at the point `at` is drawn: 1, unless that covers
+    /// fewer than `least` or more than `most` points on the screen; then the length that covers this limit.
+    /// Returns 0 if `at` cannot be drawn.
     pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
         let Some(dots) = self.dots_per_unit(at) else { return 0.0 };
         let points = dots / self.scale;
         points.clamp(least, most) / points
     }
 
-    /// Returns the length in the world of the basis arrows at a point; 0 if the point cannot be drawn.
+    /// Returns the length in the world at which basis arrows are drawn at a point; 0 if the point cannot be
+    /// drawn.
     pub(crate) fn arrow_length(&self, at: DVec3) -> f64 {
         self.length_of_points(at, self.arrow_points())
     }
 
-    /// Returns the length in the world of a normal at a point; 0 if the point cannot be drawn.
+    /// Returns the length in the world at which a normal is drawn at a point; 0 if the point cannot be
+    /// drawn.
     pub(crate) fn normal_length(&self, at: DVec3) -> f64 {
         let (points, _) = self.arrow_points();
         self.length_of_points(at, (points, points))
@@ -194,8 +196,8 @@ impl Screen {
         ViewSize { width, height }.arrow_points()
     }
 
-    /// Returns the vectors from which the direction of the observer's ray through the position `at` is
-    /// computed: `at.x * across + at.y * down + corner`.
+    /// Returns three vectors that give the direction of the observer's ray through a screen position `at`:
+    /// `at.x * across + at.y * down + corner`.
     pub(crate) fn pixel_rays(&self) -> PixelRays {
         let (basis, viewport) = (self.observer.basis(), self.observer.viewport());
         let across = basis.u * (viewport.width / self.size.x);
@@ -235,7 +237,8 @@ pub(crate) struct PixelRays {
     pub(crate) corner: DVec3,
 }
 
-/// Returns `v / |v|`; `None` if `v` is zero or not finite. Handles lengths from 1e-300 to 1e300.
+/// Returns `v / |v|`; `None` if `v` is zero or not finite. Neither overflows nor underflows for lengths
+/// from 1e-300 to 1e300.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if !(largest.is_finite() && largest > 0.0) {
@@ -268,7 +271,7 @@ fn clipped(corners: &[DVec3], depth: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     kept
 }
 
-/// Returns the (u, v) at a position in the camera view, in dots. The position may lie outside the
+/// Returns the (u, v) at a position in the camera view, which is in screen pixels and may lie outside the
 /// picture.
 pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
     let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
@@ -276,7 +279,7 @@ pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32;
     DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
 }
 
-/// Returns the position of a (u, v) in the camera view, in dots. Inverts [`camera_uv_at`].
+/// Returns the position of a (u, v) in the camera view, in screen pixels. Inverse of [`camera_uv_at`].
 pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
     dot(position_of(resolved, size, uv))
 }

@@ -15,7 +15,7 @@ pub(super) type LabelFont = (f32, bool);
 pub(super) const VECTOR: LabelFont = (21.0, true);
 /// Bold font for the labels of normals and of answers.
 pub(super) const BOLD_POINT: LabelFont = (17.0, true);
-/// Font for the labels of points, of axes, and of the given vectors.
+/// Font for the labels of points, of the world's axes, and of the vectors that the user gives.
 pub(super) const POINT: LabelFont = (17.0, false);
 /// Font for the labels of marks.
 pub(super) const MARK: LabelFont = (14.0, false);
@@ -44,14 +44,15 @@ pub enum Style {
 pub struct Colors {
     /// The colour where the observer's rays hit nothing.
     pub background: Color32,
-    /// The casing of lines and text, which separates them from what they cross.
+    /// The colour of the casing of lines and of the halo of text, which separate these from what they
+    /// cross.
     pub halo: Color32,
     /// The eye, the frustum and the viewport's outline.
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
-    /// Dash and gap of the u, v, w arrows, in points. Only set in styles whose greys do not distinguish
-    /// the arrows well enough.
+    /// Dash and gap of the u, v, w arrows, in points. Only set in styles whose greys alone do not
+    /// distinguish the arrows well enough.
     pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],
@@ -115,8 +116,8 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ..DARK
 };
 
-/// Dash patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines also differ from them
-/// by being thin.
+/// Dash patterns of the arrows: u solid, v with long dashes, w with short ones. Hidden lines are dashed,
+/// too, but thin.
 const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
 
 const GREY_LIGHT: Colors = Colors {
@@ -181,7 +182,7 @@ impl Style {
         ALL[self as usize]
     }
 
-    /// Applies the style to a finished picture: a grey style removes the hue of every dot.
+    /// Applies the style to a finished picture: a grey style removes the hue of every pixel.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
             for dot in dots {

@@ -1,5 +1,5 @@
-//! Highlights a concept in the camera view, where w points at the observer and the whole ray is a
-//! single point.
+//! Highlights a concept in the camera view. Seen from the camera, w points at the observer, and the whole
+//! ray is a single point.
 
 use pinhole_core::{
     DVec2, DVec3, Object, Orientation, Outputs, Pixel, Raster, Scene, Sphere, trace,
@@ -13,12 +13,13 @@ use crate::view::overlay::{
     silhouette, unit,
 };
 
-/// Length of the arrow of a unit vector, as a fraction of the picture's shorter side.
+/// Length at which a unit vector in the image plane is drawn, as a fraction of the picture's shorter side.
 const ARROW: f64 = 0.3;
 
 /// Distance between two strokes of a plane's hatching, in points.
 const HATCH: f64 = 20.0;
-/// Distance between the positions at which a stroke is tested against the plane's border, in points.
+/// Distance between the positions along a stroke at which it is tested whether the plane is visible, in
+/// points.
 const CELL: f64 = 3.0;
 
 impl CameraSketch<'_> {
@@ -54,8 +55,8 @@ impl CameraSketch<'_> {
         self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
-    /// Returns the arrow of a unit vector in the image. It is foreshortened unless the vector is
-    /// orthogonal to w.
+    /// Returns the arrow of a unit vector, projected onto the image. It is foreshortened unless the vector
+    /// is orthogonal to w.
     fn arrow_of(&self, vector: DVec3) -> DVec2 {
         let basis = self.view.resolved.basis();
         let in_image = DVec2::new(basis.u.dot(vector), -basis.v.dot(vector));
@@ -81,8 +82,8 @@ impl CameraSketch<'_> {
         self.label(pen, text, at, toward, POINT);
     }
 
-    /// Draws the symbol of a vector along the line of sight, in the middle of the picture: a dot in a
-    /// ring if the vector points towards the observer, or a cross in a ring if it points away.
+    /// Draws the symbol of a vector along the line of sight, in the middle of the picture: a ring with a
+    /// dot if the vector points towards the observer, or with a cross if it points away.
     fn end_on(&mut self, away: bool, pen: LineStyle, text: &str, toward: DVec2, font: LabelFont) {
         let (at, scale) = (0.5 * self.view.extent(), f64::from(self.view.scale));
         let ring = LineStyle { width: 2.4, ..pen };
@@ -98,8 +99,8 @@ impl CameraSketch<'_> {
         self.label(pen, text, at, toward, font);
     }
 
-    /// Highlights a value that the user gives for the camera, a vector of its basis, its viewport or
-    /// the distance.
+    /// Highlights a concept of the camera: a value that the user gives, a vector of its basis, its viewport
+    /// or the viewport's distance.
     fn highlight_camera(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let (resolved, extent) = (self.view.resolved, self.view.extent());
         let (middle, below) = (0.5 * extent, DVec2::new(0.6, 1.0));
@@ -145,8 +146,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws a cross product. The factor w points at the observer; the other factor and the product are
-    /// arrows in the image.
+    /// Draws a cross product. One factor is always w, which points at the observer; the other factor and
+    /// the product are arrows in the image.
     fn highlight_cross(&mut self, cross: &Cross, names: [&str; 3], pens: [LineStyle; 3]) {
         let middle = 0.5 * self.view.extent();
         let along = |s: &Self, vector: DVec3| s.arrow_of(unit(vector).unwrap_or_default());
@@ -194,8 +195,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws the components of the selected ray's direction: the one along w in the middle of the
-    /// picture, and those along u and v as arrows.
+    /// Draws the components of the selected ray's direction: along w as a symbol in the middle of the
+    /// picture, and along u and v as arrows.
     fn highlight_parts(&mut self, concept: Concept, uv: DVec2, pen: LineStyle) {
         let to_dots = |uv: DVec2| position_of(&self.view.resolved, self.view.size, uv);
         let middle = 0.5 * self.view.extent();
@@ -229,13 +230,13 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Hatches the pixels that show a plane. The hatching is drawn below everything else, because the
-    /// plane may fill the picture and the marks on it must stay visible and respond to the pointer.
+    /// Hatches the pixels that show a plane. The hatching is drawn below all other marks: the plane may
+    /// fill the picture, and the marks on it must stay visible and respond to the pointer.
     fn highlight_plane(&mut self, scene: &Scene, index: u32) {
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 1.5);
         let (resolved, extent) = (&self.view.resolved, self.view.extent());
         let (scale, per_pixel) = (f64::from(self.view.scale), self.view.dots_per_pixel());
-        // The objects are traced at the resolution that the hatching needs.
+        // The objects are traced only at the resolution that the hatching needs.
         let [columns, rows] = (extent / (CELL * scale)).to_array().map(|cells| cells.ceil() as u32);
         let raster = Raster::shown_on(resolved.image(), columns, rows);
         let frame = trace(scene, resolved, &raster, Outputs { object: true, ..Outputs::NONE });
@@ -257,8 +258,8 @@ impl CameraSketch<'_> {
     }
 }
 
-/// Returns the strokes of a hatching, which rise to the right at a distance of `apart`. They cover the
-/// positions for which `inside` returns true, tested at intervals of `step`.
+/// Returns the strokes of a hatching, `apart` from each other and rising to the right. They cover the
+/// positions for which `inside` returns true, which is tested at intervals of `step`.
 fn hatch(extent: DVec2, apart: f64, step: f64, inside: impl Fn(DVec2) -> bool) -> Vec<[DVec2; 2]> {
     let mut strokes = Vec::new();
     let direction = DVec2::new(std::f64::consts::FRAC_1_SQRT_2, -std::f64::consts::FRAC_1_SQRT_2);

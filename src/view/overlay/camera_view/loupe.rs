@@ -1,5 +1,5 @@
-//! The loupe of the camera view. It enlarges the pixels around the selected (u, v) to show whether that
-//! position lies in the middle of a pixel, on an edge or on a corner.
+//! The loupe (a magnifier) of the camera view. It enlarges the pixels around the selected (u, v) to show
+//! whether that position lies in the middle of a pixel, on an edge or on a corner.
 
 use std::ops::Range;
 
@@ -13,12 +13,13 @@ use crate::view::overlay::{
 
 /// Maximum side of the square of magnified pixels, in points.
 const CELLS: f64 = 216.0;
-/// Maximum fraction of the view that the loupe takes. It is less than half of the height, so that the
-/// loupe does not cover the selected position.
+/// Maximum fractions of the view's width and height that the loupe takes. It takes less than half of the
+/// height, so that it does not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
 /// Height of the loupe's text, in points.
 const TEXT: f32 = 15.0;
-/// Width of the rim for the row labels, and height of a line of text, in points.
+/// Size of the loupe's rim, in points: its width at the left, for the row labels, and its height at the top
+/// and bottom, for a line of text.
 const RIM: DVec2 = DVec2::new(62.0, 23.0);
 
 /// The content of the loupe.
@@ -32,7 +33,7 @@ pub struct Loupe {
     pub count_from_one: bool,
 }
 
-/// Returns the rows and columns under the loupe, clipped to the image. The selected position lies in
+/// Returns the rows and columns that the loupe shows, clipped to the image. The selected position lies in
 /// the middle pixel or, if it lies on an edge, between the two middle pixels.
 pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, index: u32, count: u32| {
@@ -48,22 +49,22 @@ pub fn loupe_window(position: &PixelOfUv, image: ImageSize, pixels: u32) -> [Ran
 
 /// The position and size of the loupe in the view.
 struct Inset {
-    /// Upper left corner, in dots. The rims are included.
+    /// Upper left corner, in screen pixels. The rims are included.
     from: DVec2,
-    /// Size in dots. The rims are included.
+    /// Size in screen pixels. The rims are included.
     size: DVec2,
-    /// The position in the image that is shown at the middle of the cells: x in columns and y in rows,
-    /// with fractions.
+    /// The position in the image that is shown at the middle of the magnified pixels: x in columns, y in
+    /// rows, both with fractions.
     middle: DVec2,
-    /// Position of the middle of the cells, in dots.
+    /// Position of the middle of the cells, in screen pixels.
     center: DVec2,
-    /// Side of a cell, in dots.
+    /// Side of a cell, in screen pixels.
     cell: f64,
 }
 
 impl Inset {
-    /// Returns the open loupe, the selected position in pixels and in dots, and the loupe's place.
-    /// Returns `None` if no loupe is open.
+    /// Returns the open loupe, the selected position in the image and in screen pixels, and the loupe's
+    /// place in the view. Returns `None` if no loupe is open.
     fn open(view: &CameraView) -> Option<(&Loupe, PixelOfUv, DVec2, Inset)> {
         let loupe = view.loupe.as_deref().filter(|loupe| loupe.picture.is_whole())?;
         let inspection = view.inspection.as_ref().filter(|_| view.items.shows(Item::Loupe))?;
@@ -101,13 +102,14 @@ impl Inset {
         }
     }
 
-    /// Returns the middle of each rim: x for the row labels, y for the column labels.
+    /// Returns the middle of the rim, in screen pixels: the x of the row labels and the y of the column
+    /// labels.
     fn rim(&self, scale: f64) -> DVec2 {
         self.from + 0.5 * scale * RIM
     }
 
-    /// Returns the position at which the loupe shows a point of the image. `x` and `y` are in pixels
-    /// from the image's upper left corner.
+    /// Returns the position on the screen at which the loupe shows a point of the image. `x` and `y` are in
+    /// pixels of the image, from its upper left corner.
     fn to_screen(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
     }
@@ -139,8 +141,8 @@ impl CameraSketch<'_> {
         self.loupe_labels(loupe, &touched, &inset);
     }
 
-    /// Adds the loupe's texts (rows, columns and the kind of position), and removes labels that the
-    /// loupe covers.
+    /// Adds the loupe's texts (row and column numbers, and whether the position is on an edge or corner),
+    /// and removes labels that the loupe covers.
     fn loupe_labels(&mut self, loupe: &Loupe, touched: &[Pixel], inset: &Inset) {
         let CameraView { resolved, scale, size, inspection, .. } = self.view;
         let (low, high) = (inset.from, inset.from + inset.size);
@@ -195,8 +197,8 @@ impl CameraSketch<'_> {
     }
 }
 
-/// Returns the loupe's texts with their centres: the numbers of the touched rows at the left, those of
-/// the touched columns at the top, and the word `column`.
+/// Returns the loupe's texts with their centres: at the left, the numbers of the rows that the position
+/// touches; at the top, the numbers of the columns, and the word `column`.
 fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(String, DVec2)> {
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
@@ -205,7 +207,7 @@ fn texts(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f64) -> Vec<(St
     columns.dedup();
     let (rim, text, first) = (inset.rim(scale), f64::from(TEXT), u32::from(loupe.count_from_one));
     let row = |row: &u32| {
-        // Two labels may need more space than two small cells have.
+        // Two labels next to each other may need more space than the two magnified pixels have.
         let offset = inset.to_screen(0.0, f64::from(*row) + 0.5).y - inset.center.y;
         let y = if rows.len() == 1 {
             offset

@@ -1,4 +1,4 @@
-//! The camera view: the traced picture with unsmoothed pixels, and the selection drawn over it.
+//! The camera view: the traced picture, stretched without smoothing, and the selection drawn over it.
 
 mod highlighted;
 pub(super) mod loupe;
@@ -14,8 +14,8 @@ use crate::view::overlay::{
     Same, Shape, Style, contrast, dot, mix, place_labels, position_of,
 };
 
-/// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key.
-/// The scene is not among them, because a different scene has a different picture.
+/// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key. The
+/// scene is left out, because another scene has another `picture`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraView {
     /// The edited camera.
@@ -24,11 +24,11 @@ pub struct CameraView {
     pub picture: Same<Picture>,
     /// The selected ray and its hits.
     pub inspection: Option<Same<Inspection>>,
-    /// Width and height of the buffer in dots. The whole image is stretched to fill it.
+    /// Width and height of the buffer in screen pixels. The whole image is stretched to fill it.
     pub size: [usize; 2],
     /// The overlay items to draw.
     pub items: OverlayItems,
-    /// Dots per point.
+    /// Screen pixels per point.
     pub scale: f32,
     /// The colours.
     pub style: Style,
@@ -36,11 +36,11 @@ pub struct CameraView {
     pub highlighted: Option<Highlighted>,
     /// The content of the loupe, if it is open.
     pub loupe: Option<Arc<Loupe>>,
-    /// True if the marks are not painted into the picture, as in figures, which draw them separately.
+    /// True if the marks are not painted into the picture, as for figures, which draw them separately.
     pub without_marks: bool,
 }
 
-/// Minimum size of a pixel, in dots, for the pixel grid to be drawn.
+/// Minimum size of an image pixel, in screen pixels, at which the edges between image pixels are drawn.
 const GRID_FROM: f64 = 8.0;
 
 /// Fills the buffer with the picture and paints the overlay on it. Returns the drawing, whose labels
@@ -57,7 +57,7 @@ impl CameraView {
         DVec2::new(self.size[0] as f64, self.size[1] as f64)
     }
 
-    /// Returns the number of dots per pixel, horizontally and vertically.
+    /// Returns the number of screen pixels per pixel of the image, horizontally and vertically.
     fn dots_per_pixel(&self) -> DVec2 {
         let image = self.resolved.image();
         self.extent() / DVec2::new(image.width().into(), image.height().into())
@@ -80,8 +80,8 @@ impl CameraView {
         });
     }
 
-    /// Returns, for each column and for each row of dots, whether it lies on an edge between two
-    /// pixels.
+    /// Returns, for each column and for each row of screen pixels, whether it lies on an edge between two
+    /// pixels of the image.
     fn grid(&self) -> [Vec<bool>; 2] {
         let line = (self.scale.round() as usize).max(1);
         let (image, [width, height]) = (self.resolved.image(), self.size);
@@ -124,12 +124,12 @@ impl CameraView {
     }
 }
 
-/// Returns, for each of `dots` dots, whether it lies on an edge between two of `count` cells. The edges
-/// are `width` dots wide.
+/// Returns, for each of `dots` screen pixels in a row, whether it lies on an edge between two of `count`
+/// cells. The edges are `width` screen pixels wide.
 fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     let mut on = vec![false; dots];
     for k in 1..count as usize {
-        // The first dot that shows cell k; see `StretchedPicture`.
+        // The first screen pixel that shows cell k; see `StretchedPicture`.
         let first = (2 * k * dots).saturating_sub(count as usize).div_ceil(2 * count as usize);
         let from = first.saturating_sub(width / 2);
         on[from.min(dots)..(from + width).min(dots)].fill(true);
@@ -206,8 +206,8 @@ impl CameraSketch<'_> {
         }
     }
 
-    /// Draws a frame around the pixels that the selected ray touches, and a cross if the ray does not
-    /// pass through the centre of a pixel. If pixels are too small to be distinguished, draws only a
+    /// Draws a frame around the pixels that the selected ray touches, and a cross if the ray does not pass
+    /// through the centre of a pixel. If the image's pixels are too small to be distinguished, draws only a
     /// frame around the ray's position.
     fn selected(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };

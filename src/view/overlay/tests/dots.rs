@@ -1,4 +1,4 @@
-//! Tests the exact dots of the world view, and picking positions in it.
+//! Tests the exact pixels of the world view, and picking positions in it.
 
 use std::sync::Arc;
 
@@ -62,7 +62,8 @@ fn picking_is_the_inverse_of_seeing() {
         let uv = DVec2::new(f64::from(i) - 9.5, f64::from(j) - 9.5) / 20.0;
         let at = stage.to_screen(stage.resolve().viewport_point(uv));
         let picked = pick(stage.resolve(), &stage.frame, [at.x as f32, at.y as f32]);
-        // Positions are `f32`, with an error of about 1e-5 dots; a dot is about 0.02 wide on the viewport.
+        // Positions are `f32`, with an error of about 1e-5 screen pixels; a screen pixel is about 0.02 wide
+        // on the viewport.
         assert!(picked.is_some_and(|picked| picked.distance(uv) < 1e-5), "{uv}: {picked:?}");
         found += 1;
     }

@@ -1,4 +1,4 @@
-//! The ghost in the world view.
+//! The ghost, a camera that is compared with the edited one, in the world view.
 
 use super::*;
 use crate::view::overlay::drawing::Shape;

@@ -31,12 +31,12 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
     assert_eq!(ray.first, None);
     stage.inspection = Some(Arc::new(ray));
     let drawing = stage.drawing();
-    // The tangents from the observer, 5 away, meet the ray at 10 * 0.5 / sqrt(25 - 0.25) from the
-    // middle.
+    // The observer's tangents to the sphere, whose centre is 5 away, meet the ray at
+    // 10 * 0.5 / sqrt(25 - 0.25) from the middle.
     let half = 10.0 * 0.5 / (24.75f64).sqrt();
     let to_screen = |z: f64| stage.to_screen(DVec3::new(0.0, 0.0, z)).x.round() as i64;
     let [eye, from, to] = [0.0, half - 5.0, -half - 5.0].map(to_screen);
-    // The selected pixel's frame is a dot wide.
+    // The selected pixel's frame is one screen pixel wide.
     let long = |(_, from, to): &(char, i64, i64)| to - from > 5;
     let found: Vec<_> = runs(&drawing, Item::Ray).into_iter().filter(long).collect();
     let kinds: String = found.iter().map(|run| run.0).collect();
@@ -159,7 +159,7 @@ fn handles_keep_their_size_and_stand_out_by_form() {
 
 #[test]
 fn labels_name_everything_in_the_canonical_scene() {
-    // The picture is small, and so is everything that is measured in points.
+    // The picture is small, and so are all lengths that are measured in points.
     let stage = canonical();
     let drawing = WorldView { scale: 0.3, ..stage.view() }.drawing(stage.scene());
     let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();

@@ -1,4 +1,4 @@
-//! A stage for the overlay's tests: a world view with everything in it.
+//! The stage of the overlay's tests: a world view with everything in it.
 
 mod camera_view;
 mod dots;

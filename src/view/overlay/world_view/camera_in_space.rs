@@ -1,6 +1,6 @@
-//! Draws the edited camera in the world view as lines: the eye, the arrows, the frustum, the viewport
-//! and the selected ray. Also draws objects that are not traced there: each plane as a patch with a
-//! grid near the observer's target, and each sphere around the camera cut away.
+//! Draws the edited camera in the world view as lines: the eye, the arrows, the frustum, the viewport and
+//! the selected ray. Also draws the objects that are not traced there: the part of each plane near the
+//! observer's target, with a grid, and each sphere around the camera, cut away.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
@@ -13,14 +13,15 @@ use crate::view::overlay::{
     Sketch, VECTOR, WorldView, circle, mix, silhouette, tangents, unit,
 };
 
-/// Size of the viewport on the screen, in points, below which the camera is drawn with a body. In a
+/// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a
 /// smaller viewport, the handles would overlap and the frustum could hardly be seen.
 pub const SMALL_VIEWPORT: f64 = 52.0;
 
-/// Size of the camera's body, in points: the larger of its width and height, then its depth.
+/// Size of the box that stands for a small camera, in points: the larger of its width and height, then its
+/// depth.
 const BODY: (f64, f64) = (30.0, 34.0);
 
-/// Height of a view, in points, below which the body shrinks with the view.
+/// Shorter side of a view, in points, below which the camera's box shrinks with the view.
 const LOW: f64 = 300.0;
 
 /// Significant digits of the t at the point marked on the ray.
@@ -57,8 +58,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the t up to which the corner rays of the frustum are drawn. It lies beyond every sphere
-    /// of ordinary size.
+    /// Returns the t up to which the frustum's edges are drawn. It lies beyond every sphere of ordinary
+    /// size and distance.
     fn reach(&self, resolved: &ResolvedCamera) -> f64 {
         const ASKED_SPHERES: usize = 1024;
         const LEAST: f64 = 2.2;
@@ -72,8 +73,8 @@ impl Sketch<'_> {
         far_sides.filter(|t| *t < limit).fold(LEAST, f64::max) * 1.1 * planes
     }
 
-    /// Draws the edges of the frustum from the eye through the viewport's corners, up to the nearest
-    /// plane or past the spheres.
+    /// Draws the edges of the frustum, which are rays from the eye through the viewport's corners. Each
+    /// edge ends at the nearest plane or, without one, beyond the spheres.
     fn frustum(&mut self, resolved: &ResolvedCamera) {
         let ink = self.colors.ink;
         let near = LineStyle::new(Item::Frustum, ink, 1.8);
@@ -99,8 +100,8 @@ impl Sketch<'_> {
     /// constant size on the screen, with the eye in the middle of its front.
     ///
     /// The box stands behind the eye, where the viewport can never be. The frustum, the viewport, the
-    /// picture and the ray are always drawn to scale: an enlarged frustum would show the viewport in
-    /// the wrong place.
+    /// picture and the ray are always drawn to scale: an enlarged frustum would show the viewport in the
+    /// wrong place.
     fn body(&mut self, resolved: &ResolvedCamera) {
         let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
         let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
@@ -109,7 +110,7 @@ impl Sketch<'_> {
             return;
         }
         let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
-        // In a view of small height, the body shrinks in proportion to that height.
+        // In a small view, the body shrinks in proportion to the view.
         let low = (self.screen.size.min_element() / (LOW * self.screen.scale)).clamp(0.4, 1.0);
         let point = low * self.screen.length_of_points(eye, (1.0, 1.0));
         let larger = viewport.width.max(viewport.height);
@@ -127,7 +128,7 @@ impl Sketch<'_> {
         for (from, to) in front.into_iter().zip(back) {
             self.line(from, to, pen);
         }
-        // The mark of the image's top edge, as on the viewport's outline.
+        // A triangle marks the image's top edge, as on the viewport's outline.
         let rise = 0.4 * BODY.0 * point * basis.v;
         let top = eye + v;
         let mark = LineStyle { color: self.colors.mark, ..pen };
@@ -141,8 +142,8 @@ impl Sketch<'_> {
         self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
     }
 
-    /// Draws the marks of the viewport: a thick top edge with a triangle on it, and a triangle in the
-    /// corner of pixel (0, 0).
+    /// Draws marks that show how the image lies on the viewport: a thick top edge with a triangle on it,
+    /// and a triangle in the corner of pixel (0, 0).
     fn marks(&mut self, resolved: &ResolvedCamera) {
         let viewport = resolved.viewport();
         let (w, h) = (viewport.width, viewport.height);
@@ -202,7 +203,8 @@ impl Sketch<'_> {
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
         let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
-        // Without its name, the normal would look like just another arrow.
+        // Without its label, the normal would look like just another arrow, so it is drawn only with
+        // labels.
         if self.view.names_all {
             let tip = hit.point + self.screen.normal_length(hit.point) * hit.normal;
             self.named_arrow([hit.point, tip], Head::Filled, pen, "n", BOLD_POINT);
@@ -211,7 +213,8 @@ impl Sketch<'_> {
         self.named_point(hit.point, 5.0, pen, "hit", [0.3, 1.0]);
     }
 
-    /// Draws the point p + t d with its t, and a line to the point if the drawn ray does not reach it.
+    /// Draws the point p + t d with the value of t, and a line to the point if the drawn ray does not reach
+    /// it.
     fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
@@ -301,23 +304,23 @@ pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
-/// Radius of a patch, as a fraction of the sum of two distances: from the observer to the target, and
-/// from the target to the plane.
+/// Radius of a plane's drawn part, as a fraction of the sum of two distances: from the observer to its
+/// target, and from the target to the plane.
 const PATCH_RADIUS: f64 = 0.5;
-/// Maximum distance from the target to a plane that has a patch, as a multiple of the distance from the
-/// observer to the target.
+/// Maximum distance from the observer's target at which a plane is drawn, as a multiple of the distance
+/// from the observer to the target.
 const PATCH_REACH: f64 = 3.0;
 
-/// Opacity in the middle of a patch.
+/// Opacity in the middle of a plane's drawn part.
 const OPACITY: f32 = 0.75;
-/// Opacity in the middle of a patch that lies between the observer and the camera.
+/// Opacity in the middle of a plane's drawn part if the plane lies between the observer and the camera.
 const OPACITY_BETWEEN: f32 = 0.2;
 
 /// Maximum number of planes that are considered.
 const SHOWN_PLANES: usize = 16;
 
 impl WorldView {
-    /// Returns the patches of the planes that pass near the observer's target.
+    /// Returns the parts to draw of the planes that pass near the observer's target.
     pub(crate) fn patches(&self, scene: ColoredScene<'_>, rays: &PixelRays) -> Vec<PlanePatch> {
         if !self.items.shows(Item::Planes) {
             return Vec::new();
@@ -353,8 +356,8 @@ impl WorldView {
     }
 }
 
-/// Returns a grid step that is 1, 2 or 5 times a power of ten and gives about nine cells across a
-/// patch.
+/// Returns the step of a plane's grid: 1, 2 or 5 times a power of ten, with about nine cells across the
+/// drawn part.
 fn grid_step(distance: f64) -> f64 {
     let about = 2.0 * PATCH_RADIUS * distance / 9.0;
     let power = 10f64.powf(about.log10().floor());
@@ -364,8 +367,8 @@ fn grid_step(distance: f64) -> f64 {
 }
 
 impl Sketch<'_> {
-    /// Draws the rim of a sphere that is cut away, and the remaining parts of three circles on it,
-    /// orthogonal to x, y and z.
+    /// Draws the rim of a sphere that is cut away for a viewer, and what is left of three great circles on
+    /// it, which are orthogonal to x, y and z.
     pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, viewer: DVec3) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen =

@@ -1,5 +1,5 @@
-//! Draws, dashed, what the world view compares with the edited camera: the ghost (its eye, basis,
-//! frustum and viewport, with a prime after each name), and a student's answers.
+//! Draws, dashed, what the world view compares with the edited camera: the ghost, which is another camera
+//! (its eye, basis, frustum and viewport, with a prime after each name), and a student's answers.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Ray, ResolvedCamera};
@@ -10,15 +10,15 @@ use crate::view::overlay::{
     BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, Shape, Sketch, VECTOR, corners, unit,
 };
 
-/// Length of the drawn frustum edges, as a multiple of the vector from the eye to the viewport's
-/// corner.
+/// Length at which the ghost's frustum edges are drawn, as a multiple of the distance from the eye to the
+/// viewport's corner.
 const FRUSTUM: f64 = 2.2;
 
-/// Maximum length up to which a basis vector is drawn to scale. The vectors of a wrong camera may have
-/// any length.
+/// Length up to which a basis vector of the ghost is drawn to scale; longer ones are cut off here. The
+/// vectors of a wrong camera may have any length.
 const LONGEST: f64 = 2.0;
 
-/// A camera that is compared with the edited one: a frozen camera, or a camera with a mistake.
+/// The ghost, a camera that is compared with the edited one: a frozen camera, or a camera with a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GhostCamera {
     eye: DVec3,
@@ -27,10 +27,10 @@ pub struct GhostCamera {
     /// Vectors from the eye to the viewport's corners, clockwise in the image, starting at the corner
     /// of pixel (0, 0).
     corners: [DVec3; 4],
-    /// True if this is a frozen camera, with its own eye. A camera with a mistake has the right
+    /// True if this is a frozen camera, which has its own eye. A camera with a mistake has the edited
     /// camera's eye.
     is_frozen: bool,
-    /// True if the corner of pixel (0, 0) lies at a different place than in the right camera.
+    /// True if the corner of pixel (0, 0) lies at another place than that of the edited camera.
     is_turned: bool,
 }
 
@@ -47,7 +47,8 @@ impl GhostCamera {
         }
     }
 
-    /// Creates the ghost of a camera with a mistake. Of its basis, only the wrong vectors are drawn.
+    /// Creates the ghost that shows a camera with a mistake. Of its basis, only the wrong vectors are
+    /// drawn.
     pub fn of_mistake(wrong: &WrongCamera) -> GhostCamera {
         let right = wrong.right_camera();
         let [u, v, w] = wrong.wrong_vectors();
@@ -64,7 +65,7 @@ impl GhostCamera {
 }
 
 impl Sketch<'_> {
-    /// Draws the ghost. It must be drawn before the edited camera, which then covers it.
+    /// Draws the ghost. This must be done before the edited camera is drawn, which then covers it.
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
@@ -95,10 +96,11 @@ impl Sketch<'_> {
     }
 }
 
-/// Range of lengths at which a vector in an answer is drawn to scale, as multiples of a unit vector.
+/// Range of lengths within which a vector in an answer is drawn to scale. A unit vector has length 1.
 const LENGTHS: (f64, f64) = (0.3, 1.5);
 
-/// The overlay item of all answers. It has no checkbox, since the answers are the subject of the page.
+/// The overlay item to which all answers belong. It has no checkbox on this page, since the answers are its
+/// subject.
 const ITEM: Item = Item::Eye;
 
 impl Sketch<'_> {
@@ -145,8 +147,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a vector as an arrow that starts at a point. `unit_length` is the length at which a unit
-    /// vector is drawn.
+    /// Draws a vector of an answer as an arrow that starts at the point `from`. `unit_length` is the length
+    /// at which a unit vector is drawn.
     fn mark_vector(
         &mut self,
         mark: &AnswerMark,
@@ -161,8 +163,8 @@ impl Sketch<'_> {
         self.named_arrow([from, tip], head, pen, &mark.label, font);
     }
 
-    /// Draws a ray up to `t` or, without it, up to its first hit, with a label where the ray passes the
-    /// viewport.
+    /// Draws a ray of an answer up to `t` or, if that is `None`, up to its first hit. Puts the label where
+    /// the ray passes through the viewport.
     fn mark_ray(&mut self, mark: &AnswerMark, ray: Ray, t: Option<f64>, pen: LineStyle) {
         let hit = t.or_else(|| self.scene.first_hit(&ray).map(|hit| hit.t));
         let end = match (hit, unit(ray.direction)) {
@@ -186,7 +188,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a point: as a ring for a student's answer, as a disc for the right one.
+    /// Draws a point of an answer: as a ring for a student's answer, as a disc for the right one.
     fn ring_or_disc(&mut self, mark: &AnswerMark, at: DVec3, radius: f32, pen: LineStyle) {
         if !mark.is_dashed {
             self.point(at, radius, pen);

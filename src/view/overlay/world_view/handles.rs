@@ -1,19 +1,19 @@
 //! Draws the handles, on top of everything else and at a constant size on the screen. A hovered or held
-//! handle is larger, and the line or ring along which it moves is drawn, too.
+//! handle is larger and is drawn with a guide: the line or ring along which it moves.
 
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::{LineStyle, Shape, Sketch, VECTOR, circle, dot};
 
-/// The handles that can be dragged, and data that is only needed during a drag.
+/// The handles to draw, and data that is only needed while one of them is hovered or dragged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
     /// The handles.
     pub marks: Vec<HandleMark>,
     /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
-    /// Length in the world of the up arrow while its tip is held; `None` at other times.
+    /// Length in the world of the up arrow while its tip is dragged; `None` at other times.
     pub up: Option<f64>,
 }
 
@@ -103,8 +103,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Returns the handles to draw, with hovered or held ones first. Leaves out each handle that
-    /// overlaps an earlier one.
+    /// Returns the handles to draw, with hovered or held ones first. Leaves out each handle that would
+    /// overlap an earlier one.
     fn without_overlaps<'h>(&self, marks: &'h [HandleMark]) -> Vec<(&'h HandleMark, DVec2)> {
         let (plain, others): (Vec<&HandleMark>, Vec<&HandleMark>) =
             marks.iter().partition(|mark| mark.state == KnobState::Plain);
@@ -153,7 +153,7 @@ impl Sketch<'_> {
             Guide::Ring { center, a, b } => {
                 let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.0).on_top();
                 let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
-                // If each line had a casing, it would cut into the previous line.
+                // With a casing, each line would cut into the previous one, so the lines have none.
                 ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));
             }
         }

@@ -1,5 +1,5 @@
-//! Highlights a concept: draws it again, thicker and on top, even if its overlay item is hidden. If the
-//! derivation or a lesson refers to the concept, everything else is dimmed. If the pointer only hovers
+//! Highlights a concept: draws it again, thicker and on top, even if its overlay item is switched off. If
+//! the derivation or a lesson refers to the concept, everything else is dimmed. If the pointer only hovers
 //! over it in a view, nothing is dimmed.
 //!
 //! This module contains the world view's highlighting and the parts that both views share. The camera
@@ -36,34 +36,35 @@ impl Highlighted {
         written(x, self.digits.min(LABEL_DIGITS))
     }
 
-    /// Returns `=` if a label shows all of these numbers exactly; otherwise `≈`.
+    /// Returns the sign to write before rounded numbers: `=` if a label shows all of them exactly;
+    /// otherwise `≈`.
     pub(crate) fn relation(&self, shown: &[f64]) -> char {
         let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
         if shown.iter().all(is_exact) { '=' } else { '≈' }
     }
 
-    /// Returns the label of the distance from the eye to the viewport.
+    /// Returns a label with the distance from the eye to the viewport.
     pub(crate) fn distance(&self, resolved: &ResolvedCamera) -> String {
         format!("distance = {}", self.number(resolved.viewport().distance))
     }
 }
 
-/// Maximum number of significant digits in a label. A longer label would cover what it names.
+/// Maximum number of significant digits of a number in a label. A longer label would cover what it names.
 const LABEL_DIGITS: usize = 4;
 
-/// Opacity of the other marks and labels while they are dimmed.
+/// Opacity of all other marks and labels while a concept is highlighted and the rest is dimmed.
 const DIMMED: f32 = 0.42;
 
-/// The concepts and labels of the components of a view ray's direction.
+/// The three components of a view ray's direction, with their concepts and labels.
 pub(crate) const ALONG: [(Concept, &str); 3] =
     [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
 /// Width of highlighted lines, in points.
 pub(crate) const STRONG: f32 = 5.0;
-/// Width of the lines that accompany a highlighted one, in points.
+/// Width of the lines that are drawn together with a highlighted line, in points.
 pub(crate) const ACCOMPANYING: f32 = 3.0;
 
-/// Removes the concept's own marks and labels, which will be drawn again. Dims all others if
+/// Removes the marks and labels of the highlighted concept, which will be drawn again. Dims all others if
 /// `highlighted.dims` is true.
 pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
     let concept = highlighted.concept;
@@ -81,16 +82,16 @@ pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
     }
 }
 
-/// Puts the concept's own labels first, so that they get the best positions, and removes other labels
-/// with the same text.
+/// Puts the labels of the highlighted concept before the others, so that they get the best positions, and
+/// removes others with the same text.
 pub(crate) fn first(mut labels: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
     labels.iter_mut().for_each(|request| request.rank = 0);
     others.retain(|other| labels.iter().all(|request| request.label.text != other.label.text));
     labels.into_iter().chain(others).collect()
 }
 
-/// Returns the style of a casing and the style of the line on it. A polyline must have a single casing
-/// below all of its lines.
+/// Returns two styles for a polyline: that of its casing (a wider line below it), and that of the line
+/// itself. All casings must be drawn before the lines, so that they do not cut into them.
 pub(crate) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
     let pen = pen.without_halo();
     [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
@@ -112,8 +113,8 @@ pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     Some(circle(96).map(|p| center + radius * (p.x * a + p.y * b)).collect())
 }
 
-/// Returns the cross product that a concept stands for, with the names and colours of its two factors
-/// and of the product. Returns `None` for any other concept, or if the camera has no such product.
+/// Returns the cross product that a concept stands for, with the names and colours of its two factors and
+/// of the product. Returns `None` for any other concept, and if the camera has no such product.
 pub(crate) fn cross_of(
     Highlighted { concept, camera, .. }: Highlighted,
     Colors { basis: [u, v, w], given, .. }: &Colors,
@@ -157,8 +158,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights a value that the user gives for the camera, such as the eye. These values exist even
-    /// if the camera has no basis.
+    /// Highlights a value that the user gives for the camera, such as the eye. These values exist even if
+    /// the camera has no basis.
     fn highlight_given(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let camera = &self.view.camera;
         let eye = camera.eye;
@@ -194,9 +195,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a cross product: both factors, the parallelogram that they span, and the product with its
-    /// length `|first| sin(angle)`. The second factor has length 1. If the first is much shorter or
-    /// longer, it too is drawn with length 1. `arrow` is the length at which a unit vector is drawn.
+    /// Draws a cross product: both factors, the parallelogram that they span, and the product, whose length
+    /// is `|first| sin(angle)`, since the second factor has length 1. If the first factor is much shorter
+    /// or longer, it is drawn with length 1, too. `arrow` is the length at which a unit vector is drawn.
     fn highlight_cross(
         &mut self,
         (eye, arrow): (DVec3, f64),
@@ -240,7 +241,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Highlights a concept that needs the basis: one of its vectors, the viewport or the distance.
+    /// Highlights a concept for which the camera needs a basis: a vector of it, the viewport or the
+    /// viewport's distance.
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, shown: Highlighted, pen: LineStyle) {
         let eye = resolved.eye();
         let arrow = self.screen.arrow_length(eye);
@@ -311,7 +313,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the components of the direction as a chain that starts at the eye: forwards, right and up.
+    /// Draws the components of the ray's direction as a chain of arrows from the eye: forwards, then right,
+    /// then up.
     fn highlight_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: LineStyle) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];

@@ -25,14 +25,14 @@ pub struct WorldView {
     pub camera: Camera,
     /// The edited camera, if it has a basis.
     pub resolved: Option<ResolvedCamera>,
-    /// The picture of the edited camera, if there is a current one.
+    /// The picture of the edited camera, if there is a current one, to be drawn on the viewport.
     pub picture: Option<Same<Picture>>,
     /// The selected ray and its hits.
     pub inspection: Option<Same<Inspection>>,
     /// The generation numbers of the objects and of their colours, which identify the scene.
     pub generations: [u64; 2],
-    /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
-    /// drawn cut away.
+    /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are drawn cut
+    /// away so that the camera is visible.
     pub enclosing: Arc<Vec<u32>>,
     /// The observer.
     pub observer: Observer,
@@ -41,7 +41,7 @@ pub struct WorldView {
     pub frame: Same<Frame<f32>>,
     /// The overlay items to draw.
     pub items: OverlayItems,
-    /// Dots per point.
+    /// Screen pixels per point.
     pub scale: f32,
     /// The colours.
     pub style: Style,
@@ -60,7 +60,7 @@ pub struct WorldView {
     /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
     /// and the highlighted concept have labels.
     pub names_all: bool,
-    /// True if the marks are not painted into the picture, as in figures, which draw them separately.
+    /// True if the marks are not painted into the picture, as for figures, which draw them separately.
     pub without_marks: bool,
 }
 
@@ -88,8 +88,8 @@ pub fn world(
     drawing
 }
 
-/// Returns the viewport's (u, v) at a position in the world view, in dots; `None` if the position lies
-/// outside the viewport or an object hides it.
+/// Returns the (u, v) of the camera's viewport at a position in the world view, in screen pixels; `None` if
+/// the position lies outside the viewport or an object hides it.
 pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = wide(position);
@@ -101,8 +101,8 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Returns the position of a point of the world in the world view, in dots; `None` if it is behind the
-/// observer or outside the picture. Objects in front of the point are ignored.
+/// Returns the position of a point of the world in the world view, in screen pixels; `None` if it is behind
+/// the observer or outside the picture. Objects in front of the point are ignored.
 pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
@@ -110,15 +110,15 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     Some(dot(spot.at))
 }
 
-/// Returns the t at which the ray's line comes closest to the observer's line of sight through a
-/// position in dots. The t is rounded to the precision of the pointer. Returns `None` if the two lines
-/// are parallel.
+/// Returns the t of the point of a ray's line that is nearest to the observer's line of sight through a
+/// position, which is in screen pixels. The t is rounded to the precision of the pointer. Returns `None` if
+/// the two lines are parallel.
 pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
     let observer = frame.camera();
     let size = [observer.image().width() as usize, observer.image().height() as usize];
     let sight = observer.ray(camera_uv_at(observer, size, position)).direction;
     let (d, between) = (ray.direction, ray.origin - observer.eye());
-    // The shortest segment between the two lines is orthogonal to both.
+    // The shortest segment between the ray's line and the line of sight is orthogonal to both.
     let across = d.cross(sight);
     let t = sight.cross(between).dot(across) / across.length_squared();
     let digits = 10_f64.powf(3.0 - t.abs().max(1.0).log10().ceil());
@@ -137,8 +137,8 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
-/// Minimum distance between drawn pixel edges, in points. If the edges are closer together, only every
-/// second, fifth, tenth... edge is drawn.
+/// Minimum distance between the image pixels' edges that are drawn on the viewport, in points. If the edges
+/// are closer together, only every second, fifth, tenth... edge is drawn.
 const GRID_SPACING: f64 = 7.0;
 
 impl WorldView {
@@ -225,8 +225,7 @@ impl WorldView {
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space();
         sketch.answer_marks();
-        // The ghost's labels come last, so that the camera's labels have precedence if there is not
-        // enough space for all.
+        // The ghost's labels come last, so that the camera's own labels have precedence if space is short.
         sketch.requests.extend(of_ghost);
         if let Some(highlighted) = self.highlighted {
             sketch.highlight(highlighted);
@@ -238,8 +237,8 @@ impl WorldView {
     }
 }
 
-/// Returns the densest grid of pixel edges that can be distinguished on the screen, and its opacity;
-/// `None` if there is none.
+/// Returns the grid of image pixel edges that is as dense as can be distinguished on the screen, and its
+/// opacity; `None` if there is none.
 fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)> {
     let center = resolved.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (resolved.basis(), resolved.viewport(), resolved.image());
@@ -250,7 +249,7 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)>
         let half_extent = match ends {
             (Some(a), Some(b)) => (b.at - a.at).length(),
             (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
-            // The observer is so close that the viewport extends beyond the whole screen.
+            // The observer is so close that the viewport is larger than the screen.
             (None, None) => screen.size.max_element(),
         };
         2.0 * half_extent / f64::from(count)
@@ -263,7 +262,7 @@ fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera) -> Option<(Grid, f32)>
         .find(|step| f64::from(*step) >= wanted)?;
     let opacity = if step == 1 { 0.4 } else { 0.18 };
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
-    // In units of (u / width, v / height), from the corner of pixel (0, 0).
+    // The coordinates are (u / width, v / height); one crossing is at the corner of pixel (0, 0).
     let step = f64::from(step) / DVec2::new(w, h);
     Some((Grid::new(step, DVec2::new(-0.5, 0.5), screen.scale.max(1.0) as f32), opacity))
 }

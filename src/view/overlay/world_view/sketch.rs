@@ -1,9 +1,9 @@
 //! Converts lines, arrows and points of the world into the marks of a [`Drawing`]: they are projected,
 //! clipped, and split into visible and hidden parts. Then places the labels.
 //!
-//! Each label lies inside the picture and near its anchor. It covers no other label, no handle, and as
-//! few lines as possible. If it is far from its anchor, it gets a leader line; if there is no room, it
-//! is left out. The more important labels are placed first.
+//! Each label lies inside the picture and near its anchor, the point that it names. It covers no other
+//! label, no handle, and as few lines as possible. A label far from its anchor gets a leader line; one for
+//! which there is no room is left out. The more important labels are placed first.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Scene};
@@ -25,9 +25,9 @@ pub(crate) struct LineStyle {
     pub(crate) halo: bool,
     /// True if the line lies on the viewport, which then does not hide it.
     pub(crate) on_viewport: bool,
-    /// True if the line is drawn as visible even where an object hides it.
+    /// True if the line is drawn solid even where an object hides it.
     pub(crate) on_top: bool,
-    /// True if the line is dashed even where it is visible.
+    /// True if the line is dashed even where it is visible. (Hidden parts are always dashed.)
     pub(crate) dashed: bool,
     /// Dash and gap; see [`Mark::pattern`].
     pub(crate) pattern: Option<[f32; 2]>,
@@ -56,13 +56,13 @@ pub(crate) struct Sketch<'a> {
     pub(crate) requests: Vec<Request>,
 }
 
-/// Distance in dots between two occlusion tests along a line. Where two neighbouring tests differ,
-/// bisection locates the change to within a quarter of a dot.
+/// Distance, in screen pixels, between two points of a line at which it is tested whether an object hides
+/// them. Where the results differ, bisection locates the change to within a quarter of a pixel.
 const SAMPLE_SPACING: f64 = 3.0;
 /// Number of steps of this bisection.
 const HALVINGS: u32 = 3;
 
-/// Length, in points, below which a part of a line is drawn like the part before it.
+/// Length, in points, below which a visible or hidden part of a line is drawn like the part before it.
 const SHORTEST_RUN: f64 = 3.0;
 
 /// A part of a line that is either entirely visible or entirely hidden. Its ends are fractions of the
@@ -107,7 +107,8 @@ impl LineStyle {
         LineStyle { on_viewport: true, ..self }
     }
 
-    /// Returns the mark of a visible shape. If the style has a casing, its colour is `halo`.
+    /// Returns the mark of a shape that is visible. If the style asks for a casing, `halo` is the casing's
+    /// colour.
     pub(crate) fn mark(self, shape: Shape, halo: Color32) -> Mark {
         let LineStyle { item, concept, color, .. } = self;
         let halo = self.halo.then_some(halo);
@@ -125,9 +126,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws an arrow whose head has a constant size on the screen. Returns the position of the tip and
-    /// the arrow's direction on the screen, or `None` if the tip is not in the picture. The direction
-    /// has length 1; it is zero if the arrow points along the line of sight.
+    /// Draws an arrow whose head has a constant size on the screen. Returns the position of the tip and the
+    /// arrow's direction on the screen, or `None` if the tip is not in the picture. The direction is a unit
+    /// vector, or zero if the arrow points along the line of sight.
     pub(crate) fn arrow(
         &mut self,
         ends: [DVec3; 2],
@@ -254,7 +255,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the visible part of a flat convex polygon, unless objects hide all of its corners.
+    /// Draws the part inside the picture of a flat convex polygon. Draws nothing if objects hide all of its
+    /// corners.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: LineStyle) {
         if !self.items.shows(pen.item) {
             return;
@@ -267,8 +269,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Requests a label at an anchor, on its preferred side; the label is placed later. Ignores the request if
-    /// the anchor is outside the picture.
+    /// Requests a label, which is placed later. `at` is the anchor (the point that the label names) and the
+    /// preferred direction from there. Ignores the request if the anchor is outside the picture.
     pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
         let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
@@ -350,16 +352,16 @@ pub(crate) struct Request {
     /// The label, whose position is not yet set.
     pub(crate) label: Label,
     pub(crate) concept: Option<Concept>,
-    /// The point that the label names, in dots.
+    /// The point that the label names, in screen pixels.
     pub(crate) anchor: DVec2,
-    /// The preferred direction from the anchor. Its length does not matter; zero means no preference.
+    /// The preferred direction from the anchor to the label, of any length; zero if there is no preference.
     pub(crate) toward: DVec2,
     /// Labels of lower rank are placed first.
     pub(crate) rank: u8,
 }
 
 impl Request {
-    /// Creates the request for a label that takes its overlay item, concept and colour from a line's
+    /// Creates the request for a label. Its overlay item, its concept and its colour are those of the line
     /// style.
     pub(crate) fn new(
         pen: LineStyle,
@@ -374,8 +376,8 @@ impl Request {
     }
 }
 
-/// Returns the rank of an item's label. The names of the camera's parts precede those of the ray, of
-/// the world's axes and of the marks.
+/// Returns the rank of an item's label; labels of lower rank are placed first. The names of the camera's
+/// parts precede those of the ray, of the world's axes and of the marks.
 fn rank(item: Item) -> u8 {
     match item {
         Item::Handles => 1,
@@ -388,7 +390,7 @@ fn rank(item: Item) -> u8 {
     }
 }
 
-/// Minimum distance from the anchor to the edge of the label, in points.
+/// Minimum distance from the anchor (the point that a label names) to the edge of the label, in points.
 const GAP: f64 = 7.0;
 
 /// Number of directions tried around the anchor.
@@ -396,8 +398,8 @@ const DIRECTIONS: usize = 16;
 /// Number of distances tried in each direction.
 const RINGS: usize = 9;
 
-/// Distance from the anchor to the edge of a label, in points, above which the label gets a leader
-/// line.
+/// Distance from the anchor (the point that a label names) to the edge of the label, in points, above which
+/// the label gets a leader line.
 const LEADER_FROM: f64 = 20.0;
 
 /// Distance between the sample points along a line, in points.
@@ -438,14 +440,14 @@ pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, si
     }
 }
 
-/// Returns the leader line from an anchor to its label; `None` if the label is close to its anchor.
+/// Returns the leader line from an anchor to its label; `None` if they are close together.
 fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[DVec2; 2]> {
     let end = request.anchor.clamp(center - half, center + half);
     let from = request.anchor.move_towards(end, 0.5 * GAP * f64::from(scale));
     (end.distance(request.anchor) > LEADER_FROM * f64::from(scale)).then_some([from, end])
 }
 
-/// Returns true if a line passes through an area without starting in it.
+/// Returns true if a line segment passes through an area without starting in it.
 fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
     const SAMPLES: usize = 16;
     let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
@@ -462,7 +464,7 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
             let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
             Some((0.5 * (least + most), 0.5 * (most - least)))
         }
-        // A line is a guide or the ring around a held handle, which labels may cover.
+        // A line here is a guide or the ring around a held handle, both of which labels may cover.
         Shape::Line { .. } => None,
     });
     areas.collect()
@@ -505,7 +507,7 @@ fn best_position(
     best.map(|(_, center)| center)
 }
 
-/// Returns sample points along all lines, and the centres of all discs.
+/// Returns the points that labels should not cover: samples along all lines, and the centres of all discs.
 fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
     let spacing = OBSTACLE_SPACING * f64::from(drawing.scale);
     let mut points = Vec::new();
