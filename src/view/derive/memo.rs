@@ -1,4 +1,4 @@
-//! Caches that hold the value for the last input, and the reuse of a view's image buffers: allocating
+//! Caches that hold one value, for the last input. Also reuses a view's image buffers, because allocating
 //! new memory costs as much as painting into it.
 
 use std::sync::Arc;
@@ -30,7 +30,7 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
         value
     }
 
-    /// Removes and returns the cached value if it belongs to a key other than `key`.
+    /// Removes and returns the cached value if it belongs to another key than `key`.
     pub(super) fn take_other(&mut self, key: &K) -> Option<V> {
         self.0.take_if(|(known, _)| known != key).map(|(_, value)| value)
     }
@@ -54,11 +54,11 @@ impl<K: PartialEq> Memo<K, Subsampling> {
     }
 }
 
-/// Maximum number of a view's images in use at a time: one is being painted, the window still shows the
-/// previous one, and a third may be uploading as a texture.
+/// Maximum number of images of a view that are in use at a time: one is being painted, one is shown by the
+/// window, and one may be uploading as a texture.
 const MOST: usize = 3;
 
-/// The last images of a view. A new image reuses the buffer of one that is no longer shown.
+/// The last images of a view, whose buffers are reused once they are no longer shown.
 #[derive(Debug, Default)]
 pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
 
@@ -75,8 +75,8 @@ impl SpareImages {
         }
     }
 
-    /// Returns an image of `size` pixels that `draw` has painted, and keeps a reference to it, so that
-    /// its buffer can be reused later.
+    /// Returns an image of `size` pixels that `draw` has painted. Keeps a reference to it, so that its
+    /// buffer can be reused later.
     pub(super) fn draw(
         &mut self,
         size: [u32; 2],

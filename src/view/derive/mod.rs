@@ -67,8 +67,8 @@ impl Deriver {
         watch: OnWork<'_>,
     ) -> Derived {
         let inputs = Inputs { document, session, sizes, watch };
-        // Runs on one of rayon's threads. From any other thread, each parallel step would have to wake
-        // those threads and wait for them.
+        // Runs on one of rayon's threads: from another thread, each parallel step would have to wake those
+        // threads and wait for them.
         rayon::join(|| self.derived(inputs), || ()).0
     }
 
@@ -159,8 +159,8 @@ struct Inputs<'a> {
     watch: OnWork<'a>,
 }
 
-/// The sizes of the views in physical pixels, and other settings of the views. The size of a view that
-/// is not shown is `None`.
+/// The sizes of the views in physical pixels, and other settings of the views. A view that is not shown has
+/// the size `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ViewSizes {
     /// Width and height of the world view.
@@ -201,7 +201,7 @@ impl Purpose {
     }
 }
 
-/// Everything that one frame shows. Panels, views and readouts all read from it, so they agree with
+/// Everything that one frame shows. Panels, views and readouts all read from this value, so they agree with
 /// each other.
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
@@ -213,38 +213,40 @@ pub struct Derived {
     pub inspection: Option<Arc<Inspection>>,
     /// The scene; `None` if an object is invalid.
     pub scene: Option<Arc<Scene>>,
-    /// The fault because of which the pictures are older than the document; `None` if they are current.
+    /// The fault that prevents a picture of the current document, so that older pictures are shown; `None`
+    /// if there is no fault.
     pub fault: Option<Fault>,
     /// The camera view.
     pub camera_view: Option<Shown>,
     /// The world view: the scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// Number of decisions that each step of the ladder, the exact method, made for the camera's
-    /// picture.
+    /// How many intersection decisions for the camera's picture the exact method (the ladder) made at each
+    /// of its steps: in `f64`, in double-double, and in exact arithmetic.
     pub steps: Option<Steps>,
-    /// Numbers of spheres and rows that the renderer could skip in the camera's picture.
+    /// How many spheres and rows the renderer skipped in the camera's picture, and how many there are.
     pub counts: Option<Counts>,
     /// The subsampling of the camera's picture and of the observer's picture.
     pub subsampling: [Subsampling; 2],
-    /// The reason why the ladder drew the picture although the user chose another method; `None` if the
-    /// chosen method drew it.
+    /// The reason why the exact method (the ladder) drew the picture although the user chose another
+    /// method; `None` if the chosen method drew it.
     pub too_many: Option<TooMany>,
-    /// The ladder's answers for the shown pixels, if another method is compared with it.
+    /// The exact method's answers for the shown pixels, if another method is compared with it.
     pub truth: Option<Arc<Frame>>,
-    /// The answers of the method that drew the camera's picture, if it was not the ladder.
+    /// The answers of the method that drew the camera's picture, unless that was the exact method (the
+    /// ladder).
     pub drawn_by: Option<Arc<Compared>>,
     /// The derivation of all numbers, if the layout shows it.
     pub derivation: Option<Arc<Derivation>>,
-    /// The functions f(p + t d) of the objects, if the layout shows them.
+    /// The curves f(p + t d) of the objects, if the layout shows them.
     pub plot: Option<Plot>,
-    /// The second picture, if the page has one and it could be made.
+    /// The second picture, such as an error map, if the page has one and it could be made.
     pub second_view: Option<Shown>,
-    /// The errors of the error map's method, if the second picture is an error map.
+    /// The answers and errors of the method that the error map shows, if the second picture is an error
+    /// map.
     pub compared: Option<Arc<Compared>>,
-    /// The wrong camera and the right one, if the second picture is a wrong camera's.
+    /// The wrong camera compared with the right one, if the second picture is a wrong camera's.
     pub wrong_camera: Option<Arc<ComparedCamera>>,
-    /// The edited camera compared with the ghost, the frozen camera, if the second picture is the
-    /// ghost's.
+    /// The edited camera compared with the ghost (a frozen camera), if the second picture is the ghost's.
     pub against_ghost: Option<Arc<AgainstGhost>>,
     /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade
     /// them with.
@@ -262,7 +264,7 @@ pub struct Shown {
     pub image: Arc<ColorImage>,
     /// The labels, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
-    /// The marks painted into the image, or left for a figure to draw. Marks with a concept react to
-    /// the pointer.
+    /// The marks, which are painted into the image or, for a figure, drawn separately. Those with a concept
+    /// react to the pointer.
     pub marks: Arc<Vec<Mark>>,
 }

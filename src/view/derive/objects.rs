@@ -1,5 +1,5 @@
-//! The scene made from the document's objects. It is kept between frames and changed in place while the
-//! objects are edited.
+//! The scene that is made from the document's objects. It is kept between frames and changed in place when
+//! an object is edited.
 
 use std::sync::Arc;
 
@@ -25,8 +25,8 @@ pub(super) type Enclosing = Arc<Vec<u32>>;
 
 /// The scene of the last document whose objects were all valid.
 ///
-/// If one sphere of a million is dragged, only that sphere is replaced. This requires that no view
-/// still refers to the scene at the next [`Objects::update`]; otherwise all spheres are copied.
+/// If one sphere of a million is dragged, only that sphere is replaced. This requires that no view still
+/// holds a reference to the scene at the next [`Objects::update`]; otherwise all spheres are copied.
 #[derive(Debug, Default)]
 pub(super) struct Objects {
     good: Option<GoodWorld>,
@@ -34,12 +34,12 @@ pub(super) struct Objects {
     csv: Option<CsvSpheres>,
     /// The colour scheme for which `GoodWorld::colors` was computed.
     scheme: Scheme,
-    /// The scene that the observer sees, without the spheres of these indices.
+    /// The scene that is traced for the observer, and the indices of the spheres that it leaves out.
     observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
-/// Maximum number of changed objects that are replaced one by one. If more have changed, the scene is
-/// rebuilt.
+/// Maximum number of changed objects that are replaced one by one. If more objects have changed, the scene
+/// is rebuilt.
 const FEW: usize = 64;
 
 impl Objects {
@@ -61,8 +61,8 @@ impl Objects {
         match (&mut self.good, changed) {
             (Some(good), Some(changed)) => {
                 if !changed.is_empty() {
-                    // The observer's scene shares its spheres with this one unless some are hidden. It
-                    // is dropped so that the spheres can be changed in place.
+                    // The observer's scene shares its spheres with this one unless it leaves some out. It
+                    // is dropped so that the shared spheres can be changed in place.
                     self.observed.take_if(|(hidden, _)| hidden.is_empty());
                     replace(good, self.observed.as_mut(), &changed)?;
                 }
@@ -137,7 +137,7 @@ fn check(document: &Document) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// Returns the items whose shape differs from the known one, with their indices.
+/// Returns the items whose shape differs from the known shape at the same index, with their indices.
 fn different<'a, S: Copy + PartialEq>(
     items: &'a [Item<S>],
     known: &'a [S],

@@ -1,6 +1,6 @@
-//! The camera's picture: drawn by the ladder (the exact method), drawn by another method, and the
-//! difference between them. Tracing reports its work to an [`OnWork`] callback, whose owner measures
-//! the time, so this module needs no clock.
+//! The camera's picture, drawn by the exact method (called the ladder) or by another method, and the errors
+//! of other methods. Tracing reports its work to an [`OnWork`] callback, whose owner measures the time, so
+//! this module needs no clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -18,12 +18,12 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, opaque};
 use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
-/// Maximum number of intersection tests that a method may do for one picture. They take about a second,
+/// Maximum number of ray-object tests that a method may do for one picture. They take about a second,
 /// during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// The reason why a picture is drawn by the ladder instead of the chosen method: every method but the
-/// ladder tests every object at every pixel, which would take more than [`MOST_QUESTIONS`] tests.
+/// The reason why a picture is drawn by the exact method (the ladder) instead of the chosen one: every
+/// other method tests every object at every pixel, which would take more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooMany {
     /// Number of objects in the scene.
@@ -51,7 +51,7 @@ impl fmt::Display for TooMany {
     }
 }
 
-/// A method's picture, compared with the ladder's exact answers.
+/// A method's picture, compared with the answers of the exact method (the ladder).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     /// The method.
@@ -68,7 +68,7 @@ pub(super) struct GoodPicture {
     pub(super) resolved: ResolvedCamera,
     pub(super) picture: Arc<Picture>,
     pub(super) inspection: Arc<Inspection>,
-    /// Number of decisions that each step of the ladder made.
+    /// Number of decisions that each step of the exact method (the ladder) made.
     pub(super) steps: Steps,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
@@ -80,17 +80,18 @@ pub(super) struct GoodPicture {
     pub(super) loupe: Option<Arc<Loupe>>,
 }
 
-/// The method that draws the picture, and the answers of the methods that are compared with the ladder.
+/// The method that draws the picture, and the answers of the methods that are compared with the exact one
+/// (the ladder).
 #[derive(Clone, Debug)]
 pub(super) struct OtherMethods {
     method: Method,
-    /// The reason why no method is compared with the ladder although the user chose one.
+    /// The reason why no method is compared with the exact one although the user chose one.
     too_many: Option<TooMany>,
-    /// The ladder's answers, if another method is compared with them.
+    /// The exact method's answers, if another method is compared with them.
     truth: Option<Arc<Frame>>,
-    /// The answers of the method that drew the picture, if it was not the ladder.
+    /// The answers of the method that drew the picture, unless that was the exact method (the ladder).
     drawn_by: Option<Arc<Compared>>,
-    /// The answers of the error map's method, if the map is shown.
+    /// The answers of the method that the error map shows, if there is an error map.
     pub(super) compared: Option<Arc<Compared>>,
 }
 
@@ -109,26 +110,26 @@ impl GoodPicture {
 type TraceKey = (ResolvedCamera, u64, Raster);
 
 /// The inputs of a picture's colours: the method, the inputs of the trace, the shading, the generation
-/// number of the palette, and a flag that is true if the picture is transparent where no object is hit.
+/// number of the colours, and whether the picture is transparent where no object is hit.
 type PictureKey = (Method, TraceKey, Shade, u64, bool);
 
-/// A picture, the number of decisions at each step of the ladder, and the numbers of skipped spheres
-/// and rows.
+/// A picture, the number of decisions at each step of the exact method (the ladder), and how many spheres
+/// and rows were skipped.
 type MadePicture = (Arc<Picture>, Steps, Counts);
 
 /// A cache of the camera's pictures.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<TraceKey, Arc<Frame>>,
-    /// The last frame, which can be recoloured without tracing. It contains the objects and, if the
-    /// key's flag is true, `t`.
+    /// The last frame, which can be recoloured without tracing. It contains the objects and, if the flag in
+    /// its key is true, `t`.
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
-    /// The answers of the picture's method, and those of the error map's method if it is a different
-    /// one.
+    /// The answers of the method that drew the picture, and those of the error map's method if it is
+    /// another one.
     by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
     picture: Memo<PictureKey, MadePicture>,
-    /// The last two pictures. Tracing into newly allocated memory takes twice as long, so the next
-    /// picture reuses the memory of the older one.
+    /// The last two pictures. The next picture reuses the memory of the older one, because tracing into
+    /// newly allocated memory takes twice as long.
     shown: Vec<Arc<Picture>>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
@@ -139,7 +140,8 @@ pub(super) struct Pictures {
 }
 
 impl Pictures {
-    /// Returns the camera's picture, which is traced only at the pixels that the screen can show.
+    /// Returns the camera's picture and what belongs to it. Only the pixels that the screen can show are
+    /// traced.
     pub(super) fn get(
         &mut self,
         inputs: Inputs<'_>,
@@ -151,18 +153,18 @@ impl Pictures {
         let inspection = self.inspection.get((resolved, world.generation, selection), |_| {
             Arc::new(Inspection::new(&resolved, &world.scene, selection))
         });
-        // If only the world view is open, it still shows the picture on the viewport.
+        // Without a camera view, the picture is still shown on the viewport in the world view.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
         let trace_key = (resolved, world.generation, subsampling.raster(resolved.image(), size));
         let settings = &session.settings;
-        // A method that is too slow for the full picture is not used during a drag either.
+        // The limit applies to the full picture: a method that is too slow for it is not used during a drag
+        // either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::check(world.scene.len(), all);
         let others = self.other_methods(inputs, &trace_key, world, too_many);
-        // On the viewport in the world view, the picture is opaque, since it hides the objects behind
-        // it.
+        // A picture for the viewport in the world view is opaque, since it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (others.method, trace_key, settings.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &others, watch);
@@ -191,8 +193,8 @@ impl Pictures {
         GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, others }
     }
 
-    /// Returns the answers of the ladder and of other methods as far as the picture or the error map
-    /// needs them.
+    /// Returns the answers of the exact method (the ladder) and of other methods, as far as the picture or
+    /// the error map needs them.
     fn other_methods(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
@@ -223,7 +225,7 @@ impl Pictures {
         OtherMethods { method, too_many, truth, drawn_by, compared }
     }
 
-    /// Returns the camera's picture, drawn by the ladder or by the chosen method.
+    /// Returns the camera's picture, drawn by the exact method (the ladder) or by the chosen one.
     fn picture(
         &mut self,
         key: &PictureKey,
@@ -261,7 +263,7 @@ impl Pictures {
     }
 }
 
-/// Takes the pixel buffer of a picture that is no longer shown; `None` if all are in use.
+/// Takes the pixel buffer of a picture that is no longer shown; `None` if all pictures are still in use.
 fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
@@ -307,7 +309,7 @@ fn compare(
     })
 }
 
-/// A kind of work, to which the time since the last report is attributed.
+/// A kind of work. Each report of finished work attributes the time since the last report to a kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WorkKind {
     /// Planning, tracing and colouring pixels.
@@ -348,7 +350,7 @@ pub(super) fn trace_picture(
             retrace_painted(&mut frame, scene, camera, &paint, &mut pixels);
             return (frame, pixels);
         }
-        // Zeroed memory has no cost until a thread writes to its part.
+        // Zeroed pages are allocated only when a thread first writes to them.
         let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
         (trace_painted(scene, camera, raster, outputs, &paint, &mut pixels), pixels)
     })
@@ -374,8 +376,8 @@ pub(super) fn trace_truth(
     watched(watch, WorkKind::Trace, || Arc::new(trace(scene, camera, raster, Outputs::default())))
 }
 
-/// Calls `run` and reports its time as `work`. Any time before the call is reported as
-/// [`WorkKind::Rest`].
+/// Calls `run` and reports its time as work of the kind `work`. Time between the last report and the call
+/// is reported as [`WorkKind::Rest`].
 pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -> R) -> R {
     watch(WorkKind::Rest);
     let done = run();
@@ -383,14 +385,15 @@ pub(super) fn watched<R>(watch: OnWork<'_>, work: WorkKind, run: impl FnOnce() -
     done
 }
 
-/// Colours of pixels that are not scanned yet: a checkerboard of two greys, unlike any picture of
-/// spheres.
+/// Colours of pixels that are not scanned yet: a checkerboard of two greys, which looks unlike any picture
+/// of spheres.
 const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 
 /// Number of checkerboard squares along the picture's shorter side.
 const SQUARES: usize = 16;
 
-/// Returns the picture with only the first `scanned_pixels` pixels of the image, row by row.
+/// Returns the picture with only the first `scanned_pixels` pixels of the image, counted row by row. A
+/// checkerboard replaces the others.
 pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());

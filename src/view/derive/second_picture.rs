@@ -1,6 +1,6 @@
-//! The second picture, shown next to the camera's. It is an error map, the picture of a wrong camera or
-//! of the ghost (a frozen camera), or the map of a student's answers. The world view draws that camera
-//! and its ray, or the student's answer together with the right one.
+//! The second picture, shown next to the camera's picture: an error map, the picture of a wrong camera or
+//! of the ghost (a frozen camera), or a map of a student's right and wrong answers. The world view draws
+//! that camera and its ray, or the student's answer together with the right one.
 
 use std::sync::Arc;
 
@@ -29,9 +29,11 @@ use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 pub enum SecondPicture {
     /// The map of the errors of another method.
     ErrorMap,
-    /// The picture of a camera with a classic mistake, or the map of the pixels that differ.
+    /// The picture of a camera with a classic mistake, or a map of the pixels in which it differs from the
+    /// right one.
     WrongCamera,
-    /// The picture of the ghost (the frozen camera), or the map of the pixels that differ.
+    /// The picture of the ghost (the frozen camera), or a map of the pixels in which it differs from the
+    /// edited camera's.
     Ghost,
     /// The map of a student's right and wrong answers.
     Answers,
@@ -40,11 +42,12 @@ pub enum SecondPicture {
 /// The edited camera compared with the ghost (the frozen camera).
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
-    /// The ghost with the image size of the edited camera, so that both can be compared pixel by pixel.
+    /// The ghost, with the image size of the edited camera, so that the pictures can be compared pixel by
+    /// pixel.
     pub ghost: ResolvedCamera,
     /// The change from the ghost to the edited camera.
     pub difference: CameraDifference,
-    /// The number of compared pixels, and how many of them show different objects to the two cameras.
+    /// The number of compared pixels, and in how many of them the two cameras see different objects.
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
@@ -57,11 +60,11 @@ pub type Grading = Result<Arc<Graded>, Arc<str>>;
 /// of their colours, the traced pixels, the shading, and the mistake.
 type WrongKey = (Camera, [u64; 2], Raster, Shade, Mistake);
 
-/// The inputs of the ghost's pictures: both cameras, the generation numbers of the objects and of their
-/// colours, the traced pixels, the shading, and the selected ray.
+/// The inputs of the ghost's pictures: the edited camera and the ghost, the generation numbers of the
+/// objects and of their colours, the traced pixels, the shading, and the selected ray.
 type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
 
-/// The inputs of the map of a student's answers: the graded answers, and the size in dots.
+/// The inputs of the map of a student's answers: the graded answers, and the map's size in screen pixels.
 type MapKey = (Same<Graded>, [u32; 2]);
 
 /// The picture of another camera, and the map of the pixels in which it differs from the edited
@@ -84,8 +87,8 @@ pub(super) struct SecondPictures {
 }
 
 impl SecondPictures {
-    /// Updates the second picture and the data that belongs to it, if the page has one. `world` is
-    /// `None` while the document has a fault.
+    /// Updates the second picture and the data that belongs to it, if the page has one. `world` is `None`
+    /// while the document is invalid.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -99,14 +102,14 @@ impl SecondPictures {
         let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
         let picture = match kind {
             SecondPicture::ErrorMap => {
-                // The highlighted concept belongs to the current document, which an older picture does
-                // not show.
+                // The highlighted concept belongs to the current document, so it is not shown in an older
+                // picture.
                 view.highlighted = highlighted(inputs).filter(|_| world.is_some());
                 self.error_map(derived, good)
             }
             SecondPicture::WrongCamera => {
-                // Both items belong to the right camera; in the wrong camera's picture their positions
-                // would be wrong.
+                // These two items show positions of the right camera, which would be wrong in the wrong
+                // camera's picture.
                 view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
                 self.wrong_camera(derived, inputs, good, world)
             }
@@ -177,7 +180,7 @@ impl SecondPictures {
                 })
             }
         };
-        // A mark would give away the answer to a vote, so it is shown only after the answer is
+        // The mark would give away the answer to an open vote, so it is drawn only after the answer is
         // revealed.
         if let (Some(world), Ok(camera), true) = (world, &wrong.camera, mistakes_view.is_revealed())
         {
@@ -224,12 +227,11 @@ impl SecondPictures {
         resolved: &ResolvedCamera,
         world: &GoodWorld,
     ) -> Option<Arc<Picture>> {
-        // Colours are the document's own, even if the window shows others. The note does not affect the
-        // grade.
+        // Grading uses the document's own colours, even if the window shows others. The scene's note is
+        // left out of the key, because it does not affect the grade.
         let document = Document { note: String::new(), ..document.clone() };
         let key = (document, session.answers.clone()?);
-        // Grading traces many variants of the student's program, so it is postponed until the drag
-        // rests.
+        // Grading traces many variants of the student's program, so during a drag it is postponed.
         if sizes.under_hand && self.grading.known(|known| *known == key).is_none() {
             return None;
         }
@@ -258,7 +260,7 @@ fn raster(inputs: Inputs<'_>, good: &GoodPicture) -> Raster {
     good.subsampling.raster(good.resolved.image(), size)
 }
 
-/// Traces both cameras. Returns `None` if the ghost has no basis.
+/// Traces the scene for the edited camera and the ghost. Returns `None` if the ghost has no basis.
 fn ghost_picture(
     ((camera, now), ghost): ((&Camera, &ResolvedCamera), &Camera),
     world: &GoodWorld,
@@ -287,8 +289,8 @@ fn ghost_picture(
     Some((Arc::new(against), pictures))
 }
 
-/// Returns the map of differences between the pictures of two cameras. Pixels with the same object are
-/// pale, and pixels with different objects are dark.
+/// Returns the map of differences between the pictures of two cameras, given the objects at their pixels.
+/// Pixels with the same object are pale, and pixels with different objects are dark.
 fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
@@ -313,8 +315,8 @@ fn graded(document: &Document, world: &GoodWorld, answers: &StudentAnswers) -> G
     Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
 }
 
-/// Returns the map of the answers, with as many pixels as the screen shows. A pixel that represents
-/// several answers shows the worst of them. Returns `None` if the answers have no map.
+/// Returns the map of right and wrong answers, with as many pixels as the screen shows. A pixel that
+/// represents several answers shows the worst of them. Returns `None` if the answers have no map.
 fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image = graded.image;
@@ -331,7 +333,8 @@ fn answers_map(graded: &Graded, [width, height]: [u32; 2]) -> Option<Picture> {
     Some(Picture { pixels, image, raster })
 }
 
-/// Returns the camera that the world view compares with the edited one: the wrong camera, or the ghost.
+/// Returns the camera that the world view compares with the edited one: the camera with a mistake, or the
+/// ghost (the frozen camera).
 pub(super) fn ghost_camera(
     Inputs { document, session, .. }: Inputs<'_>,
     derived: &Derived,
@@ -347,7 +350,7 @@ pub(super) fn ghost_camera(
     resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
 }
 
-/// Returns a mark for the wrong camera's ray through the selected pixel; empty if there is no such ray.
+/// Returns a mark for the wrong camera's ray through the selected pixel; none if there is no such ray.
 fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<AnswerMark> {
     let ray = match selection.inside(wrong.image()) {
         Selection::Pixel(pixel) => wrong.ray(pixel),
@@ -358,9 +361,9 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
     vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
 }
 
-/// Returns marks for the wrong vectors of a basis or, otherwise, for the student's answer at the
-/// selected pixel if it is wrong. If the file has no answer for that pixel, marks the worst answer and
-/// the right one.
+/// Returns marks for a student's wrong answers. For a basis, these are its wrong vectors; otherwise the
+/// answer at the selected pixel if it is wrong. If the file has no answer for that pixel, marks the worst
+/// answer and the right one.
 fn of_answers(
     graded: &Graded,
     camera: &ResolvedCamera,
@@ -402,8 +405,8 @@ fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
     (0..count).find(|index| graded.pixel(*index) == Some(pixel))
 }
 
-/// Returns a mark for the ray or the hit that an answer gives. If the answer gives only the t of a hit,
-/// the hit is placed on the right ray.
+/// Returns a mark for the ray or the hit that a student's answer gives. A hit for which only t is given is
+/// placed on the right ray.
 fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
     let shape = match &graded.answers {
         Answers::Rays(rays) => {

@@ -128,7 +128,7 @@ impl CameraViews {
     }
 }
 
-/// Returns the view of a picture, without a highlighted concept and without the loupe.
+/// Returns the camera view of a picture, without a highlighted concept and without the loupe.
 pub(super) fn camera_view(
     Inputs { session, sizes, .. }: Inputs<'_>,
     good: &GoodPicture,
@@ -159,8 +159,8 @@ pub(super) struct WorldPicture {
     pub(super) subsampling: Subsampling,
 }
 
-/// The inputs of a trace: the observer, the generation number of the objects, and the spheres hidden
-/// from the observer.
+/// The inputs of a trace: the observer, the generation number of the objects, and the spheres that are left
+/// out for the observer.
 type WorldTraceKey = (ResolvedCamera, u64, Enclosing);
 
 /// A cache of the observer's pictures.
@@ -170,7 +170,7 @@ pub(super) struct WorldPictures {
     fineness: Memo<WorldTraceKey, Subsampling>,
     /// The last frame, which can be recoloured without tracing.
     frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
-    /// The last picture. The last part of the key is the generation number of the palette.
+    /// The last picture. The last part of its key is the generation number of the colours.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     /// Number of pictures of the observer traced so far.
@@ -210,8 +210,8 @@ impl WorldPictures {
                     fresh = Some(traced.1);
                     return Arc::new(traced.0);
                 }
-                // The overlay looks up the object at every dot, so the frame must have a value for each
-                // of them.
+                // The overlay looks up the object at every screen pixel, so the frame must have a value for
+                // each of them.
                 fresh = Some(raster.spread(image, &traced.1));
                 Arc::new(traced.0.spread())
             });
@@ -249,7 +249,7 @@ const TOWARD: DVec3 = DVec3::new(-0.45, 0.65, 0.61);
 /// Fraction of the light that comes from the observer's eye.
 const FROM_EYE: f64 = 0.3;
 
-/// Lights the spheres of a frame; all other pixels keep their colours.
+/// Shades the spheres of a frame with the observer's light. All other pixels keep their colours.
 pub(super) fn paint_key_light(
     frame: &Frame<f32>,
     scene: &Scene,
@@ -278,18 +278,20 @@ pub(super) fn paint_key_light(
     });
 }
 
-/// Returns the brightness, from 0 to 1, of the point where a pixel's ray meets a sphere at `t`.
+/// Returns the brightness, from 0 to 1, of the point where a pixel's ray meets a sphere at `t`. `toward` is
+/// the unit vector towards the light.
 fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward: DVec3) -> f64 {
     let ray = camera.ray_of_pixel(pixel);
     let out = (ray.at(t) - center).normalize_or_zero();
     let facing = -out.dot(ray.direction.normalize_or_zero());
-    // If the eye is inside the sphere, it sees the inner side of the surface.
+    // If the eye is inside the sphere, it sees the inner side of the surface, whose normal points to the
+    // centre.
     let wrapped = 0.5 + 0.5 * facing.signum() * out.dot(toward);
     (FROM_EYE * facing.abs() + (1.0 - FROM_EYE) * wrapped).clamp(0.0, 1.0)
 }
 
-/// Number of decimals in the derivation while presenting, low enough that the numbers are legible from
-/// the back row.
+/// Number of decimals in the derivation while presenting, low enough that the numbers are legible from the
+/// back row.
 const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
@@ -341,17 +343,18 @@ impl Derivations {
     }
 }
 
-/// The inputs of the curves: the camera, the generation number of the objects, the ray, and the objects
-/// with a curve.
+/// The inputs of the plot's curves: the camera, the generation number of the objects, the ray, and the
+/// objects with a curve.
 type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 
-/// A cache of the curves, their samples, and their values at the point marked on the ray.
+/// A cache of the plot's curves, of their samples, and of their values at the point marked on the ray.
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], bool), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that the curves were computed; it identifies the current ones in the other keys.
+    /// Number of times that the curves were computed. In the keys of the samples and of the values, it
+    /// identifies the curves.
     made: u64,
 }
 
