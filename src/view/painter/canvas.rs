@@ -1,4 +1,4 @@
-//! The pixels of the window, and how a new frame updates them.
+//! The pixels of the window, and how a new frame changes them.
 
 use std::collections::HashSet;
 
@@ -7,14 +7,14 @@ use egui::{Color32, Mesh, Rect, TextureId};
 
 use super::{PixelRect, SoftwarePainter};
 
-/// Maximum number of rectangles that are updated separately. More of them would cost more to draw than
-/// the whole picture.
+/// Maximum number of rectangles that are redrawn separately. More of them would cost more to draw than the
+/// whole picture.
 const MANY: usize = 16;
 
-/// The pixels of the window, and the frame from which they were drawn.
+/// The pixels of the window, and the frame that they show.
 ///
-/// A new frame is drawn only where it differs from the last one. If the pointer moves over a button,
-/// only the button is redrawn.
+/// Of a new frame, only the parts that differ from the last frame are drawn. If the pointer moves over a
+/// button, only the button is redrawn.
 #[derive(Debug, Default)]
 pub struct Canvas {
     pixels: Vec<Color32>,
@@ -22,7 +22,7 @@ pub struct Canvas {
     shown: Option<ShownFrame>,
 }
 
-/// The data from which the pixels were drawn, except for the textures.
+/// The inputs from which the pixels were drawn, except for the textures.
 #[derive(Debug)]
 struct ShownFrame {
     primitives: Vec<ClippedPrimitive>,
@@ -79,7 +79,7 @@ impl Canvas {
 
 impl ShownFrame {
     /// Returns disjoint rectangles that contain all differences between two frames; `None` if the whole
-    /// picture must be redrawn.
+    /// picture must be redrawn. `changed` are the textures that were set between them.
     fn difference(
         &self,
         new: &Self,
@@ -169,7 +169,7 @@ impl ChangedAreas {
         }
     }
 
-    /// Merges overlapping rectangles. Returns `None` if redrawing the whole picture is better.
+    /// Merges overlapping rectangles. Returns `None` if it is better to redraw the whole picture.
     fn disjoint(mut self) -> Option<Vec<PixelRect>> {
         let mut disjoint: Vec<PixelRect> = Vec::new();
         while let Some(mut rect) = self.rects.pop() {
@@ -183,8 +183,8 @@ impl ChangedAreas {
     }
 }
 
-/// Returns the bounding box of the triangles that differ. Equal triangles at the start and at the end
-/// of both meshes are skipped, since a change usually affects only the triangles between them.
+/// Returns the bounding box of the triangles in which two meshes differ. Equal triangles at the start and
+/// at the end are skipped, since a change usually affects only the triangles between them.
 fn changed_triangles(old: &Mesh, new: &Mesh) -> Rect {
     let count = |mesh: &Mesh| mesh.indices.len() / 3;
     let (old_count, new_count) = (count(old), count(new));

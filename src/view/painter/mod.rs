@@ -4,9 +4,9 @@
 //! blended in gamma space, a pixel is drawn if its centre is inside the shape, and clip rectangles are
 //! rounded to whole pixels. A window therefore looks the same with either renderer.
 //!
-//! [`SoftwarePainter`] holds the textures and draws; [`Canvas`] keeps the last frame and redraws only
-//! the parts that differ. This file also contains the rectangles of pixels and the sub-pixel grid to
-//! which vertices are snapped.
+//! [`SoftwarePainter`] holds the textures and draws; [`Canvas`] holds the pixels of the last frame and
+//! redraws only the parts that change. This file also contains rectangles of pixels and the sub-pixel grid
+//! to which vertices are snapped.
 
 use std::collections::{HashMap, HashSet};
 
@@ -22,10 +22,10 @@ mod canvas;
 mod texture;
 mod triangle;
 
-/// Number of pixels below which a single thread is faster than several.
+/// Number of pixels below which drawing on a single thread is faster than on several.
 const WORTH_SHARING: usize = 1 << 14;
 
-/// Draws textured triangles. Holds the textures, since egui sends each of them only once.
+/// Draws textured triangles. Keeps the textures, since egui sends each of them only once.
 #[derive(Debug, Default)]
 pub struct SoftwarePainter {
     textures: HashMap<TextureId, Texture>,
@@ -33,8 +33,8 @@ pub struct SoftwarePainter {
 }
 
 impl SoftwarePainter {
-    /// Creates a painter that, like a GPU, draws every rectangle as two triangles. The result is the
-    /// same, but drawing is slower. Tests compare the two.
+    /// Creates a painter that draws every rectangle as two triangles, like a GPU. The pixels are the same,
+    /// but drawing is slower. Tests compare both ways.
     pub fn triangles_only() -> Self {
         Self { triangles_only: true, ..Self::default() }
     }
@@ -64,8 +64,8 @@ impl SoftwarePainter {
         }
     }
 
-    /// Draws over the pixels, which are rows of length `size[0]` from top to bottom. Does nothing if
-    /// the length of `pixels` does not match `size`.
+    /// Draws over `pixels`, rows of length `size[0]` from top to bottom. Does nothing if the length of
+    /// `pixels` does not match `size`.
     pub fn paint(
         &self,
         pixels: &mut [Color32],
@@ -77,8 +77,8 @@ impl SoftwarePainter {
         self.paint_within(pixels, size, pixels_per_point, primitives, &whole, None);
     }
 
-    /// Draws only inside disjoint rectangles: over the background `ground`, or over the existing pixels
-    /// if it is `None`.
+    /// Draws only inside disjoint rectangles: over a background of the colour `ground` or, if that is
+    /// `None`, over the existing pixels.
     pub(crate) fn paint_within(
         &self,
         pixels: &mut [Color32],
@@ -96,7 +96,7 @@ impl SoftwarePainter {
         let scene = Scene::new(self, pixels_per_point, primitives, size);
         let pixels = &mut pixels[all.top * size[0]..all.bottom * size[0]];
         let rows = all.bottom - all.top;
-        // There are more pieces than threads, because text is rarely distributed evenly.
+        // There are more pieces than threads to balance the load: text is rarely distributed evenly.
         let pieces = if all.area() < WORTH_SHARING { 1 } else { 4 * rayon::current_num_threads() };
         let rows_per_piece = rows.div_ceil(pieces).max(8);
         let draw = |(piece, pixels): (usize, &mut [Color32])| {
@@ -116,11 +116,11 @@ impl SoftwarePainter {
     }
 }
 
-/// Some rows of the picture, and the rectangle to which drawing is limited.
+/// A band of rows of the picture, and the rectangle to which drawing is limited.
 struct Band<'a> {
     pixels: &'a mut [Color32],
     width: usize,
-    /// The picture's row to which the first row of `pixels` belongs.
+    /// The row of the picture that is the first row of `pixels`.
     top: usize,
     clip: PixelRect,
 }
@@ -213,8 +213,9 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Number of sub-pixel steps per pixel to which vertices are snapped, as on GPUs. In integers, the test
-/// whether a pixel's centre lies inside is exact, so adjacent triangles neither overlap nor leave gaps.
+/// Number of sub-pixel steps per pixel to which vertices are snapped, as on GPUs. With integer coordinates,
+/// the test whether a pixel's centre lies inside a triangle is exact, so adjacent triangles neither overlap
+/// nor leave gaps.
 const STEPS: i64 = 256;
 
 /// Maximum coordinate of a vertex, in pixels. Coordinates are clamped to it so that their products fit

@@ -1,5 +1,5 @@
-//! Textures, stored as egui sends them and sampled texel by texel, and the colour arithmetic of a GPU
-//! with an `Rgba8Unorm` target and egui's blend state.
+//! Textures, stored as egui sends them and sampled texel by texel; also the colour arithmetic of a GPU with
+//! an `Rgba8Unorm` target and egui's blend state.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
 #[derive(Debug)]
 pub(super) struct Texture {
     pub(super) size: [usize; 2],
-    /// The image as egui sent it. It is shared, not copied, until a part of it is replaced.
+    /// The image as egui sent it. It is shared with egui, and copied only when a part of it is replaced.
     image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
-    /// True if all texels are opaque. Copying a texel then gives the same result as blending it.
+    /// True if all texels are opaque, so that copying a texel gives the same result as blending it.
     pub(super) opaque: bool,
 }
 
@@ -31,8 +31,8 @@ impl Texture {
         &self.image.pixels
     }
 
-    /// Replaces a part of the texture. Ignores an update that extends beyond the texture or has the
-    /// wrong number of pixels: such a mistake by the sender should not end the program.
+    /// Replaces a part of the texture. Ignores an update that extends beyond the texture or has the wrong
+    /// number of pixels: such a mistake in what egui sends should not end the program.
     pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -57,7 +57,8 @@ impl Texture {
         }
     }
 
-    /// Returns the filter that a GPU would use for this number of texels per pixel.
+    /// Returns the filter (for minification or magnification) that a GPU would use for this number of
+    /// texels per pixel.
     pub(super) fn filter(&self, texels_per_pixel: f64) -> TextureFilter {
         if texels_per_pixel > 1.0 + 1e-6 {
             self.options.minification
@@ -66,8 +67,8 @@ impl Texture {
         }
     }
 
-    /// Returns the index of a texel after wrapping it at the texture's edges. `axis` is 0 across and 1
-    /// down.
+    /// Returns the index of a texel after the wrap mode is applied at the texture's edges. `axis` is 0 for
+    /// columns and 1 for rows.
     #[inline(always)]
     pub(super) fn wrap(&self, index: i64, axis: usize) -> usize {
         let size = self.size[axis] as i64;
@@ -117,15 +118,14 @@ impl Texture {
     }
 }
 
-/// One texel as a fixed-point number with 32 fractional bits. Positions along a row are stepped in this
-/// format.
+/// The number 1 (one texel) in fixed point with 32 fractional bits, the format in which positions in a
+/// texture are stepped along a row.
 pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
 
 /// A coordinate in a texture, in 1/65536 of a texel.
 ///
-/// Rounding to this grid makes positions on the border between two texels consistent: they fall on the
-/// same side whether they were computed from one of a rectangle's two triangles or from the whole
-/// rectangle.
+/// Rounding to this grid makes positions on the border between two texels consistent: they fall on the same
+/// side whether they were computed from one of a rectangle's two triangles or from the whole rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Coordinate(i64);
 
@@ -142,9 +142,9 @@ impl Coordinate {
         self.0 >> 16
     }
 
-    /// Returns the last texel whose centre is not after this coordinate, and the fraction of the
-    /// distance to the next centre, in steps of 1/256 as on GPUs. For glyphs at whole pixels the
-    /// fraction is 0.
+    /// Returns the last texel whose centre is not after this coordinate, and how far the coordinate is from
+    /// there to the next centre: a fraction in steps of 1/256, as on GPUs. It is 0 for glyphs at whole
+    /// pixels.
     #[inline(always)]
     pub(super) fn linear(self) -> (i64, f32) {
         let steps = (self.0 - (1 << 15) + (1 << 7)) >> 8;
@@ -163,7 +163,7 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
 }
 
 fn all_opaque(texels: &[Color32]) -> bool {
-    // The bits are combined block by block so that the compiler can vectorize the loop.
+    // The bits are combined chunk by chunk so that the compiler can vectorize the loop.
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };
@@ -173,12 +173,12 @@ fn all_opaque(texels: &[Color32]) -> bool {
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
 pub(super) type Rgba = [f32; 4];
 
-/// Factor that converts 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does not change
-/// the vertex colour.
+/// Factor that converts a channel from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does
+/// not change the vertex colour.
 pub(super) const UNIT: f32 = 1.0 / 255.0;
 
-/// If this number is added to a number from 0 to 255, the lowest bits of the sum hold the nearest
-/// integer. Without SSE 4.1, `round` would call the C library for each channel.
+/// Number that rounds: added to a number from 0 to 255, it leaves the nearest integer in the lowest bits of
+/// the sum. Without SSE 4.1, `round` would call the C library for each channel.
 const ROUNDING: f32 = 12_582_912.0;
 
 /// Converts a colour to floating-point numbers.
@@ -188,7 +188,7 @@ pub(super) fn unpack(color: Color32) -> Rgba {
     [f32::from(r), f32::from(g), f32::from(b), f32::from(a)]
 }
 
-/// Converts floating-point numbers to a colour, clamped and rounded to the nearest integers.
+/// Converts floating-point channels to a colour, clamped to 0..=255 and rounded to the nearest integers.
 #[inline(always)]
 pub(super) fn pack(color: Rgba) -> Color32 {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 255.0) + ROUNDING).to_bits() as u8);

@@ -26,8 +26,8 @@ pub(super) struct PixelPlane {
 }
 
 impl PixelPlane {
-    /// Returns the linear function with the given values at three points. `area` is twice the area of
-    /// the triangle, in square steps.
+    /// Returns the linear function that has the given values at three points. `area` is twice the area of
+    /// their triangle, in square sub-pixel steps.
     fn through(points: &[SnappedPoint; 3], area: f64, values: [f64; 3]) -> Self {
         let [p, q, r] = points;
         let (qx, qy) = ((q[0] - p[0]) as f64, (q[1] - p[1]) as f64);
@@ -40,8 +40,8 @@ impl PixelPlane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Returns the value at column 0 of a row and the increment per pixel, both with 32 fractional
-    /// bits.
+    /// Returns the value at column 0 of a row and the increment per column, both in fixed point with 32
+    /// fractional bits.
     ///
     /// The result depends only on the row, not on how the picture is divided into pieces.
     #[inline(always)]
@@ -61,13 +61,15 @@ pub(super) struct Sampling<'a> {
 }
 
 impl<'a> Sampling<'a> {
-    /// Creates a sampling; `u` and `v` are texture coordinates in texels.
+    /// Creates a sampling of a texture. `u` and `v` are texture coordinates in texels, as functions of the
+    /// pixel.
     pub(super) fn new(texture: &'a Texture, u: PixelPlane, v: PixelPlane) -> Self {
         let texels_per_pixel = u.across.hypot(v.across).max(u.down.hypot(v.down));
         Self { texture, filter: texture.filter(texels_per_pixel), u, v }
     }
 
-    /// Blends the texture over a run of pixels in a row. `color` returns the vertex colour at a column.
+    /// Blends the texture over some pixels of a row, of which `first` is the first column. `color` returns
+    /// the vertex colour at a column.
     pub(super) fn draw(
         &self,
         pixels: &mut [egui::Color32],
@@ -89,8 +91,7 @@ impl<'a> Sampling<'a> {
     }
 }
 
-/// One side of a triangle, as a linear function of the pixel position that is at least 0 inside the
-/// triangle.
+/// One side of a triangle, as a linear function of the pixel position that is at least 0 on the inner side.
 struct Side {
     /// Decrement per pixel to the right.
     slope: i64,
@@ -111,7 +112,7 @@ impl Side {
         Self { slope: dy * STEPS, start, per_row: dx * STEPS }
     }
 
-    /// Narrows a range of columns of a row to those on the inner side.
+    /// Narrows the range `first..end` of columns of a row to those on the inner side.
     #[inline(always)]
     fn narrow(&self, row: i64, first: &mut i64, end: &mut i64) {
         let value = self.start + self.per_row * row;
@@ -186,7 +187,7 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Snapp
     }
 }
 
-/// Calls `draw` for each row of the triangle with the pixels to draw, the row, and the first column.
+/// Calls `draw` for each row of a triangle with the pixels inside, the row, and the first column.
 fn rows(
     band: &mut Band<'_>,
     points: &[SnappedPoint; 3],
@@ -222,8 +223,8 @@ fn rows(
 struct Gradient {
     channels: [PixelPlane; 4],
     across: Rgba,
-    /// The column from which the columns of a row are counted. It is near the triangle, because over a
-    /// long distance a steep gradient would lose significant digits.
+    /// The column from which a row's columns are counted. It is near the triangle, because over a long
+    /// distance a steep gradient would lose significant digits.
     base: usize,
 }
 
@@ -270,7 +271,7 @@ impl Gradient {
 pub(super) struct Rectangle {
     /// Position and size in points.
     rect: Rect,
-    /// Texture coordinates at the upper left and the lower right corner.
+    /// Texture coordinates at the upper left and at the lower right corner.
     uv: Rect,
     color: Color32,
 }
@@ -337,13 +338,13 @@ impl Rectangle {
     }
 }
 
-/// Returns the index of the only missing corner, given a bit for each corner; `None` if not exactly one
-/// is missing.
+/// Returns the index of the only corner whose bit is not set; `None` unless exactly one is missing.
 fn missing(bits: u8) -> Option<usize> {
     (0..4).find(|corner| bits == 0b1111 & !(1 << corner))
 }
 
-/// Returns the rectangle's texture coordinates; `None` if they do not follow its sides.
+/// Returns the texture coordinates of a rectangle's corners; `None` unless u depends only on x and v only
+/// on y.
 fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect> {
     let mut uv = Rect::NAN;
     for (vertex, corner) in vertices.iter().zip(corners) {
@@ -361,7 +362,8 @@ fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect
     Some(uv)
 }
 
-/// Interpolates a texture coordinate, in texels, between two horizontal positions, in sub-pixel steps.
+/// Returns a texture coordinate, in texels, as a linear function of the column. It is `uv_from` at the
+/// position `from` and `uv_to` at the position `to`, which are in sub-pixel steps.
 fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlane {
     let (start, end) = (f64::from(uv_from) * texels, f64::from(uv_to) * texels);
     let step = (end - start) / (to - from).max(1) as f64;
@@ -369,8 +371,9 @@ fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> PixelPlan
     PixelPlane { origin, across: step * STEPS as f64, down: 0.0 }
 }
 
-/// Draws a part of a texture in a single vertex colour. If each pixel shows exactly one texel, as in
-/// most pictures and glyphs, the texels are copied or tinted; otherwise the texture is sampled.
+/// Draws a rectangle of pixels with a texture and a single vertex colour. If each pixel shows exactly one
+/// texel, as in most pictures and glyphs, the texels are copied or tinted; otherwise the texture is
+/// sampled.
 fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, color: Rgba) {
     let PixelRect { left, top, right, bottom } = area;
     let texture = reading.texture;
@@ -396,8 +399,8 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
     }
 }
 
-/// Returns the first texel that a run of pixels reads, if each pixel reads exactly the texel after the
-/// previous one and all lie inside the texture; otherwise `None`.
+/// Returns the texel that the first of successive pixels reads. Returns `None` unless each pixel reads
+/// exactly the texel after the previous one and all of these lie inside the texture.
 fn one_to_one(
     coordinate: &impl Fn(usize) -> Coordinate,
     (first, end): (usize, usize),
@@ -413,7 +416,7 @@ fn one_to_one(
     };
     let (from, to) = (texel(first)?, texel(end - 1)?);
     let successive = to - from == (end - 1 - first) as i64;
-    // With the nearest filter the steps may be uneven, so checking the two ends is not enough.
+    // With the nearest filter, texels may be skipped and repeated, so checking the two ends is not enough.
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)
