@@ -32,8 +32,8 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// Writes a formula for math mode, with `&` before its first relation, where an `align` environment
-/// aligns the lines.
+/// Writes a formula for math mode. Puts `&` before its first relation, where an `align` environment aligns
+/// lines.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
     match parts.iter().position(Formula::is_relation) {
@@ -48,7 +48,7 @@ pub(crate) fn text(text: &str) -> String {
     text.chars().map(letter).collect()
 }
 
-/// Signs that exist only in math mode, with the way to write them there.
+/// Signs that LaTeX has only in math mode, each with its command there.
 const SIGNS: [(&str, &str); 16] = [
     ("−", "-"),
     ("×", r"\times"),
@@ -68,7 +68,7 @@ const SIGNS: [(&str, &str); 16] = [
     ("|", "|"),
 ];
 
-/// Returns the way to write a sign in math mode; `None` for a sign that text mode has as well.
+/// Returns the math-mode command of a sign; `None` for a sign that text mode has as well.
 fn sign(text: &str) -> Option<&'static str> {
     SIGNS.iter().find(|(sign, _)| *sign == text).map(|(_, latex)| *latex)
 }
@@ -94,7 +94,7 @@ fn letter(c: char) -> String {
     }
 }
 
-/// Writes a name: a single letter as it is, several letters inside the LaTeX command `style`.
+/// Writes a name: a single letter unchanged, several letters as the argument of the LaTeX command `style`.
 fn named(style: &str, name: &str) -> String {
     match name.len() {
         1 => name.to_owned(),
@@ -137,7 +137,7 @@ fn row(parts: &[Formula]) -> String {
         if k > 0 && !close {
             out.push(' ');
         }
-        // A minus after another operator is a sign, so it must not be spaced as a subtraction.
+        // A minus sign after another operator is unary, so it must not get the spacing of a subtraction.
         let after_sign = k > 0 && matches!(parts[k - 1], Formula::Operator(o) if o.is_binary());
         match part {
             Formula::Operator(Operator::Negative) if after_sign => out.push_str("{-}"),

@@ -1,15 +1,15 @@
-//! Lays out a formula as positioned text and strokes, and breaks formulas into lines. As in TeX, the
-//! parts are boxes on a common baseline, but TeX's refinements are left out.
+//! Lays out a formula as positioned text and strokes, and breaks formulas into lines. As in TeX, a formula
+//! consists of boxes on a common baseline, but TeX's refinements are left out.
 //!
-//! [`lines`] aligns formulas at their first relation. The part before the relation ends at the column's
-//! indent, and every later line begins there with a relation. A line holds at most one form of a
-//! vector. The next form begins a new line even if there is room, so that nothing jumps while numbers
-//! change.
+//! [`lines`] aligns formulas at their first relation (such as `=`). The part before the relation ends at
+//! the column's indent, and every later line begins there with a relation. A line holds at most one side of
+//! an equation that is a vector. The next such side begins a new line even if there is room, so that
+//! nothing jumps while numbers change.
 //!
-//! A formula that is too wide is broken before `=` and other relations, and a piece that is still too
-//! wide before `+`, `×` and other operators. If a term is still too wide, it is first set slightly
-//! smaller; then its vectors are written as columns; finally its text shrinks until it fits. No line is
-//! wider than the column.
+//! A formula that is too wide is broken before `=` and other relations, and a side that is still too wide
+//! before `+`, `×` and other operators. If a term is still too wide, it is first set slightly smaller; then
+//! its vectors are written as columns; finally its text shrinks until it fits. No line is wider than the
+//! column.
 
 use crate::model::{Given, symbols};
 use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
@@ -19,7 +19,7 @@ use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
 pub enum Face {
     /// Upright, for digits, operators and words.
     Upright,
-    /// Italic, for scalars. Their text already consists of Unicode's italic letters.
+    /// Italic, for scalars. Their text is already written in Unicode's mathematical italic letters.
     Italic,
     /// Bold, for vectors.
     Bold,
@@ -27,15 +27,15 @@ pub enum Face {
 
 /// Measures the width of text.
 pub trait TextMeasure {
-    /// Returns the width of `text` in a font whose em is `size`. The width has the same unit as `size`.
+    /// Returns the width of `text` in a font whose em is `size`, in the unit of `size`.
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
 /// A [`TextMeasure`] that is borrowed while a formula is laid out.
 pub type Measure<'a> = &'a mut dyn TextMeasure;
 
-/// A piece of text. Positions are relative to the start of the first baseline, with x to the right and
-/// y down.
+/// A piece of text. Positions are relative to the start of the layout's first baseline, with x to the right
+/// and y down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TextRun {
     /// The text.
@@ -61,7 +61,8 @@ pub struct Rule {
     pub ink: SymbolInk,
 }
 
-/// The box of a given number. Its extents are measured from the baseline, as for text.
+/// The box of a number that the user gives and can edit. Its extents are measured from the baseline, as for
+/// text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenBox {
     /// The number.
@@ -76,8 +77,8 @@ pub struct GivenBox {
     pub descent: f32,
 }
 
-/// A formula whose parts have positions. Its box extends `ascent` above the baseline and `descent`
-/// below it.
+/// A formula after layout: its parts have positions, and its box extends `ascent` above the baseline and
+/// `descent` below it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
     /// Width of the box.
@@ -98,7 +99,8 @@ pub struct Layout {
 const ASCENT: f32 = 0.76;
 /// Extent of text below its baseline, in ems.
 const DESCENT: f32 = 0.24;
-/// Height of fraction bars, of minus signs and of the middle of brackets above the baseline, in ems.
+/// Height of the math axis above the baseline, in ems: of fraction bars, minus signs and the middle of
+/// brackets.
 const AXIS: f32 = 0.34;
 /// Width of `Gap::Thin`, in ems.
 const THIN: f32 = 0.17;
@@ -115,7 +117,7 @@ const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
-/// Lays out a formula in one line, with an em of `size`.
+/// Lays out a formula in one line. `size` is the size of the em.
 pub fn layout(formula: &Formula, size: f32, measure: Measure<'_>) -> Layout {
     match formula {
         Formula::Scalar(name) => {
@@ -182,7 +184,7 @@ impl Layout {
         self.ascent + self.descent
     }
 
-    /// Adds another box, with the start of its baseline at (x, y).
+    /// Adds another layout, whose baseline starts at (x, y).
     pub(super) fn put(&mut self, mut other: Layout, x: f32, y: f32) {
         let moved = |[a, b]: [f32; 2]| [a + x, b + y];
         other.runs.iter_mut().for_each(|run| run.at = moved(run.at));
@@ -258,7 +260,8 @@ fn root(inner: Layout, size: f32) -> Layout {
     whole
 }
 
-/// Adds a superscript or subscript to a base, with its baseline `shift` ems lower.
+/// Lays out a base with a superscript or subscript, whose baseline is `shift` ems lower (higher if
+/// negative).
 fn script(base: &Formula, small: &Formula, shift: f32, size: f32, measure: Measure<'_>) -> Layout {
     let mut whole = layout(base, size, measure);
     let small = layout(small, SMALL * size, measure);
@@ -320,7 +323,7 @@ fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
             let inner = outer + inward * hook;
             vec![[inner, top], [outer, top], [outer, bottom], [inner, bottom]]
         }
-        // A parabola through the ends that touches `outer` in the middle.
+        // A parabola through the two ends that reaches `outer` in the middle.
         Fence::Parenthesis => (0..=12)
             .map(|k| {
                 let s = k as f32 / 6.0 - 1.0;
@@ -343,15 +346,15 @@ pub struct Column {
     pub size: f32,
     /// Width of the column.
     pub width: f32,
-    /// Position of the first relation and start of every later line. If the part before the first
-    /// relation is wider than the indent, that relation moves to the right.
+    /// Position at which the first relation is aligned, and start of every later line. If the part before
+    /// the first relation is wider than the indent, that relation moves to the right.
     pub indent: f32,
 }
 
 /// Gap between two lines, in ems.
 const LEADING: f32 = 0.42;
 
-/// Returns the width of the part before a formula's first relation, including the gap after it; 0 if
+/// Returns the width of the part before a formula's first relation, including the gap between them; 0 if
 /// there is no relation or nothing before it.
 pub fn left_width(formula: &Formula, size: f32, measure: Measure<'_>) -> f32 {
     let parts = formula.parts();
@@ -392,9 +395,9 @@ pub fn lines(formula: &Formula, column: Column, measure: Measure<'_>) -> Layout 
     set.stacked()
 }
 
-/// Returns true if two pieces that begin with relations must not share a line. This applies to two
-/// forms of a vector, and to `≈ a = b`, which would claim that a equals b, although b is the exact
-/// value of the left side.
+/// Returns true if two sides of an equation, each with the relation before it, must not share a line. This
+/// applies to two sides with vectors, and to `≈ a = b`, which would claim that a equals b, although b is
+/// the exact value of the first side.
 fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
     let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
@@ -413,8 +416,8 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
 /// Relative size of a term that is slightly too wide.
 const TIGHT: f32 = 0.88;
 
-/// Lays out a piece that is too wide for a line: slightly smaller if that is enough; otherwise with its
-/// vectors as columns, and with smaller text if necessary.
+/// Lays out a piece of a formula that is too wide for a line: slightly smaller if that is enough; otherwise
+/// with its vectors as columns, and with smaller text if necessary.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: Measure<'_>) -> Layout {
     let tight = row(parts, TIGHT * size, measure);
     if tight.width <= width {
@@ -425,7 +428,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: Measure<'_>) -> L
     if single.width <= width {
         return single;
     }
-    // Widths are proportional to the text size, except for rounding in the fonts.
+    // The width is proportional to the text size only up to the fonts' rounding, so the size is iterated.
     let mut smaller = size;
     let mut single = single;
     for _ in 0..8 {
@@ -459,7 +462,7 @@ struct LineBuilder<'a> {
     /// Start of the first line.
     start: f32,
     done: Vec<Layout>,
-    /// The unfinished line and its last part, after which the next piece may be added.
+    /// The unfinished line, to which the next piece may be added, and the last part of the formula in it.
     open: Option<(Layout, &'a Formula)>,
 }
 
@@ -469,7 +472,7 @@ impl<'a> LineBuilder<'a> {
         self.done.extend(self.open.take().map(|(line, _)| line));
     }
 
-    /// Adds a piece that is too wide for a line, term by term.
+    /// Adds a side of an equation that is too wide for a line, term by term.
     fn add_in_terms(&mut self, piece: &'a [Formula], measure: Measure<'_>) {
         let Column { size, width, indent } = self.column;
         let is_binary =
@@ -484,7 +487,7 @@ impl<'a> LineBuilder<'a> {
         }
     }
 
-    /// Adds a piece to the open line if it fits, otherwise to a new line.
+    /// Adds a piece of the formula to the open line if it fits, otherwise to a new line.
     fn add(&mut self, parts: &'a [Formula], piece: Layout) {
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
         let indent = if self.done.is_empty() { self.start } else { self.column.indent };

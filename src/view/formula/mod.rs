@@ -25,7 +25,7 @@ mod layout;
 pub enum Formula {
     /// The name of a scalar: italic.
     Scalar(&'static str),
-    /// The name of a vector or point: bold, with a colour.
+    /// The name of a vector or point, which is bold and coloured.
     Vector(&'static str, SymbolInk),
     /// Another word: `normalize`, `sin`.
     Word(String),
@@ -75,7 +75,7 @@ pub enum SymbolInk {
     V,
     /// The colour of w.
     W,
-    /// The colour of the vectors and points that the user gives: at, view, up.
+    /// The colour of the vectors and points by which the user gives the camera: at, view, up.
     Given,
     /// The colour of the selected ray.
     Ray,
@@ -112,14 +112,14 @@ impl Operator {
         }
     }
 
-    /// Returns true for a relation between two sides. A formula that is too long is broken before its
-    /// relations first.
+    /// Returns true for a relation between two sides of a formula, such as `=`. A formula that is too long
+    /// is broken before its relations first.
     pub fn is_relation(self) -> bool {
         matches!(self, Operator::Equals | Operator::Approximately)
     }
 
     /// Returns true for an operator between two terms or factors. A formula is broken before such an
-    /// operator only if breaking it before relations is not enough.
+    /// operator only if breaking it before its relations is not enough.
     fn is_binary(self) -> bool {
         use Operator::{Dot, Minus, Plus, Times};
         matches!(self, Plus | Minus | Times | Dot)
@@ -132,12 +132,12 @@ impl From<Operator> for Formula {
     }
 }
 
-/// Returns a number, written with a minus sign instead of a hyphen.
+/// Returns the formula of a number, with a minus sign instead of a hyphen.
 pub fn number(text: &str) -> Formula {
     signed(text, Formula::Number)
 }
 
-/// Returns a rounded number, written with a minus sign instead of a hyphen.
+/// Returns the formula of a rounded number, with a minus sign instead of a hyphen.
 pub fn rounded(text: &str) -> Formula {
     signed(text, Formula::Rounded)
 }
@@ -156,7 +156,8 @@ pub fn word(text: impl Into<String>) -> Formula {
     Formula::Word(text.into())
 }
 
-/// Creates a row. Rows among its parts are flattened, and a single part is returned as it is.
+/// Creates a row of formulas. A part that is itself a row is replaced by its parts, and a single part is
+/// returned as it is.
 pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
     let mut flat = Vec::new();
     for part in parts {
@@ -267,12 +268,13 @@ impl Formula {
             }
     }
 
-    /// Returns true for a relation. The lines of a derivation are aligned at their first relation.
+    /// Returns true if the formula is a relation, such as `=`. The lines of a derivation are aligned at
+    /// their first relation.
     fn is_relation(&self) -> bool {
         matches!(self, Formula::Operator(operator) if operator.is_relation())
     }
 
-    /// Returns the parts of a row, or the formula itself as the only part.
+    /// Returns the parts of a row; of any other formula, the formula itself as the only part.
     fn parts(&self) -> &[Formula] {
         match self {
             Formula::Row(parts) => parts,
@@ -311,7 +313,8 @@ fn gap(before: &Formula, after: &Formula) -> Gap {
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            // A single letter is bold, from the Unicode block *Mathematical Alphanumeric Symbols*.
+            // A single letter is replaced by its bold form in the Unicode block *Mathematical Alphanumeric
+            // Symbols*.
             Formula::Vector(name, _) if name.len() == 1 => {
                 name.chars().try_for_each(|letter| f.write_char(symbols::bold(letter)))
             }
@@ -354,8 +357,8 @@ fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Writes an operator and its operand. The operator applies only to the part that follows it, so an
-/// operand with several parts gets parentheses.
+/// Writes a sign, such as `√` or `/`, and its operand. The sign applies only to what directly follows it,
+/// so an operand with several parts gets parentheses.
 fn write_guarded(sign: &str, inner: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match inner {
         Formula::Given(_, inner) => write_guarded(sign, inner, f),

@@ -1,6 +1,6 @@
 use super::*;
 
-/// A text measure in which every letter is 0.55 em wide, or 0.6 em if it is bold.
+/// A stand-in for fonts: every letter is 0.55 em wide, or 0.6 em if it is bold.
 struct Even;
 
 impl TextMeasure for Even {
