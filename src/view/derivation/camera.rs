@@ -1,5 +1,5 @@
-//! Derivation of the camera: u, v, w from the view direction and up, or the checks of a basis that the
-//! user entered directly; then the view ray of a pixel or of a position (u, v).
+//! Derivation of the camera: how u, v and w follow from the view direction and up, or the checks of a basis
+//! that the user entered directly; then the view ray of a pixel or of a point (u, v).
 
 use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
@@ -69,7 +69,7 @@ fn given_line(
     DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value)))
 }
 
-/// Returns the line that derives w. If there is no w, the line's note says why.
+/// Returns the line of the derivation that computes w. If there is no w, its note says why.
 fn normalized(derivation: &BasisFromUp, numbers: NumberFormat) -> Option<DerivedLine> {
     let formula = equation(W, normalize(negative(VIEW)));
     let vectors = (derivation.view, derivation.backwards, derivation.w);
@@ -85,8 +85,8 @@ fn factors(cross: &Cross, numbers: NumberFormat) -> Formula {
     times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector))
 }
 
-/// Returns the lines of `up x w` and of its length, the area of the parallelogram spanned by both
-/// vectors.
+/// Returns the lines of the derivation for `up x w` and for its length, which is the area of the
+/// parallelogram spanned by up and w.
 fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     let sides = [times(UP, W), factors(cross, numbers), numbers.vector(cross.product)];
     let mut lines = vec![DerivedLine::chain(Concept::UpCrossW, sides)];
@@ -101,8 +101,8 @@ fn crossed(cross: &Cross, numbers: NumberFormat) -> Vec<DerivedLine> {
     lines
 }
 
-/// Returns a vector divided by its length, in numbers. If the length is 1 and the coordinates would be
-/// rounded, returns the vector alone, in its exact form.
+/// Returns the formula of a vector divided by its length, in numbers. If the length is 1 and the
+/// coordinates would be rounded, returns the vector alone, in its exact form.
 fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     let (decimals, divisor) = (numbers.decimals(vector), numbers.divisor(length));
     if decimals.begins_rounded() && divisor == numbers.divisor(1.0) {
@@ -111,7 +111,7 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     fraction(decimals, divisor)
 }
 
-/// Returns `symbols = substituted = result`, without `substituted` if it equals the result.
+/// Returns the formula `symbols = substituted = result`; omits `substituted` if it equals the result.
 fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
     if result == substituted {
         return equation(symbols, result);
@@ -119,7 +119,7 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
     equation(equation(symbols, substituted), result)
 }
 
-/// Creates the line at which the derivation fails, with the reason as its note.
+/// Creates the line at which the derivation fails. Its note gives the reason.
 fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> DerivedLine {
     let why = why.map_or_else(String::new, symbols::typeset_message);
     DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
@@ -164,8 +164,8 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
     lines
 }
 
-/// Returns the lines of the given numbers that determine the ray. They are shown even if there is no
-/// ray, so that the user can correct a number that was dragged too far.
+/// Returns the lines of the derivation with the given numbers that determine the ray. They are shown even
+/// if there is no ray, so that the user can correct a number that was dragged too far.
 pub(super) fn ray_givens(
     camera: &Camera,
     selection: Selection,
@@ -264,7 +264,7 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
     joined(p, Operator::Plus, row([t, d]))
 }
 
-/// Derives u and v from the pixel's position as fractions of the image's width and height.
+/// Derives the u and v of a pixel's centre from its position as fractions of the image's width and height.
 fn of_pixel(
     resolved: &ResolvedCamera,
     pixel: Pixel,
@@ -273,8 +273,8 @@ fn of_pixel(
 ) -> Vec<DerivedLine> {
     let (i, j) = numbers.counted(pixel);
     let half = || number("0.5");
-    // Counted from 0, the centre of a pixel lies half a pixel after its index; counted from 1, half a
-    // pixel before it.
+    // With an index that counts from 0, a pixel's centre lies half a pixel after the index; with one that
+    // counts from 1, half a pixel before it.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
     let whole = |n: u32| number(&n.to_string());

@@ -1,6 +1,6 @@
 //! The derivation of every number of the camera and of the selected ray, line by line in the lecture's
-//! order. Each line has the symbols, the numbers substituted for them, and the result. The derivation
-//! can be exported as LaTeX, or as Markdown with `$formulas$`.
+//! order. A line is an equation: the symbols, the numbers substituted for them, and the result. The
+//! derivation can be exported as LaTeX, or as Markdown with `$formulas$`.
 //!
 //! This module is pure: it turns the document, the view settings and the derived values into
 //! [`DerivedSection`]s of [`DerivedLine`]s. All arithmetic is in [`pinhole_lecture`].
@@ -25,7 +25,7 @@ mod camera;
 mod numbers;
 mod objects;
 
-/// Maximum number of listed objects. In a larger scene, the objects that the ray hits first are listed.
+/// Maximum number of objects that the derivation lists. In a larger scene, these are the ones hit first.
 pub const LISTED: usize = 6;
 
 /// The whole derivation.
@@ -76,7 +76,8 @@ impl DerivedLine {
         }
     }
 
-    /// Creates the line of an equation with several sides, of which the last is the result.
+    /// Creates a line of the derivation from the sides of an equation, such as `a = b = c`. The last side
+    /// is the result.
     fn chain<const N: usize>(concept: Concept, sides: [Formula; N]) -> DerivedLine {
         let mut sides = sides.into_iter();
         let first = sides.next();
@@ -98,7 +99,7 @@ impl DerivedLine {
 }
 
 impl fmt::Display for DerivedLine {
-    /// Writes the formula and the note, separated by a semicolon. A note may itself contain
+    /// Writes the formula and the note, separated by a semicolon, because a note may itself contain
     /// parentheses.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let DerivedLine { formula, note, .. } = self;
@@ -115,9 +116,9 @@ impl Derivation {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
-    /// Returns the number of lines up to and including the last one about this concept, or about the
-    /// basis vector that is derived from it. Without a concept or such a line, returns the number of
-    /// all lines.
+    /// Returns the number of lines up to and including the last one about this concept. For a step towards a
+    /// basis vector, such as up x w, the lines about that vector count. Returns the number of all lines if
+    /// there is no concept or no such line.
     pub fn lines_through(&self, concept: Option<Concept>) -> usize {
         let concept = concept.map(|concept| match concept {
             Concept::View | Concept::Backwards => Concept::W,
@@ -179,7 +180,7 @@ pub struct DerivationSettings {
     pub sections: DerivationSections,
     /// The format of numbers.
     pub numbers: NumberFormat,
-    /// The reason why there is no new picture; `None` if there is one.
+    /// The reason why there is no picture of the current document; `None` if there is one.
     pub fault: Option<Fault>,
 }
 
@@ -225,7 +226,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     derivation
 }
 
-/// Returns the selected ray and its derivation, or `None` if there is no valid ray.
+/// Returns the selected ray and its derivation; `None` if there is no valid ray.
 fn exact_ray(resolved: &ResolvedCamera, at: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
     let at = at.inside(resolved.image());
     let derived = RayDerivation::new(resolved, at).ok()?;
@@ -242,7 +243,7 @@ fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
     }
 }
 
-/// Adds the given numbers of the objects. If an object is faulty, adds the reason after its numbers.
+/// Adds lines with the given numbers of the objects. After the numbers of a faulty object, adds the reason.
 fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
     let DerivationInputs { document, settings, .. } = *inputs;
     let faulty = match settings.fault {
@@ -286,8 +287,8 @@ fn add_objects(
     }
 }
 
-/// Returns the objects to list: all of them, if there are at most [`LISTED`]; otherwise the objects
-/// that the ray hits first, then the first objects of the scene.
+/// Returns the objects to list: all objects if there are at most [`LISTED`]; otherwise the objects that the
+/// ray hits first, and then the first objects of the scene.
 fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     let count = scene.len() as u32;
     if scene.len() <= LISTED {

@@ -1,7 +1,7 @@
-//! Numbers, vectors and the lecture's names as formulas.
+//! Formulas for numbers, vectors and the lecture's names.
 //!
-//! A number is written in its exact form if the settings ask for exact forms and the form is recognised
-//! and short ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
+//! A number is written in its exact form (such as `1/sqrt(2)`) if the settings ask for exact forms and a
+//! short one is recognised ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
 //!
 //! `=` is used only before an exact value: an exact form, a given number with all its digits, or a
 //! terminating decimal. All other decimals are rounded and follow `≈`.
@@ -26,18 +26,19 @@ pub struct NumberFormat {
     pub from_one: bool,
 }
 
-/// Maximum number of digits of a decimal that counts as exact; a decimal with more digits counts as
-/// rounded. About one in a thousand random numbers has so few digits.
+/// Maximum number of significant digits of a decimal that is taken to be exact; a longer one is taken to be
+/// rounded. About one in a thousand random numbers has so few digits by chance.
 const EXACT_DIGITS: usize = 12;
 
 impl NumberFormat {
-    /// Returns the number as a decimal, which is marked as rounded unless it is exact.
+    /// Returns the number as a decimal. The decimal is marked as rounded unless it is exact.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns true if the displayed digits are the number's exact value, apart from rounding errors.
+    /// Returns true if the displayed decimal is the number's exact value, disregarding rounding errors in
+    /// the number itself.
     fn is_whole(self, x: f64) -> bool {
         let digits = self.rounding.text(x);
         let shown = digits.parse();
@@ -46,7 +47,7 @@ impl NumberFormat {
             || recognised().is_some_and(|form| shown == Ok(form.value()))
     }
 
-    /// Returns a given number as a formula. The number counts as exact if all its digits are shown.
+    /// Returns the formula of a number that the user gives. It counts as exact if all its digits are shown.
     pub(super) fn given(self, name: Given, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         let shown = match self.form(x) {
@@ -68,8 +69,8 @@ impl NumberFormat {
         tuple(v.to_array().map(|x| self.decimal(x)))
     }
 
-    /// Returns the number's exact form if the settings ask for it, the form is short, and the decimal
-    /// is not exact.
+    /// Returns the number's exact form. Returns `None` if the settings do not ask for exact forms, if the
+    /// number has no short one, or if its decimal is exact already.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
         if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
@@ -81,25 +82,25 @@ impl NumberFormat {
         if self.exact { recognised().filter(|_| !are_whole()) } else { None }
     }
 
-    /// Returns the number in its exact form if it has one, otherwise as a decimal.
+    /// Returns the number in its exact form if it has one, or else as a decimal.
     pub(super) fn scalar(self, x: f64) -> Formula {
         self.form(x).map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the vector in its exact form if it has one, otherwise with decimals.
+    /// Returns the vector in its exact form if it has one, or else with its coordinates as decimals.
     pub(super) fn vector(self, v: DVec3) -> Formula {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// Returns the number as a denominator: in its exact form unless that form is a fraction, otherwise
-    /// as a decimal.
+    /// Returns the number as a denominator: in its exact form if that is not itself a fraction, or else as
+    /// a decimal.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below && form.denominator == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the formula of a recognised vector. Coordinates with short decimals are written as
-    /// decimals.
+    /// Returns the formula of a vector whose exact form was recognised. Coordinates that are exact as
+    /// decimals are written as decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));

@@ -21,7 +21,7 @@ const C: Formula = Formula::Scalar("c");
 const R: Formula = Formula::Scalar("r");
 const DISCRIMINANT: Formula = Formula::Scalar("D");
 
-/// The lines of one object, and the inputs from which they are built.
+/// The lines of the derivation for one object, and the inputs from which they are built.
 struct ObjectLines<'a> {
     object: u32,
     ray: Ray,
@@ -30,8 +30,7 @@ struct ObjectLines<'a> {
     lines: Vec<DerivedLine>,
 }
 
-/// Returns the lines of an object's given numbers. The numbers of a sphere from a CSV file cannot be
-/// edited.
+/// Returns the lines with an object's given numbers. Those of a sphere from a CSV file cannot be edited.
 pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) -> Vec<DerivedLine> {
     let index = object as usize;
     let line = |name, right| DerivedLine::new(Concept::Object(object), equation(name, right));
@@ -81,7 +80,8 @@ impl ObjectLines<'_> {
         Concept::Root { object: self.object, number: number as u8 }
     }
 
-    /// Adds the line of a root. Its note describes the root's place on the ray, such as the first hit.
+    /// Adds the line that computes a root. Its note says where the root lies on the ray, such as "first
+    /// hit".
     fn root<const N: usize>(&mut self, sides: [Formula; N], number: usize) {
         let index = self.inspection.index_of(self.object, number as u8);
         let verdict = index.map_or("", |index| self.inspection.verdict(index));
@@ -108,7 +108,8 @@ impl ObjectLines<'_> {
         }
     }
 
-    /// Adds the lines of a, b, c and D, with a note on the meaning of D.
+    /// Adds the lines that compute the coefficients a, b, c of the quadratic equation and its discriminant
+    /// D, with a note on what the sign of D means.
     fn quadratic(&mut self, derivation: &SphereDerivation) {
         let (numbers, quadratic) = (self.numbers, &derivation.quadratic);
         let d = || numbers.vector(self.ray.direction);
@@ -179,7 +180,7 @@ impl ObjectLines<'_> {
         }
     }
 
-    /// Adds the line of the point where the ray first hits this object.
+    /// Adds the line that computes the point where the ray first hits this object.
     fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
         let numbers = self.numbers;
         let substituted = along(
@@ -216,7 +217,7 @@ fn meaning(meeting: SphereMeeting) -> &'static str {
     }
 }
 
-/// Returns the base of a power, in parentheses unless it is a name or an unsigned number.
+/// Returns a formula as the base of a power: in parentheses unless it is a name or an unsigned number.
 fn squared(base: Formula) -> Formula {
     match base {
         plain @ (Formula::Number(_) | Formula::Rounded(_) | Formula::Scalar(_)) => plain,
