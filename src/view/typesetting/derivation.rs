@@ -1,4 +1,4 @@
-//! Lays out and paints formulas and the derivation, in the window and in figures.
+//! Lays out and paints formulas and whole derivations, in the window and in figures.
 
 use std::sync::Arc;
 
@@ -27,7 +27,8 @@ pub(crate) const NOTE: f32 = 15.0;
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// Minimum indent, in points, at which relations are aligned and the later lines of a formula begin.
+/// Minimum indent, in points: the position at which the formulas' relations (such as `=`) are aligned and
+/// their later lines begin.
 const INDENT: f32 = 26.0;
 
 /// Distance above a section's title, in points.
@@ -51,13 +52,13 @@ pub(crate) fn note_galley(ui: &Ui, line: &DerivedLine, width: f32) -> Arc<Galley
     ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
 }
 
-/// Maximum fraction of the width for the parts before the relations; wider parts do not affect the
-/// indent.
+/// Maximum width of the part before a formula's relation, as a fraction of the column, for which the indent
+/// is increased; a wider part does not affect the indent.
 const LEFT: f32 = 0.32;
 
-/// Lays out all lines of a derivation in a column, section by section. All sections of one kind have
-/// their relations aligned. `id` returns the id of a line, given its section and its index in that
-/// section.
+/// Lays out all lines of a derivation in a column, section by section. The relations (such as `=`) are
+/// aligned in all sections of the same kind. `id` returns the id of a line, given its section and its index
+/// there.
 pub(crate) fn laid_lines(
     ui: &Ui,
     derivation: &Derivation,
@@ -100,7 +101,7 @@ fn laid_line(ui: &Ui, line: &DerivedLine, id: Id, column: Column) -> LaidLine {
     whole
 }
 
-/// Returns the start of the first baseline of a line's formula.
+/// Returns the start of the first baseline of a line's formula. `rect` is the rectangle of the whole line.
 pub(crate) fn baseline_of(rect: Rect, laid: &LaidLine) -> egui::Pos2 {
     rect.min + PAD + vec2(0.0, laid.layout.ascent)
 }
@@ -115,8 +116,8 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLin
     }
 }
 
-/// Draws the derivation as in its panel, starting at the top of a column, and returns the height of the
-/// drawing. If `is_folded` returns true for a section, only its title is drawn.
+/// Draws the derivation as in its panel, from the top of a column, and returns the height of the drawing.
+/// Of a section for which `is_folded` returns true, only the title is drawn.
 pub(crate) fn draw(
     ui: &Ui,
     derivation: &Derivation,
@@ -193,7 +194,7 @@ impl Inks {
     }
 }
 
-/// Returns the meaning of the symbol at a position relative to the start of the layout's first
+/// Returns the meaning of the symbol at a position, which is relative to the start of the layout's first
 /// baseline; `None` if there is no symbol with a meaning.
 pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
@@ -213,7 +214,7 @@ pub(crate) fn meaning_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'s
 pub(crate) fn paint_formula(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
     for run in &layout.runs {
         let color = inks.color(run.ink);
-        // Words are slanted by egui, because Unicode's italic letters would look like a product.
+        // egui slants the words, because a word in Unicode's italic letters would look like a product.
         let italics = run.face == Face::Italic && run.text.len() > 4;
         let format =
             TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };

@@ -1,5 +1,5 @@
-//! Labels in pictures and drawings: text with a halo that keeps it legible over lines, and a layout
-//! that prevents labels from overlapping. The window and the figures use the same shapes.
+//! Labels in pictures and drawings: text with a halo that keeps it legible over lines, and a layout that
+//! keeps labels from overlapping. The window and the figures use the same shapes.
 
 use std::sync::Arc;
 
@@ -37,9 +37,8 @@ impl LabelLayout {
         self.taken.push(rect);
     }
 
-    /// Writes a label at the first of `anchors` where it fits into the area and overlaps nothing.
-    /// Returns its rectangle, or `None` if it fits nowhere. Text that is not bold is typeset as a
-    /// formula.
+    /// Writes a label at the first of `anchors` at which it fits into the area and overlaps nothing.
+    /// Returns its rectangle, or `None` if it fits nowhere. Text that is not bold is typeset as a formula.
     pub(crate) fn write(
         &mut self,
         text: &str,
@@ -80,8 +79,8 @@ impl LabelLayout {
     }
 }
 
-/// Returns positions for a label around a point: first in the direction `toward` and at `reach`,
-/// then in other directions, then farther away.
+/// Returns positions to try for a label around a point: first in the direction `toward`, then in other
+/// directions, at the distance `reach`; then the same farther away.
 pub(crate) fn around(at: Pos2, toward: Vec2, reach: f32) -> impl Iterator<Item = (Pos2, Align2)> {
     let first = if toward == Vec2::ZERO { 0.0 } else { toward.angle() };
     let turns = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0];
@@ -93,7 +92,8 @@ pub(crate) fn around(at: Pos2, toward: Vec2, reach: f32) -> impl Iterator<Item =
     })
 }
 
-/// Returns the side of a label that faces its point, along one axis.
+/// Returns, for one axis, which side of a label faces its point. `away` is the coordinate of the unit
+/// vector from the point to the label.
 fn side(away: f32) -> egui::Align {
     if away > 0.38 {
         egui::Align::Min
@@ -106,8 +106,8 @@ fn side(away: f32) -> egui::Align {
 
 /// Text with a halo around its letters, which keeps it legible over any background.
 ///
-/// egui has no such shape. A [`Shape::Vec`] is used instead: eight copies of the text in the halo's
-/// colour around its position, and then the text itself. Figures [convert](HaloText::from_shape) it
+/// egui has no such shape, so it is composed in a [`Shape::Vec`]: eight copies of the text around its
+/// position, in the halo's colour, and then the text itself. Figures [convert](HaloText::from_shape) it
 /// back to a single text.
 pub(crate) struct HaloText {
     pub(crate) text: TextShape,
@@ -147,7 +147,8 @@ impl HaloText {
     }
 }
 
-/// Writes a label of a picture. The picture's upper left corner is at `origin`.
+/// Writes a label of a picture whose upper left corner is at `origin`. `per_point` is the number of screen
+/// pixels per point.
 pub(crate) fn write_label(painter: &Painter, origin: Pos2, per_point: f32, label: &Label) {
     let center = origin + vec2(label.position[0], label.position[1]) / per_point;
     let family = if label.bold { theme::bold() } else { FontFamily::Proportional };

@@ -1,4 +1,4 @@
-//! Formulas within a line of text: scalars in mathematical italics, vectors in mathematical bold, and
+//! Formulas within text: scalars are set in mathematical italics, vectors in mathematical bold, and
 //! coordinates as subscripts.
 
 use egui::text::{LayoutJob, TextFormat};
@@ -9,8 +9,8 @@ use crate::model::symbols;
 /// The letters that denote vectors when they are not part of a word.
 const VECTORS: &str = "pdn";
 
-/// Lays out text with formulas. Each single letter becomes a mathematical letter, and a following `_x`
-/// becomes its subscript. Words stay unchanged.
+/// Lays out text that contains formulas. Each single letter becomes a mathematical letter, and `_x` after
+/// it becomes its subscript. Words stay unchanged.
 pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let full = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
@@ -36,7 +36,7 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     job
 }
 
-/// Adds a label whose formulas are typeset. Screen readers and tests receive plain text.
+/// Adds a label with typeset formulas. Screen readers and tests receive it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
     let response = ui.label(formula(&unbroken(text), size, color));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
@@ -52,7 +52,7 @@ pub(crate) fn plain(text: &str) -> String {
 const UNBROKEN: usize = 30;
 
 /// Replaces the spaces inside formulas with no-break spaces: around operators, between coordinates, and
-/// between factors. A longer formula may still be broken before an operator.
+/// between factors. A long formula may still be broken before an operator.
 pub(crate) fn unbroken(text: &str) -> String {
     const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
@@ -90,8 +90,8 @@ fn without_marks(text: &str) -> String {
     text.replace(['*', '_'], "")
 }
 
-/// Returns true if a word begins the coordinates of a vector. It then consists of an opening
-/// parenthesis, a number or a letter, and a comma.
+/// Returns true if a word begins the coordinates of a vector: if it consists of an opening parenthesis, a
+/// number or a letter, and a comma.
 fn begins_tuple(word: &str) -> bool {
     let first = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(','));
     first.is_some_and(|first| {
@@ -100,7 +100,8 @@ fn begins_tuple(word: &str) -> bool {
     })
 }
 
-/// Returns the mathematical form of a letter: bold for a vector, but italic for a vector's coordinate.
+/// Returns the mathematical form of a letter: bold for the name of a vector, italic for a scalar or for a
+/// vector's coordinate.
 fn letter(c: char, is_coordinate: bool) -> char {
     if VECTORS.contains(c) && !is_coordinate { symbols::bold(c) } else { symbols::italic(c) }
 }

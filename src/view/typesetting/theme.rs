@@ -24,7 +24,7 @@ use crate::view::overlay::Style;
 pub(crate) struct Look {
     /// The colour scheme.
     pub(crate) scheme: Scheme,
-    /// True while presenting: text is then larger and has more contrast.
+    /// True while presenting, when text is larger and has more contrast.
     pub(crate) presenting: bool,
     /// True if animations are turned off.
     pub(crate) reduced_motion: bool,
@@ -60,7 +60,7 @@ pub(crate) fn style(ui: &Ui) -> Style {
     Style::new(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
-/// Converts a colour to this window's style. In a grey style it loses its hue.
+/// Converts a colour to this window's style; in a grey style, it loses its hue.
 pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
     let mut dots = [color];
     style(ui).finish(&mut dots);
@@ -72,7 +72,8 @@ pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
-/// Installs a look in a context, effective from the next pass. Does nothing if it is already installed.
+/// Installs a look in a context, where it takes effect at the next pass. Does nothing if it is already
+/// installed.
 pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
@@ -96,8 +97,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     }
 }
 
-/// Returns the text styles. While presenting, no text is smaller than the size from which the zoom is
-/// computed.
+/// Returns the fonts of the text styles. While presenting, none is smaller than the size from which the
+/// window's zoom is computed.
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
@@ -112,7 +113,7 @@ fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId
 fn visuals(theme: Theme, look: Look) -> Visuals {
     let mut visuals = theme.default_visuals();
     let is_dark = theme == Theme::Dark;
-    // egui's greys are legible near the screen, but not from the back row.
+    // egui's own greys are legible near the screen, but not from the back row.
     let mut text = Color32::from_gray(if is_dark { 0xea } else { 0x10 });
     visuals.weak_text_alpha = 0.75;
     if look.presenting {
@@ -136,8 +137,8 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     visuals
 }
 
-/// Returns the colours of the focus ring and of its casing. At least one of them contrasts with any
-/// background.
+/// Returns the colours of the focus ring and of its casing (a wider ring below it). On any background, at
+/// least one of the two has enough contrast.
 fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     match (visuals.dark_mode, scheme) {
         (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
@@ -153,7 +154,7 @@ pub(crate) fn focus_ring(ui: &Ui) {
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
     let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
-    // A widget that is scrolled out of sight has no ring. At the edge of the window, the ring is moved
+    // A widget that is scrolled out of sight gets no ring. At the edge of the window, the ring is moved
     // inwards.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
     if response.interact_rect.is_negative() || !visible.is_positive() {
@@ -186,7 +187,7 @@ pub(crate) fn spotlight(ctx: &Context) {
     }
 }
 
-/// Returns a mesh that covers the window except for a circle.
+/// Returns the dark mesh of the spotlight: it covers the window except for a circle.
 fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
     let dim = Color32::from_black_alpha(170);
     let far = window.size().length() + window.distance_to_pos(at) + radius;
@@ -211,7 +212,7 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
 /// Returns the colour of errors, legible on the theme's background.
 pub(crate) fn error_color(ui: &Ui) -> Color32 {
     if style(ui).scheme() == Scheme::Grey {
-        // There are no hues, so only the wording marks an error.
+        // Without hues, only the wording marks an error.
         ui.visuals().strong_text_color()
     } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
@@ -220,7 +221,7 @@ pub(crate) fn error_color(ui: &Ui) -> Color32 {
     }
 }
 
-/// Installs the fonts and the default look in a context, effective from the next pass.
+/// Installs the fonts and the default look in a context, where they take effect at the next pass.
 pub(crate) fn install_base(ctx: &Context) {
     install_fonts(ctx);
     install(ctx, Look::default());
@@ -235,7 +236,7 @@ pub fn bold() -> FontFamily {
     FontFamily::Name("bold".into())
 }
 
-/// Installs the bundled fonts in a context, effective from the next pass.
+/// Installs the bundled fonts in a context, where they take effect at the next pass.
 pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
