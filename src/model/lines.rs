@@ -108,7 +108,7 @@ impl LinesLab {
         ]
     }
 
-    /// Creates the lab with these lines and the marked point at parameter `t` of the parametric line.
+    /// Creates the state with these lines and the marked point at parameter `t` of the parametric line.
     pub fn new(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
         let mut lab = LinesLab {
             line,

@@ -1,5 +1,5 @@
-//! Error maps: compare a method's picture with that of the ladder (the exact method), pixel by pixel,
-//! and show the errors as colours. This module is pure.
+//! Error maps: the picture of an intersection method is compared, pixel by pixel, with that of the exact
+//! method (called the ladder), and the errors are shown as colours. All functions here are pure.
 
 use egui::Color32;
 use pinhole_core::methods::Traced;
@@ -10,26 +10,27 @@ use pinhole_core::{Frame, NO_OBJECT, Raster};
 pub enum PixelError {
     /// The ray hits nothing, and the method agrees.
     Miss,
-    /// Both methods find the same object. The value is the error of t in ulps of `f64`, limited to
-    /// [`f64::MAX`].
+    /// Both methods find the same object. The value is the difference of their t, in ulps of `f64` and at
+    /// most [`f64::MAX`].
     Ulps(f64),
-    /// The method finds a different object: a false hit or a false miss.
+    /// The method finds the wrong object: another one, one where there is none, or none where there is one.
     Wrong,
 }
 
-/// The errors of a method's picture, compared with the ladder's exact answers.
+/// The errors of a method's picture, compared with the answers of the exact method (the ladder).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// The error of every pixel of the raster, row by row.
+    /// The error at every traced pixel, row by row.
     pub errors: Vec<PixelError>,
     /// Number of pixels that are [`PixelError::Wrong`].
     pub wrong: usize,
-    /// Largest error of t in ulps, over all pixels with the right object; `None` if there are none.
+    /// Largest error of t in ulps, over all pixels where both methods hit the same object; `None` if there
+    /// are none.
     pub largest: Option<f64>,
 }
 
 impl Comparison {
-    /// Compares the ladder's answers with another method's on the same raster.
+    /// Compares the exact answers in `truth` with another method's answers at the same pixels.
     pub fn new(truth: &Frame, traced: &Traced) -> Comparison {
         let hits = truth.object.iter().zip(&truth.t).zip(traced.object.iter().zip(&traced.t));
         let errors: Vec<PixelError> =
@@ -56,23 +57,23 @@ fn error_of(object: u32, t: f64, by: u32, t_by: f64) -> PixelError {
     PixelError::Ulps(((t_by - t).abs() / ulp(t)).min(f64::MAX))
 }
 
-/// Returns the distance from a positive number to the next larger `f64`.
+/// Returns the difference between a positive number and the next larger `f64`.
 fn ulp(t: f64) -> f64 {
     (t.next_up() - t).max(f64::from_bits(1))
 }
 
-/// Upper end of the colour scale, as a power of ten in ulps of `f64`. An error of this size leaves no
-/// correct digit of t.
+/// Upper end of the colour scale, as the exponent of a power of ten: an error of 10^16 ulps of `f64` leaves
+/// no correct digit of t.
 pub(crate) const DECADES: f64 = 16.0;
 
 /// Colour of pixels where nothing is hit.
 const NOTHING: Color32 = Color32::from_rgb(0x2a, 0x2d, 0x33);
 
-/// Colour of wrong pixels, in the map and in its legend.
+/// Colour of wrong pixels, in the error map and in its legend.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xff, 0x2d, 0x55);
 
-/// The colour map Viridis (van der Walt and Smith 2015). It is perceptually uniform, also for
-/// colour-blind viewers, and its brightness increases steadily.
+/// The colour map Viridis (van der Walt and Smith 2015). It is perceptually uniform, even for colour-blind
+/// viewers, and its brightness increases steadily.
 const VIRIDIS: [[u8; 3]; 10] = [
     [68, 1, 84],
     [72, 40, 120],
@@ -86,7 +87,7 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [253, 231, 37],
 ];
 
-/// Returns the colour of an error: the darkest for one ulp or less, the brightest if no digit is
+/// Returns the colour of an error of t: the darkest for one ulp or less, the brightest if no digit is
 /// correct.
 pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     let share = (ulps.max(1.0).log10() / DECADES).clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
@@ -99,7 +100,7 @@ pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// Returns the error map's colours, one for each pixel of the raster.
+/// Returns the error map's colours, one for each traced pixel.
 pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     let color = |error: &PixelError| match error {
         PixelError::Miss => NOTHING,
@@ -109,12 +110,13 @@ pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     comparison.errors.iter().map(color).collect()
 }
 
-/// Minimum size of a mark, in points. It keeps a mark visible from the back row even if a pixel is one
-/// dot.
+/// Minimum size of a wrong pixel's mark, in points. It keeps the mark visible from the back row even if a
+/// pixel of the image covers only one pixel of the screen.
 const MARK: f32 = 5.0;
 
-/// Marks the wrong pixels in a buffer of `width` dots per row that shows the whole raster. The marks
-/// are squares with a white edge, so they can be recognized by their shape as well as by their colour.
+/// Marks the wrong pixels in a buffer of `width` screen pixels per row that shows the whole error map. The
+/// marks are squares with a white edge, so they can be recognized by their shape as well as by their
+/// colour.
 pub(crate) fn mark_wrong(
     comparison: &Comparison,
     raster: &Raster,
@@ -137,7 +139,7 @@ pub(crate) fn mark_wrong(
             (rows, across(index % columns, columns, width))
         })
         .collect();
-    // All edges are painted first, so adjacent marks merge into one area with a single edge.
+    // All edges are painted before the fills, so adjacent marks merge into one area with a single edge.
     for (grow, color) in [(edge, Color32::WHITE), (0, WRONG)] {
         for ((top, bottom), (left, right)) in &marks {
             let columns = left.saturating_sub(grow)..(right + grow).min(width);

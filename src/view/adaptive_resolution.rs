@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use pinhole_core::{ImageSize, Raster};
 
-/// The distance between traced rows and between traced columns, in pixels.
+/// The distance between traced rows, and between traced columns, in pixels: 1 traces all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Subsampling(u32);
 
@@ -23,7 +23,7 @@ impl Subsampling {
     /// Lowest resolution: every 8th row and column is traced, which is enough to follow a motion.
     pub const MOST: Subsampling = Subsampling(8);
 
-    /// Returns the pixels to trace for an image shown on `columns` x `rows` dots.
+    /// Returns the pixels to trace for an image that is shown on `columns` x `rows` screen pixels.
     pub(crate) fn raster(self, image: ImageSize, [columns, rows]: [u32; 2]) -> Raster {
         let some = |dots: u32, count: u32| dots.min(count).div_ceil(self.0);
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
@@ -41,17 +41,17 @@ impl Subsampling {
     }
 }
 
-/// Longest time to trace a picture during a drag. It leaves time for the rest of a frame at 60 Hz.
+/// Maximum time to trace a picture during a drag. It leaves time for the rest of a frame at 60 Hz.
 const BUDGET: Duration = Duration::from_millis(8);
 
-/// Largest fraction of the budget that a finer picture may be expected to take. If it were near 1, the
-/// next frame would often become coarser again.
+/// Maximum fraction of the budget that a finer picture may be expected to take. If it were near 1, the next
+/// frame would often have to be coarser again.
 const COMFORT: f64 = 0.6;
 
-/// Longest time to trace a picture at rest. The window does not respond during this time.
+/// Maximum time to trace a picture at rest. The window does not respond during this time.
 const LONGEST: Duration = Duration::from_secs(1);
 
-/// Number of objects from which tracing all pixels may take longer than [`LONGEST`].
+/// Number of objects from which on tracing all pixels may take longer than [`LONGEST`].
 const MANY: usize = 200;
 
 /// Seconds without movement after which a drag counts as resting.
@@ -92,14 +92,15 @@ impl AdaptiveResolution {
         AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
-    /// Returns the current subsampling. `moves` is true if the view is changing in this frame.
+    /// Returns the subsampling for a frame at `time`. `moves` is true if the view is changing in this
+    /// frame.
     pub(crate) fn now(&mut self, moves: bool, time: f64, objects: usize) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
         if objects != self.objects {
             self.objects = objects;
-            // The first picture is coarse; its time predicts the time at full resolution.
+            // The first picture of a large scene is coarse; its time predicts the time at full resolution.
             if objects >= MANY {
                 (self.moving, self.resting) = (Subsampling::MOST, Subsampling::MOST);
             }
@@ -107,12 +108,12 @@ impl AdaptiveResolution {
         if self.is_followed(time) { self.moving } else { self.resting }
     }
 
-    /// Returns true if a picture with this subsampling will be traced more finely once the drag rests.
+    /// Returns true if a picture with this subsampling will be traced more finely once the pointer rests.
     pub(crate) fn is_made_finer(&self, shown: Subsampling) -> bool {
         shown > self.resting
     }
 
-    /// Returns the note for a picture with this subsampling; `None` at full resolution.
+    /// Returns the note to show next to a picture with this subsampling; `None` at full resolution.
     pub(crate) fn message(&self, shown: Subsampling) -> Option<String> {
         if shown == Subsampling::NONE {
             None
@@ -124,7 +125,7 @@ impl AdaptiveResolution {
         }
     }
 
-    /// Returns true if something was moved less than [`REST`] seconds ago.
+    /// Returns true if the view changed less than [`REST`] seconds before `time`.
     pub(crate) fn is_followed(&self, time: f64) -> bool {
         time - self.moved_at < REST
     }
@@ -132,8 +133,8 @@ impl AdaptiveResolution {
     /// Records how long it took to trace new pictures.
     pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
         let step = f64::from(subsampling.0);
-        // The time grows at most in proportion to the number of pixels, which is proportional to 1 /
-        // step^2.
+        // The number of pixels is proportional to 1 / step^2, and the time grows at most in proportion to
+        // it.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
         let next = if share > 1.0 {
             (step * share.sqrt()).ceil()

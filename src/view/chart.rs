@@ -1,12 +1,12 @@
-//! Charts: a scale along each side, grid lines with their numbers, and lines that end at the chart's
-//! edge. Everything is drawn with an egui painter, so the window and the exported figures share this
-//! code.
+//! Charts: scales along the edges, grid lines with their numbers, and curves that are clipped at the
+//! chart's edge. Everything is drawn with an egui painter, so the window and the exported figures share
+//! this code.
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
 
 use pinhole_lecture::numbers::{power_of_ten, short, written};
 
-/// Maps values to positions along an edge of a chart, in points. Positions may run in either direction.
+/// Maps values to positions along an edge of a chart, in points. The positions may increase or decrease.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     is_logarithmic: bool,
@@ -49,10 +49,11 @@ impl Scale {
         self.place(if self.is_logarithmic { value.log10() } else { value })
     }
 
-    /// Returns the position of a value; on a logarithmic scale, `value` is the decimal logarithm.
+    /// Returns the position of a value. On a logarithmic scale, `value` must be the value's decimal
+    /// logarithm.
     fn place(&self, value: f64) -> f32 {
         let ([low, high], [from, to]) = (self.range, self.edge);
-        // Positions far outside the chart look the same, and `f32` has a limited range.
+        // All positions far outside the chart look the same, and clamping keeps them in the range of `f32`.
         let share = ((value - low) / (high - low)).clamp(-1e4, 1e4);
         from + share as f32 * (to - from)
     }
@@ -69,7 +70,7 @@ impl Scale {
         (self.range[0]..=self.range[1]).contains(&value)
     }
 
-    /// Returns the length of one unit in points; on a logarithmic scale, the length of one decade.
+    /// Returns the length in points of an interval of length 1; on a logarithmic scale, of one decade.
     pub(crate) fn unit(&self) -> f64 {
         f64::from((self.edge[1] - self.edge[0]).abs()) / (self.range[1] - self.range[0])
     }
@@ -97,7 +98,7 @@ impl Scale {
         };
         let digits = DIGITS.into_iter().find(|digits| closest(digits) >= least);
         let [low, high] = self.range;
-        // The exponents are multiples of the step, so the value 1 has a tick if it is in range.
+        // Exponents are multiples of the step, so that 10^0 = 1 has a tick if it is in range.
         let step = least.ceil().max(1.0) as i32;
         let mut ticks = Vec::new();
         let decades = low.floor() as i32..=high.ceil() as i32;
@@ -193,7 +194,7 @@ pub(crate) fn arrowhead(painter: &Painter, tip: Pos2, forwards: Vec2, color: Col
     painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
 }
 
-/// Returns the parts of a polyline that lie inside a rectangle.
+/// Returns the parts of a polyline that lie inside a rectangle, each as a polyline.
 pub(crate) fn parts_inside(rect: Rect, points: &[Pos2]) -> Vec<Vec<Pos2>> {
     let mut parts: Vec<Vec<Pos2>> = Vec::new();
     for pair in points.windows(2) {

@@ -1,4 +1,4 @@
-//! The effect of dragging a handle: converts the pointer's position to a point in the world, and that
+//! The effect of dragging a handle: the pointer's position is converted to a point in the world, and that
 //! point to new values of the document.
 
 use pinhole_core::steering::{
@@ -13,7 +13,8 @@ use crate::model::interaction::STEP_POINTS;
 use crate::model::session::Settings;
 use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
-/// The drag of a handle, with the observer and the settings that determine what stays fixed.
+/// The drag of a handle, with the observer in whose picture it is dragged and the settings that determine
+/// what stays fixed.
 #[derive(Clone, Copy, Debug)]
 pub struct HandleDrag<'a> {
     /// The handle.
@@ -22,7 +23,7 @@ pub struct HandleDrag<'a> {
     pub drag: &'a Drag,
     /// The observer, in whose picture the handle is dragged.
     pub observer: &'a ResolvedCamera,
-    /// Dots per point.
+    /// Screen pixels per point.
     pub scale: f32,
     /// The settings.
     pub settings: &'a Settings,
@@ -39,11 +40,12 @@ pub struct Dragged {
     pub values: HandleValues,
     /// Unit vector from the centre of a sphere to the point of its surface that is being dragged.
     pub toward: DVec3,
-    /// True if the up vector was turned too, because the view direction came close to it.
+    /// True if the drag also turned the up vector, because the view direction came close to it.
     pub up_went_along: bool,
 }
 
-/// Returns the step by which values change at a point of the world: 1, 2 or 5 times a power of ten.
+/// Returns the step to which values snap at a point of the world: 1, 2 or 5 times a power of ten, so that a
+/// step has a sensible size on the screen.
 ///
 /// # Errors
 /// Returns an error if the point is not in front of the observer.
@@ -52,7 +54,7 @@ pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Result<f64, 
 }
 
 impl HandleDrag<'_> {
-    /// Returns the result of dragging the handle to `uv` in the observer's viewport.
+    /// Returns the result of dragging the handle to the point `uv` of the observer's viewport.
     ///
     /// # Errors
     /// Returns an error if the handle cannot be dragged there.
@@ -101,7 +103,7 @@ impl HandleDrag<'_> {
         Ok(dragged)
     }
 
-    /// Returns the line or plane along which the handle is dragged.
+    /// Returns the line or plane to which the drag is restricted.
     fn along(&self) -> Result<DragAlong, CameraError> {
         let camera = &self.drag.before.camera;
         Ok(match self.handle {
@@ -117,8 +119,8 @@ impl HandleDrag<'_> {
         })
     }
 
-    /// Rounds a number to the precision of the pointer, or snaps it to a round step. `per` is the
-    /// change of the number per unit of length in the world.
+    /// Rounds a number to the precision of the pointer or, if snapping is on, to a multiple of a round
+    /// step. `per` is the change of the number per unit of length in the world.
     fn number(&self, value: f64, per: f64) -> Result<f64, SteerError> {
         if self.snaps {
             return snapped(value, step_of(self.observer, self.drag.at, self.scale)?);
@@ -126,7 +128,8 @@ impl HandleDrag<'_> {
         rounded_to(value, per * pixel_in_world(self.observer, self.drag.at)?)
     }
 
-    /// Rounds or snaps a number that the drag changed. Otherwise returns it unchanged, to the last bit.
+    /// Rounds or snaps a number if the drag changed it. A number that did not change is returned bit for
+    /// bit.
     fn changed(&self, from: f64, to: f64, per: f64) -> Result<f64, SteerError> {
         if from == to { Ok(to) } else { self.number(to, per) }
     }
@@ -136,9 +139,9 @@ impl HandleDrag<'_> {
         Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
     }
 
-    /// Returns the camera after a drag has set its fields as in `set`; see `Camera::led_to`. A camera
-    /// with an up vector is returned as `set` itself in two cases: if the settings keep up fixed, or if
-    /// it would otherwise have no basis (the input fields then show the fault).
+    /// Returns the camera after a drag that set its fields as in `set`, with up or its basis turned as in
+    /// `Camera::led_to`. A camera with an up vector is returned as `set`, unchanged, in two cases: if the
+    /// settings keep up fixed, or if it would have no basis (the input fields then show the fault).
     fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
@@ -148,8 +151,8 @@ impl HandleDrag<'_> {
         steered
     }
 
-    /// Returns the camera with the dragged up vector. It may be parallel to the view direction; the
-    /// input fields then show the fault.
+    /// Returns the camera with the tip of its up vector dragged to `tip`. Up may become parallel to the
+    /// view direction; the input fields then show the fault.
     fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
         let (camera, length) = (self.drag.before.camera, self.drag.length);
         let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
@@ -161,9 +164,9 @@ impl HandleDrag<'_> {
         Ok(Camera { orientation, ..camera })
     }
 
-    /// Returns the camera with a corner of its viewport at a point, or as close to it as possible, and
-    /// the viewport's centre unchanged. If the pixels keep their shape, the corner moves to the point
-    /// of the diagonal nearest to the pointer. An invalid size is not corrected, so that the input
+    /// Returns the camera with a corner of its viewport moved to a point, or as close to it as possible;
+    /// the viewport's centre stays. If the pixels keep their shape, the corner moves along the viewport's
+    /// diagonal, to the point nearest to the pointer. An invalid size is not corrected, so that the input
     /// fields show the fault.
     fn corner(&self, corner: Corner, point: DVec3) -> Result<Camera, SteerError> {
         if self.settings.keep_picture {
@@ -177,7 +180,8 @@ impl HandleDrag<'_> {
         let sized = |width, height| Viewport { width, height, ..old };
         let free = sized(2.0 * half.x, 2.0 * half.y);
         let on_diagonal = || {
-            // The nearest point (r y, y) to (x, y0) is at y = (r x + y0) / (r^2 + 1).
+            // With r = width / height, the point (r y, y) of the diagonal that is nearest to (x, y0) has
+            // y = (r x + y0) / (r^2 + 1).
             let ratio = old.width / old.height;
             let height = 2.0 * (ratio * half.x + half.y) / (ratio * ratio + 1.0);
             Some(sized(ratio * height, height)).filter(|viewport| viewport.check().is_ok())
@@ -196,13 +200,13 @@ impl HandleDrag<'_> {
         Ok(Camera { viewport, ..camera })
     }
 
-    /// Returns the camera with the plane of its viewport moved through a point.
+    /// Returns the camera with its viewport moved along w, so that the viewport's plane passes through a
+    /// point.
     fn distance(&self, point: DVec3) -> Result<Camera, SteerError> {
         let camera = self.drag.before.camera;
         let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
-        // An invalid distance is set as it is, without keeping the picture, so that the input fields
-        // show the fault.
+        // An invalid distance is set without keeping the picture, so that the input fields show the fault.
         let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
         Ok(scaled.flatten().unwrap_or(set))
     }
@@ -216,7 +220,7 @@ impl HandleDrag<'_> {
         Ok(position.map_or(selection, |position| Selection::Pixel(position.pixel)))
     }
 
-    /// Returns the result of moving or changing a sphere or a plane.
+    /// Returns the result of moving a sphere or a plane to a point, or of changing a sphere's radius.
     fn object(&self, point: DVec3, mut dragged: Dragged) -> Result<Dragged, SteerError> {
         let at = self.drag.at;
         match (&mut dragged.values.object, self.handle) {
@@ -250,7 +254,8 @@ mod tests {
 
     const TOP_RIGHT: Handle = Handle::Corner(Corner { is_right: true, is_top: true });
 
-    /// Drags a handle from one point to another; `keeps` are the settings of the pixels' shape and of the picture.
+    /// Drags a handle from one point to another. `keeps` tells whether the pixels keep their shape, and
+    /// whether the picture stays the same.
     fn put(
         camera: Camera,
         handle: Handle,

@@ -19,11 +19,11 @@ use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState,
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
-/// Distance from the tip of the up arrow to its handle, in points.
+/// Distance from the tip of the up arrow to the handle beyond it, in points.
 const BEYOND: f64 = 10.0;
 
-/// Maximum distance between two handles that count as overlapping, as a fraction of the hit-test
-/// radius.
+/// Maximum distance between two handles that count as overlapping, as a fraction of the distance at which
+/// the mouse grabs a handle.
 const TOGETHER: f64 = 0.4;
 
 /// The document and the observer, from which the positions of handles are computed.
@@ -39,7 +39,7 @@ pub struct Stage<'a> {
     pub items: OverlayItems,
     /// The observer.
     pub observer: &'a ResolvedCamera,
-    /// Dots per point.
+    /// Screen pixels per point.
     pub scale: f32,
 }
 
@@ -50,16 +50,18 @@ pub struct PlacedHandle {
     pub handle: Handle,
     /// The position in the world.
     pub at: DVec3,
-    /// The position on the observer's screen, in dots.
+    /// The position on the observer's screen, in screen pixels.
     pub spot: DVec2,
-    /// The length in the world at which an up vector of length 1 is drawn; 1 for all other handles.
+    /// For the handle of up, the length in the world at which an up vector of length 1 is drawn; otherwise
+    /// 1.
     pub length: f64,
     /// Unit vector from a sphere's centre to its radius handle.
     pub toward: DVec3,
 }
 
 impl PlacedHandle {
-    /// Returns the drag that begins when this handle is grabbed at `begun_at` in the observer's viewport.
+    /// Returns the drag that begins when this handle is grabbed with the pointer at `begun_at` in the
+    /// observer's viewport.
     pub fn taken(&self, document: &Document, selection: Selection, begun_at: DVec2) -> Drag {
         let PlacedHandle { handle, at, length, toward, .. } = *self;
         let before = HandleValues::read(document, selection, handle.object());
@@ -67,8 +69,8 @@ impl PlacedHandle {
     }
 }
 
-/// Returns all handles in the observer's picture, whether they are drawn or not, in order of
-/// preference: among handles at the same position, the first one is chosen.
+/// Returns all handles in the observer's picture, whether they are drawn or not, in order of preference: of
+/// several handles at the same position, the first one is grabbed.
 pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     if !stage.items.shows(Item::Handles) {
         return Vec::new();
@@ -79,8 +81,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
         true => vec![Handle::Center(k), Handle::Radius(k)],
         false => vec![Handle::Point(k)],
     };
-    // An object chosen by the user comes first, so that it can be moved even if the point `at` lies in
-    // its centre.
+    // The handles of a selected object come first, so that it can be moved even if the point at is its
+    // centre.
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
     let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
@@ -102,8 +104,8 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     placed.collect()
 }
 
-/// Returns the handle nearest to a position, if it is within `reach`; both are in dots. If several
-/// handles overlap there, returns the first of them, or the one after the handle that was clicked last.
+/// Returns the handle nearest to a position, if its distance is at most `reach`; both are in screen pixels.
+/// Of overlapping handles, returns the first one, or the one after the handle that was clicked last.
 pub fn hit(
     placed: &[PlacedHandle],
     at: DVec2,
@@ -120,7 +122,7 @@ pub fn hit(
 }
 
 impl Stage<'_> {
-    /// Returns true if the viewport is drawn too small for handles.
+    /// Returns true if the viewport is drawn so small that its handles are left out.
     fn is_viewport_small(&self) -> bool {
         let Some(resolved) = self.resolved else { return false };
         let spot = |corner: Corner| {
@@ -131,7 +133,7 @@ impl Stage<'_> {
         a.distance(d).max(b.distance(c)) < overlay::SMALL_VIEWPORT * f64::from(self.scale)
     }
 
-    /// Returns the distance in the world from the tip of the up arrow to its handle. The gap keeps the
+    /// Returns the distance in the world from the tip of the up arrow to its handle, which leaves the
     /// arrowhead visible.
     fn beyond_up(&self) -> f64 {
         let eye = self.document.camera.eye;
@@ -175,8 +177,8 @@ impl Stage<'_> {
         }
     }
 
-    /// Returns the position of a point on the observer's screen, in dots; `None` if it lies outside the
-    /// picture.
+    /// Returns the position of a point in the observer's picture, in screen pixels; `None` if it lies
+    /// outside.
     fn spot(&self, at: DVec3) -> Option<DVec2> {
         let projected = self.observer.project(at);
         let image = self.observer.image();
@@ -254,12 +256,14 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
     }
 }
 
-/// Length of a guide line on each side of the handle, in points.
+/// Length of a guide line (it shows in which direction a handle moves) on each side of the handle, in
+/// points.
 const GUIDE_POINTS: f64 = 46.0;
 
-/// Returns the marks that the overlay draws for the handles. The handles of the eye, the target and the
-/// tip of the up vector are always drawn. Other handles are drawn if they are hovered, dragged or
-/// chosen, or if they change one of the concepts in `spoken`, which a lesson mentions.
+/// Returns the marks that the overlay draws for the handles. The handles of the eye, of at and of the tip
+/// of up are always drawn, and so are those of a selected or hovered object. A handle of the viewport or of
+/// the pixel is drawn if it is hovered or dragged, or if it changes one of the concepts in `spoken`, which
+/// a lesson mentions.
 pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
     let mut placed = placed(stage, state);
     let held = state.drag.and_then(|drag| drag.handle());
@@ -291,7 +295,8 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
     }
 }
 
-/// Returns true if the handles are the same, or if both belong to the viewport's frame.
+/// Returns true if the handles are the same, or if both belong to the viewport (its corners and its
+/// distance).
 fn belong_together(handle: Handle, other: Handle) -> bool {
     let is_of_viewport = |handle| matches!(handle, Handle::Corner(_) | Handle::Distance);
     handle == other || (is_of_viewport(handle) && is_of_viewport(other))
@@ -315,7 +320,7 @@ fn knob(handle: Handle) -> Knob {
     }
 }
 
-/// Returns the lines or the ring along which a handle moves; empty if it moves freely.
+/// Returns the lines or the ring that show along what a handle moves; none if it moves freely.
 fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
     let PlacedHandle { handle, at, .. } = *over;
     let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);

@@ -17,8 +17,8 @@ pub struct UiPass {
 }
 
 impl UiPass {
-    /// Runs the first pass of `ctx` on a screen of `size` pixels, with `pixels_per_point` pixels per
-    /// point. `ctx` must be new: only its first pass uploads all the glyphs.
+    /// Runs the first pass of `ctx` on a screen of `size` pixels, with `pixels_per_point` pixels per point.
+    /// `ctx` must be new, because only its first pass uploads all the glyphs.
     pub fn draw(
         ctx: &egui::Context,
         size: [usize; 2],

@@ -1,5 +1,6 @@
-//! The lines lab: draws two lines in the plane with their handles, and shows step by step, in words and
-//! numbers, how one line is substituted into the other.
+//! The page *Lines*, the lines lab: draws an implicit and a parametric line in the plane, with their
+//! handles, and shows step by step, in words and numbers, how the parametric line is substituted into the
+//! implicit one.
 
 use std::cmp::Ordering;
 
@@ -22,8 +23,8 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// Maximum width of the column of numbers to the right of the drawing: in points, and as a fraction of
-/// the total width.
+/// Maximum width of the column of numbers to the right of the drawing: in points, and as a fraction of the
+/// total width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text, with its formulas typeset.
@@ -31,7 +32,8 @@ pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
-/// Draws the plane with both lines, and the substitution. Draws no background and ignores input.
+/// Draws the plane with both lines, and the steps of the substitution. Draws no background and ignores
+/// input.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (left, right) = parts(area);
@@ -40,14 +42,15 @@ pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// Returns the area of the plane, and the area of the numbers to its right.
+/// Returns two parts of an area: that of the plane, and that of the numbers to its right.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
     (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
-/// Shows, step by step, the substitution, the point where the lines meet, and f at the current t.
+/// Shows the steps by which the parametric line is substituted into the implicit one, the point where the
+/// lines meet, and the value of f at the current t.
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
@@ -78,7 +81,7 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     text(ui, &format!("at t = {t}:  f = {f} {compared}"));
 }
 
-/// Formats a factor that follows a multiplication sign, in parentheses if it is negative.
+/// Formats a number as a factor after a multiplication sign: in parentheses if it is negative.
 fn factor(x: f64, digits: usize) -> String {
     let text = number(x, digits);
     if text.starts_with('−') { format!("({text})") } else { text }
@@ -90,8 +93,8 @@ fn added(x: f64, digits: usize) -> String {
     format!("{sign} {}", number(x.abs(), digits))
 }
 
-/// Returns the name and the formula of each step, with the current numbers. The formulas are in the
-/// notation of [`notation::formula`].
+/// Returns the name and the formula of each step of the substitution, with the current numbers. The
+/// formulas are in the notation of [`notation::formula`].
 fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
     let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
     let (line, p, d) = (s.line, s.ray.p, s.ray.d);
@@ -184,8 +187,8 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     plane.coordinates(&mut plane.labels());
 }
 
-/// Draws the plane for an exercise: the line, the point p, and a ring at each typed answer. Draws the
-/// solution only if `may_be_seen` is true.
+/// Draws the plane for an exercise: the implicit line, the point p of the parametric one, and a ring at
+/// each point that was typed as an answer. Draws the solution only if `may_be_seen` is true.
 pub(crate) fn draw_exercise(
     ui: &Ui,
     rect: Rect,
@@ -254,7 +257,8 @@ impl PlaneView {
         self.to_plane(self.rect.center())
     }
 
-    /// Returns the distance from the centre to a corner; every visible point lies within it.
+    /// Returns the distance, in the plane, from the centre of the drawing to a corner. All visible points
+    /// lie within it.
     fn reach(&self) -> f64 {
         0.5 * f64::from(self.rect.size().length()) / self.unit()
     }
@@ -263,8 +267,8 @@ impl PlaneView {
         LabelLayout::new(self.painter.clone(), self.colors.halo, self.rect.shrink(3.0))
     }
 
-    /// Paints everything except the background. Returns a description of the generated points, or
-    /// `None` if the parametric line is invalid.
+    /// Paints everything except the background. Returns a description of the points along the parametric
+    /// line, or `None` if that line is invalid.
     pub(crate) fn paint(
         &self,
         lab: &LinesLab,
@@ -310,7 +314,7 @@ impl PlaneView {
         description
     }
 
-    /// Fills the visible part of the plane where f has the given sign.
+    /// Fills the visible part of the plane where f, the implicit line's function, has the given sign.
     fn half_plane(&self, line: &ImplicitLine, sign: f64, fill: Color32) {
         let rect = self.rect;
         let corners = [rect.left_bottom(), rect.right_bottom(), rect.right_top(), rect.left_top()];
@@ -355,7 +359,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws the sign of f in the middle of every cell of the grid.
+    /// Draws the sign of f, the implicit line's function, in the middle of every cell of the grid.
     fn signs(&self, line: &ImplicitLine) {
         let [xs, ys] = self.ticks().map(|ticks| {
             let middle = |pair: &[Tick]| 0.5 * (pair[0].value + pair[1].value);
@@ -372,7 +376,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws the numbers of the grid along the axes, or along the edge if an axis is not visible.
+    /// Writes the numbers of the grid along the axes, or along the edge if an axis is not visible.
     fn coordinates(&self, labels: &mut LabelLayout) {
         let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
         let axis = pos2(
@@ -404,7 +408,8 @@ impl PlaneView {
         let direction = line.direction().normalize_or_zero();
         let normal = direction.perp();
         let middle = line.nearest_to(self.center());
-        // Positions along the line. The first ones are far from the handles.
+        // Positions along the line, as fractions. The first ones are tried first and are far from the
+        // handles.
         let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
         let anchors = |points: f64| {
             let half = 0.5 * f64::from(self.rect.height()) / self.unit();
@@ -421,7 +426,7 @@ impl PlaneView {
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 
-    /// Draws the parametric line, dashed before p and solid after p, then the generated points and the
+    /// Draws the parametric line, dashed before p and solid after p; then the points of its trail; then the
     /// vector d.
     fn parametric(&self, lab: &LinesLab) {
         let (ParametricLine { p, d }, ray) = (lab.ray, self.colors.ray);
@@ -446,7 +451,7 @@ impl PlaneView {
         chart::arrowhead(&self.painter, to, head, ray);
     }
 
-    /// Returns the visible points of the trail. If there are too many, only every second, third, or
+    /// Returns the visible points of the trail, each with its t. If there are too many, returns only every
     /// n-th one.
     fn generated(&self, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
         let (trail, (low, high)) = (lab.trail, self.range_of_t(&lab.ray));
@@ -455,14 +460,14 @@ impl PlaneView {
         lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
     }
 
-    /// Returns a range of t that contains every visible point of the line.
+    /// Returns a range of t that contains every visible point of the parametric line.
     fn range_of_t(&self, ray: &ParametricLine) -> (f64, f64) {
         let middle = ray.nearest_t(self.center());
         let reach = self.reach() / ray.d.length();
         (middle - reach, middle + reach)
     }
 
-    /// Writes t at each generated point that has room for it. Returns a description of the points.
+    /// Writes t at each point of the trail that has room for it. Returns a description of these points.
     fn trail(&self, lab: &LinesLab, labels: &mut LabelLayout) -> String {
         let font = Font { size: SMALL, color: self.colors.ray, bold: false };
         let left = left_of(lab.ray.d);
@@ -482,7 +487,7 @@ impl PlaneView {
         description
     }
 
-    /// Labels the two parts of the line, with t < 0 and t > 0.
+    /// Labels the two parts of the parametric line: t < 0 and t > 0.
     fn sides(&self, lab: &LinesLab, labels: &mut LabelLayout) {
         let direction = lab.ray.d.normalize_or_zero();
         let font = Font { size: SMALL + 2.0, color: self.colors.ray, bold: false };
@@ -495,7 +500,7 @@ impl PlaneView {
         }
     }
 
-    /// Draws a cross where the lines meet, and writes the t of that point.
+    /// Draws a cross at the point where the two lines meet, and writes its t.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let substitution = Substitution::new(lab.line(), lab.ray);
         let Ok(Substitution { meeting: Meeting::At(crossing), .. }) = substitution else { return };
@@ -516,7 +521,7 @@ impl PlaneView {
         labels.write(&text, font, below(17.0).chain(below(30.0)));
     }
 
-    /// Returns the position of a handle on the screen, or `None` if the user cannot reach it.
+    /// Returns the position of a handle on the screen; `None` if it is outside the drawing.
     pub(crate) fn in_sight(&self, lab: &LinesLab, handle: LineHandle) -> Option<Pos2> {
         let at = self.to_screen(lab.position_of(handle)?);
         self.rect.expand(GRASP).contains(at).then_some(at)

@@ -1,5 +1,6 @@
-//! The plot of f(p + t d): its objects, the range of t, and the unit and a description of each curve.
-//! This module is pure; the arithmetic is in [`pinhole_lecture`].
+//! The plot of f(p + t d), the implicit function of each object along the ray: which objects have a curve,
+//! the range of t, and the unit and a description of each curve. This module is pure; the arithmetic is in
+//! [`pinhole_lecture`].
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -10,16 +11,16 @@ use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeetin
 
 use crate::model::inspection::Inspection;
 
-/// Maximum number of curves. More dash patterns could not be told apart.
+/// Maximum number of curves in the plot: more dash patterns could not be told apart.
 pub const MOST: usize = 8;
 
-/// Zeros beyond this multiple of the first hit's t are described in words but lie outside the plot.
+/// Zeros of f beyond this multiple of the first hit's t are described in words, but lie outside the plot.
 const FAR: f64 = 8.0;
 
 /// Number of intervals between the samples of a curve.
 const SAMPLES: usize = 160;
 
-/// The samples (t, height) of each curve, in ascending order of t.
+/// The sampled points (t, height) of each curve, in ascending order of t.
 pub type Samples = Vec<Vec<(f64, f64)>>;
 
 /// Everything that the plot shows.
@@ -50,9 +51,9 @@ pub struct Curve {
     pub derivation: ObjectDerivation,
     /// The unit of f in the plot.
     unit: ImplicitUnit,
-    /// The value of f at the start of the ray, the eye.
+    /// The value of f at the eye, where the ray starts.
     at_eye: f64,
-    /// For a sphere, the vertex of the parabola and its curvature a.
+    /// For a sphere, whose curve is a parabola: its vertex, and the coefficient a of t^2.
     vertex: Option<(ParabolaVertex, f64)>,
 }
 
@@ -69,8 +70,8 @@ pub struct Named {
     pub color: Rgb,
 }
 
-/// Returns the objects to show. With at most [`MOST`] objects, these are all of them; otherwise, first
-/// the objects that the ray hits, then the objects behind the eye.
+/// Returns the objects that have a curve. With at most [`MOST`] objects, these are all of them; otherwise,
+/// first the objects that the ray hits, then those that its line meets behind the eye.
 pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     if scene.len() <= MOST {
         return (0..scene.len() as u32).collect();
@@ -87,7 +88,7 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     shown
 }
 
-/// Returns the curves of the given objects. Objects without a valid f are left out.
+/// Returns the curves of the given objects. Leaves out objects without a valid f.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
     let curve = |(index, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
@@ -126,8 +127,8 @@ pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f6
     curves.iter().map(|curve| value(curve).unwrap_or(f64::NAN)).collect()
 }
 
-/// Returns the plot's range of t. It includes the eye, the viewport, the point marked on the ray, and
-/// all zeros that are not too far away.
+/// Returns the plot's range of t. It includes the eye, the viewport, the point marked on the ray, and all
+/// zeros of f that are not too far away.
 pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
@@ -142,12 +143,12 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
 }
 
 impl Curve {
-    /// Returns true if the curve is a straight line, as for a plane.
+    /// Returns true if the curve is a straight line, which is the case for a plane.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()
     }
 
-    /// Returns the t of each zero, or of the parabola's vertex if the ray misses the sphere.
+    /// Returns the t of each zero of f or, if a sphere is missed, the t of the parabola's vertex.
     fn landmarks(&self) -> Vec<f64> {
         let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
         if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
@@ -164,13 +165,13 @@ impl Curve {
         }
     }
 
-    /// Returns the height at which a value of f is drawn.
+    /// Returns the height in the plot at which a value of f is drawn.
     pub(crate) fn height(&self, f: f64, compressed: bool) -> f64 {
         height_of(f / self.unit.value, compressed)
     }
 
-    /// Returns samples in ascending order of t: evenly spaced, with more of them around a parabola's
-    /// vertex.
+    /// Returns samples of the curve in ascending order of t: evenly spaced, with additional ones around a
+    /// parabola's vertex.
     fn samples(
         &self,
         along: &AlongRay,
@@ -235,7 +236,7 @@ impl Curve {
         }
     }
 
-    /// Returns true if a point with this value of f is inside a sphere.
+    /// Returns true if a point with this value of f is inside the curve's sphere; false for a plane.
     pub(crate) fn is_inside(&self, f: f64) -> bool {
         !self.is_straight() && f < 0.0
     }
@@ -253,9 +254,9 @@ impl Curve {
     }
 }
 
-/// Returns the height at which a value `y` of f, in its curve's unit, is drawn. It is `y` itself or, if
-/// `compressed` and |y| > 1, `1 + ln |y|` with the sign of `y`, so that distant values remain visible.
-/// Without compression a plane's curve is a straight line, and a sphere's is a parabola.
+/// Returns the height in the plot of a value of f, given as a multiple `y` of its curve's unit. It is `y`
+/// itself or, if `compressed` and |y| > 1, `1 + ln |y|` with the sign of `y`, so that distant values remain
+/// visible. Without compression, a plane's curve is a straight line, and a sphere's is a parabola.
 pub(crate) fn height_of(y: f64, compressed: bool) -> f64 {
     if compressed && y.abs() > 1.0 { (1.0 + y.abs().ln()).copysign(y) } else { y }
 }

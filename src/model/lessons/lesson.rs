@@ -90,7 +90,7 @@ pub struct StepView {
     pub t: Option<f64>,
     /// The animation to open, at its start.
     pub play: Option<Kind>,
-    /// The state of the lab of lines.
+    /// The state of the page *Lines*.
     pub lines: Option<LinesLab>,
     /// The question of the exercises layout.
     pub exercise: Option<AskedExercise>,

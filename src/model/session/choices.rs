@@ -80,11 +80,11 @@ pub enum ViewLayout {
     Derivation,
     /// The plot of f(p + t d).
     Plot,
-    /// The lab of lines.
+    /// The implicit and the parametric line in the plane.
     Lines,
     /// A wrong camera and the right one, side by side.
     Mistakes,
-    /// The camera and the ghost, side by side.
+    /// The camera and the ghost (a frozen camera), side by side.
     Compare,
     /// The translator.
     Translator,

@@ -34,7 +34,7 @@ pub struct Session {
     pub scanned_pixels: Option<u64>,
     /// The frozen camera with which the current one is compared.
     pub ghost: Option<Ghost>,
-    /// The state of the lab of lines.
+    /// The state of the page *Lines*.
     pub lines: LinesLab,
     /// The concept under the pointer or with the keyboard focus.
     pub hovered: Option<Hovered>,
