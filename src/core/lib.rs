@@ -1,5 +1,6 @@
-//! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures,
-//! with every decision exact. The crate knows nothing of windows, files, command lines or teaching.
+//! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures.
+//! Every decision, such as hit or miss, is exact. The crate contains nothing about windows, files,
+//! command lines or teaching.
 //!
 //! # A picture in ten lines
 //!
@@ -55,8 +56,8 @@
 //! view ray through (u, v):   eye + t * direction,   direction = u*U + v*V - distance*W
 //! ```
 //!
-//! Where the scalars (u, v) occur, too, the vectors are written in capitals. The image fills the
-//! viewport, with rows counted from the top:
+//! Where the scalars (u, v) occur as well, the basis vectors are written as capitals: U, V, W. The image
+//! fills the viewport, with rows counted from the top:
 //!
 //! ```text
 //!             column 0   1  ... W-1
@@ -73,8 +74,8 @@
 //! ```
 //!
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
-//! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre. It
-//!   never shares a name with the vectors `u` and `v`.
+//! - `uv` is a position in the viewport: two scalars `(u, v)` in world units, with `(0, 0)` at the
+//!   viewport's centre. The vectors `u` and `v` are never called `uv`.
 //! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction `u*U + v*V - distance*W`,
 //!   which is *not* normalized: the viewport is at `t = 1`. The distance along the ray,
 //!   `t * |direction|`, is never called t.
@@ -89,9 +90,9 @@
 //! whether there is a basis) equals that of exact real arithmetic for the given `f64` inputs. It climbs
 //! a ladder of three steps. It is first made in `f64`, as the sign of a value with an error bound. If
 //! the value is within the bound, the decision is in doubt, and is made in double-double, again with a
-//! bound. If the value is within that bound, too, the decision is made in exact integers of any length.
-//! Each bound is derived in the code where it is computed. [`Steps`] counts how many decisions each step
-//! made.
+//! bound. If the value is within that bound, too, the decision is made in exact integers of arbitrary
+//! length. Each bound is derived in the code where it is computed. [`Steps`] counts how many decisions
+//! each step made.
 //!
 //! - *Any ray*: a [`Ray`]'s origin and direction are taken as exact, to the bit: [`Scene::first_hit`].
 //! - *A pixel's ray*: eye, at (or view), up, viewport and image are taken as exact, to the bit, and no
@@ -99,13 +100,14 @@
 //!   [`ResolvedCamera::exact_ray`] and [`Scene::first_hit_of`] for one pixel, [`trace`] for all pixels.
 //!
 //! `t` is the exact value, rounded to the nearest `f64` (in frames of `f32`, within an ulp of `f32`),
-//! and a normal is within 3e-16 rad. NaN, infinities, zero directions and radii that are not positive
-//! are rejected with typed errors by [`Ray::check`], [`Scene::new`] and [`Camera::resolve`].
+//! and a normal is within 3e-16 rad of the exact one. NaN, infinities, zero directions and radii that
+//! are not positive are rejected with typed errors by [`Ray::check`], [`Scene::new`] and
+//! [`Camera::resolve`].
 //!
 //! # By raw numbers
 //!
-//! Each of these functions answers one question about raw numbers. Rays and objects can be made from any
-//! type that converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take only
+//! Each function below answers one question about plain coordinates. Rays and objects can be made from
+//! any type that converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take only
 //! [`DVec3`], so use `.into()`. To use `f32`, convert each number by `f64::from`, or a vector by glam's
 //! `as_dvec3`, without loss.
 //!
@@ -177,15 +179,16 @@
 //!
 //! 1. Every function that makes a picture calls `render::fill`.
 //! 2. `Plan::new` calls `Classifier::classify`. `Outlines::find` finds the sphere's outline, a conic in
-//!    rows and columns, with error bounds, or drops the sphere; `Span::new` computes what its rows
-//!    share. If there are many spheres, `VisibleSpheres::new` examines groups and blocks of them
-//!    instead.
+//!    rows and columns, with error bounds, or drops the sphere; `Span::new` computes the values that its
+//!    rows share. If there are many spheres, `VisibleSpheres::new` examines boxes around nearby spheres
+//!    (groups and blocks) instead.
 //! 3. For each band of rows, `RowBand::draw_rows` calls `Span::draw`, which finds where each row begins
 //!    and ends (`SpanRows::find`) and `t` in between (`SpanLanes::narrow` or `wide`), and keeps the
 //!    nearest hits.
-//! 4. `RowBand::resolve_doubt` decides the pixels in doubt. `SphereFromOrigin::meets` decides whether
-//!    the sphere is met, by `Quadratic::new` in `f64` and in double-double, then by `BigRay`, which is
-//!    exact. `Hit::compare` decides which of two objects is first.
+//! 4. `RowBand::resolve_doubt` decides the pixels in doubt, those that are too close to call.
+//!    `SphereFromOrigin::meets` decides whether the pixel's ray intersects the sphere, by
+//!    `Quadratic::new` in `f64` and in double-double, then by `BigRay`, which is exact. `Hit::compare`
+//!    decides which of two objects is first.
 //! 5. `Painter::rows` converts runs of pixels that show one object to colours.
 
 mod camera;
@@ -200,7 +203,8 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// Arithmetic for the derivations shown by other crates; not for general use.
+/// Exact arithmetic with which Pinhole's other crates compute the derivations that they show; not for
+/// general use.
 #[doc(hidden)]
 pub mod arithmetic {
     pub use crate::camera::basis::{is_orthogonal, is_unit};

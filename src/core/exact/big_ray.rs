@@ -1,4 +1,5 @@
-//! A ray in exact arithmetic: the order of its roots, and `t` to any number of digits.
+//! A ray in exact arithmetic: compares its roots (the points where its line meets an object) exactly,
+//! and computes their `t` to 100 bits.
 
 use std::cmp::Ordering;
 
@@ -9,7 +10,7 @@ use crate::exact::dyadic::{Dyadic, Exact3, exact3, ratio};
 use crate::exact::precise::Precise;
 use crate::exact::surd::{Radicands, Surd, sign_with_roots};
 
-/// A ray in exact numbers.
+/// A ray whose origin and direction are exact numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct BigRay {
     pub(crate) origin: Exact3,
@@ -21,18 +22,19 @@ pub(crate) struct BigRay {
     pub(crate) a: Surd,
 }
 
-/// A root of a ray and an object: `(x + sign sqrt radicand) / y` in units of the scaled direction,
-/// with `y > 0`.
+/// A root of a ray: a point where its line meets an object. Measured in lengths of the scaled direction,
+/// it is at `(x + sign sqrt radicand) / y`, where `sign` stands for -1, 0 or 1, and `y > 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigRoot {
     pub(crate) x: Surd,
     pub(crate) sign: Ordering,
     pub(crate) radicand: Surd,
-    /// The denominator, or `None` if it is the ray's own `a`.
+    /// The denominator; `None` stands for the ray's `a`.
     pub(crate) y: Option<Surd>,
 }
 
-/// A sphere's quadratic `a t^2 - 2 b t + c = 0`, where a is the ray's own.
+/// The quadratic `a t^2 - 2 b t + c = 0` of a ray and a sphere, without a, which is [`BigRay::a`], and
+/// c.
 #[derive(Clone, Debug)]
 pub(crate) struct BigQuadratic {
     pub(crate) b: Surd,
@@ -111,7 +113,8 @@ impl BigRay {
         sign_with_roots(&x, (root.sign, &radicand), no_root, radicands)
     }
 
-    /// Compares a root's distance from the origin, which is negative behind it, with a number, exactly.
+    /// Compares a root's signed distance from the ray's origin (negative behind the origin) with a given
+    /// distance, exactly.
     pub(crate) fn compare_distance(&self, root: &BigRoot, distance: &Dyadic) -> Ordering {
         let radicands = &self.radicands;
         let under_root = |x: &Surd| self.a.times(&x.square(radicands), radicands);
@@ -139,9 +142,9 @@ impl BigRay {
         if root.sign == Ordering::Less { x - swing } else { x + swing }
     }
 
-    /// Returns a fixed-point number with enough binary places for 128 correct bits, and the number of
-    /// places. `fixed(places)` must return that number times `2^places`, with an error below 8. The
-    /// number must not be 0.
+    /// Evaluates a number other than 0 in fixed point, with as many binary places as 128 correct bits
+    /// need. Returns the fixed-point number and the number of places. `fixed(places)` must return the
+    /// number times `2^places`, with an error below 8.
     fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
         let mut places = 160 - self.a.log2_bound(&self.radicands) / 2;
         loop {

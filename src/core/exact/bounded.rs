@@ -1,10 +1,10 @@
-//! Arithmetic with error bounds, in `f64` and in double-double, for numbers and vectors.
+//! Arithmetic with error bounds, in `f64` and in double-double, for scalars and vectors.
 //!
-//! Every bound is of first order in the constants of [`Number`]. The factor [`SECOND_ORDER`] covers
-//! terms of higher order, and the rounding of the bounds themselves. The analysis follows Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3; filtering decisions by such
-//! bounds follows Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
-//! predicates*, Discrete & Computational Geometry 18, 1997.
+//! Every bound is of first order in the rounding errors that [`Number`] lists. The factor
+//! [`SECOND_ORDER`] covers terms of higher order, and the rounding of the bounds themselves. The
+//! analysis follows Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3;
+//! filtering decisions by such bounds follows Shewchuk, *Adaptive precision floating-point arithmetic
+//! and fast robust geometric predicates*, Discrete & Computational Geometry 18, 1997.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -32,7 +32,8 @@ impl<T> Arithmetic for T where
 {
 }
 
-/// A type of numbers in which the formulas are computed, with bounds of its rounding errors.
+/// A number type in which the intersection formulas are evaluated, with a bound of the relative rounding
+/// error of each operation.
 pub(crate) trait Number: Arithmetic + From<f64> {
     /// A bound of the relative error of a sum or difference.
     const SUM: f64;
@@ -47,9 +48,9 @@ pub(crate) trait Number: Arithmetic + From<f64> {
     /// each of which goes through at most two sums.
     const DOT: f64 = Self::PRODUCT + 2.0 * Self::SUM;
 
-    /// Error bound of a cross product's length, relative to the product of the vectors' lengths: a
-    /// coordinate is off by `PRODUCT + SUM` times `|a_j b_k| + |a_k b_j|`, and the vector of those sums
-    /// is no longer than `sqrt 2 |a| |b|`.
+    /// Bound of the length of a cross product's error vector, relative to the product of the two
+    /// vectors' lengths: a coordinate is off by at most `PRODUCT + SUM` times `|a_j b_k| + |a_k b_j|`,
+    /// and the vector of those sums is no longer than `sqrt 2 |a| |b|`.
     const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
 
     /// Returns the square root. The number must be greater than 0.
@@ -59,7 +60,7 @@ pub(crate) trait Number: Arithmetic + From<f64> {
     fn near(self) -> f64;
 }
 
-/// u, half the spacing of `f64` at 1.
+/// The unit roundoff u: half the spacing of `f64` at 1.
 pub(crate) const UNIT: f64 = 0.5 * f64::EPSILON;
 
 impl Number for f64 {
@@ -95,13 +96,13 @@ impl Number for DoubleDouble {
     }
 }
 
-/// Allowance for terms of second order in the bounds (in `f64`, below 1e-12 of the first-order terms)
-/// and for the rounding of the bounds.
+/// Factor by which a first-order error bound is multiplied to cover the terms of second order (in `f64`,
+/// below 1e-12 of the first-order terms) and the rounding of the bound itself.
 pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
 
 /// Bound of the error that underflow can add to any value computed from scaled vectors, whose largest
 /// coordinates are between 1e-30 and 1e30. The rounding errors of products below 2^-969 are lost: at
-/// most 2^-1073 each, times 1e120.
+/// most 2^-1073 each, which further factors may multiply by up to 1e120.
 pub(crate) const UNDERFLOW: f64 = 1e-190;
 
 /// A vector of numbers.

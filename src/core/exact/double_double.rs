@@ -3,8 +3,8 @@
 //! Every operation below has a proven bound of its relative error, given in terms of `u = 2^-53`. The
 //! bounds hold if nothing overflows or underflows; callers scale by powers of two to ensure this.
 //!
-//! The module also has the error-free sums and products on which double-double is based, for one number
-//! or several side by side.
+//! The module also has the error-free sums and products on which double-double is based, for scalars and
+//! for SIMD vectors.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -114,9 +114,9 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    /// Divides two numbers, with a relative error of at most `17 u^2` (Joldes, Muller, Popescu 2017,
-    /// algorithm 17 and theorem 6.2: slightly more than `15 u^2`; its product by a quotient has an error
-    /// smaller by `3/2 u^2` than the product by an `f64` used here).
+    /// Divides two numbers, with a relative error of at most `17 u^2`. This is algorithm 17 of Joldes,
+    /// Muller, Popescu 2017, whose bound is slightly more than `15 u^2` (theorem 6.2), except that
+    /// `times` multiplies by the quotient, with an error bound larger by `3/2 u^2`.
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;
@@ -147,16 +147,17 @@ impl From<f64> for DoubleDouble {
     }
 }
 
-/// One `f64`, or a SIMD vector of them, all rounded to nearest.
+/// A floating-point number, or a SIMD vector of them. All operations round to nearest.
 ///
-/// The same operations give the same bits for any width, because a product is fused with a sum only
-/// where the result is exact.
+/// The same operations give the same bits for any number of lanes, because multiplication and addition
+/// are fused only where the result is exact anyway.
 pub(crate) trait Lane: Arithmetic {
     /// Returns the rounded square root.
     fn sqrt(self) -> Self;
 
-    /// Returns `(p, e)` with `p = fl(self * other)` and `self * other = p + e` exactly, for factors
-    /// below 2^996 and products of at least 2^-969. Below that, e is off by at most 2^-1073.
+    /// Returns `(p, e)` with `p = fl(self * other)` and `self * other = p + e` exactly, in `f64` for
+    /// factors below 2^996 and products of at least 2^-969. For smaller products, e is off by at most
+    /// 2^-1073.
     fn two_product(self, other: Self) -> (Self, Self);
 
     /// Returns `x / 2`.
@@ -165,10 +166,11 @@ pub(crate) trait Lane: Arithmetic {
     /// Returns the number itself, or 0 if it is negative.
     fn not_negative(self) -> Self;
 
-    /// Returns `(2^27 + 1) * self`.
+    /// Returns the number times Veltkamp's factor: `2^27 + 1` in `f64`, `2^12 + 1` in `f32`.
     fn shifted(self) -> Self;
 
-    /// Returns two halves of at most 26 bits each, whose sum is the number (Veltkamp's splitting).
+    /// Splits the number into a sum of two numbers with half as many bits each (in `f64`, at most 26),
+    /// by Veltkamp's splitting.
     #[inline(always)]
     fn halves(self) -> (Self, Self) {
         let shifted = self.shifted();
@@ -196,8 +198,8 @@ pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
 }
 
 /// Returns `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and
-/// products of at least 2^-969 (Dekker 1971, by Veltkamp's splitting). It uses plain operations, for
-/// processors without fused multiply-add. The bits equal those computed with one, except for the sign of
+/// products of at least 2^-969 (Dekker 1971, by Veltkamp's splitting). It uses no fused multiply-add,
+/// for processors that have none. With one, the results would have the same bits, except for the sign of
 /// an error of 0.
 #[inline(always)]
 pub(crate) fn dekker_product<F: Lane>(a: F, b: F) -> (F, F) {
@@ -237,8 +239,8 @@ impl Lane for f64 {
     }
 }
 
-/// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` exactly, for finite vectors. d is the
-/// difference rounded to `f64`, and k is 0 unless the difference overflows.
+/// Returns `(d, e, k)` with `a - b = (d + e) * 2^k` exactly, for finite vectors. d is the rounded
+/// difference, e its rounding error, and k is 0 unless the difference would overflow.
 pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
     let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
     let (a, b) = (shrink * a, shrink * b);

@@ -1,4 +1,5 @@
-//! Exact arithmetic with dyadic numbers of any length, for the ladder's last step.
+//! Exact arithmetic with dyadic numbers, `m * 2^k` with integers m of arbitrary length, for the last
+//! step of [the ladder](crate#the-ladder).
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -59,8 +60,8 @@ impl Dyadic {
         (&self.mantissa, self.exponent)
     }
 
-    /// Returns the mantissa of the number written with `exponent`, which must be at most the number's
-    /// own exponent.
+    /// Returns the mantissa that the number has if it is written with the given exponent, which must be
+    /// at most the number's own.
     fn aligned(&self, exponent: i32) -> BigInt {
         &self.mantissa << (self.exponent - exponent) as u32
     }
@@ -70,7 +71,7 @@ impl Dyadic {
         self * self
     }
 
-    /// Returns `floor(log2 |self|)`, or a very small number for 0.
+    /// Returns `floor(log2 |self|)`, or a large negative number for 0.
     pub(crate) fn log2(&self) -> i32 {
         if self.is_zero() {
             return i32::MIN / 4;
@@ -135,8 +136,8 @@ fn round(m: &BigInt, k: i32) -> f64 {
     if sign == Sign::Minus { -x } else { x }
 }
 
-/// Returns `m * 2^k` as the nearest `f64`, where m has at most 57 bits. Its lowest bit must be 1 if any
-/// lower bits that were set have been dropped.
+/// Returns the `f64` nearest to a number whose leading bits, at most 57, are `m * 2^k`. The lowest bit
+/// of m must be 1 if any bit that was dropped below it was 1 (rounding to odd).
 fn round_to_odd(m: u64, k: i32) -> f64 {
     if m == 0 {
         return 0.0;
@@ -185,8 +186,8 @@ pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     ldexp(quotient.scaled(odd).square_root().hi, (k - odd) / 2)
 }
 
-/// Returns `numerator / denominator * 2^k` as a double-double and the exponent of a power of two to
-/// multiply it by, with a relative error of at most `2^-105`. The high part lies in `[1/2, 2]`.
+/// Returns a double-double x and an exponent e so that `numerator / denominator * 2^k = x * 2^e`, with a
+/// relative error of at most `2^-105`. The magnitude of x's high part lies in `[1/2, 2]`, unless x is 0.
 pub(crate) fn ratio(numerator: &BigInt, denominator: &BigInt, k: i32) -> (DoubleDouble, i32) {
     const DIGITS: i32 = 128;
     if numerator.sign() == Sign::NoSign {

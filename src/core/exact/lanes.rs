@@ -1,4 +1,4 @@
-//! Vectors of several `f64` or `f32` side by side (SIMD).
+//! SIMD vectors of `f64` or `f32`.
 //!
 //! The module uses `fearless_simd`, which chooses AVX-512, AVX2, SSE4.2 or NEON at run time, on stable
 //! Rust and without any `unsafe` in this crate. In measurements it was as fast as the processor's
@@ -12,11 +12,11 @@ use fearless_simd::{ExtractToken, Level, Simd};
 
 use crate::exact::double_double::{Lane, SPLITTER, dekker_product};
 
-/// A vector of `f64` of the processor's own width.
+/// A SIMD vector of `f64`, with as many lanes as the SIMD level S has.
 #[derive(Clone, Copy)]
 pub(crate) struct Lanes<S: Simd>(pub(crate) S::f64s);
 
-/// A vector of `f32` of the processor's own width.
+/// A SIMD vector of `f32`, with as many lanes as the SIMD level S has.
 #[derive(Clone, Copy)]
 pub(crate) struct SingleLanes<S: Simd>(pub(crate) S::f32s);
 
@@ -45,8 +45,8 @@ macro_rules! operator {
     };
 }
 
-/// Implements the arithmetic of lanes of one precision, given the precision and the factor for
-/// Veltkamp's splitting.
+/// Implements arithmetic for a SIMD vector type, given its element type and the factor of Veltkamp's
+/// splitting for that type.
 macro_rules! lanes {
     ($lanes:ident, $real:ident, $vector:ident, $splitter:expr) => {
         impl<S: Simd> $lanes<S> {
@@ -110,8 +110,8 @@ lanes!(Lanes, f64, f64s, SPLITTER);
 lanes!(SingleLanes, f32, f32s, (1_u32 << 12) as f32 + 1.0);
 
 impl<S: Simd> SingleLanes<S> {
-    /// Returns the residual `self - a * b` of a root or a quotient. `a * b` must be so close to `self`
-    /// that the difference is exact.
+    /// Returns the residual `self - a * b` of a computed square root or quotient. `a * b` must be so
+    /// close to `self` that the difference is exact.
     #[inline(always)]
     pub(crate) fn residual(self, a: Self, b: Self) -> Self {
         if is_fused(self.0.token().level()) {
@@ -123,7 +123,7 @@ impl<S: Simd> SingleLanes<S> {
     }
 }
 
-/// Returns the lanes whose bits are set, in ascending order.
+/// Returns the numbers of the lanes whose bits are set in a mask, in ascending order.
 #[inline(always)]
 pub(crate) fn lanes_of(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

@@ -1,10 +1,10 @@
-//! Numbers for reliable decisions: numbers with known rounding errors, numbers with error bounds, and
-//! exact numbers. This folder knows no objects and no cameras, only numbers and vectors.
+//! Arithmetic for reliable decisions: with known rounding errors, with error bounds, and exact. This
+//! folder contains no scene objects and no cameras, only numbers and vectors.
 //!
 //! From the ground up: [`double_double`], with the error-free sums and products on which it is based,
-//! for one number or several side by side ([`lanes`]); [`quadratic`], the equation of a ray and a sphere
-//! with a bound of its error; [`dyadic`] numbers of any length, [`surd`]s with square roots, and
-//! [`big_ray`], a ray in exact numbers.
+//! for scalars and SIMD vectors ([`lanes`]); [`quadratic`], the equation of a ray and a sphere with
+//! error bounds; [`dyadic`] numbers of arbitrary length, [`surd`]s with square roots, and [`big_ray`], a
+//! ray in exact numbers.
 
 pub(crate) mod big_ray;
 pub(crate) mod bounded;

@@ -9,15 +9,15 @@ use crate::exact::scale::ldexp;
 /// The largest relative error of a [`Precise`]: just below 2^-93, which is 2^-40 of an ulp of `f64`.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
-/// Returns true if a sum `t d + term`, whose terms cancel, is so small compared with `term` that it may
-/// consist only of the error of t. Such a sum counts as 0.
+/// Returns whether a sum `t d + term`, in which the two terms cancel, is so small compared with `term`
+/// that it may be nothing but the error of t. Callers replace such a sum by 0.
 pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
 
-/// Rounds a number to the nearest `f64`, ties to even. The number must lie between the two given
-/// neighbours or slightly beyond one of them. `compare` compares the number with the midpoint of the
-/// neighbours.
+/// Rounds a number to the nearest `f64`, ties to even. The number must lie between the two given `f64`,
+/// which are neighbours, or slightly beyond one of them. `compare` compares the number with their
+/// midpoint.
 pub(crate) fn rounded([low, high]: [f64; 2], compare: impl FnOnce(&Dyadic) -> Ordering) -> f64 {
     let half = |x: f64| &Dyadic::from(x) * &Dyadic::from(0.5);
     // The distance to the number after the largest one would equal that to the number before it.
@@ -35,7 +35,7 @@ pub(crate) fn rounded([low, high]: [f64; 2], compare: impl FnOnce(&Dyadic) -> Or
     }
 }
 
-/// `value * 2^scale`, with a relative error of at most [`T_DOUBT`].
+/// The number `value * 2^scale`, with a relative error of at most [`T_DOUBT`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Precise {
     pub(crate) value: DoubleDouble,
@@ -67,8 +67,8 @@ impl Precise {
         if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
     }
 
-    /// Returns the smallest and the largest `f64` to which the exact number may round, if the relative
-    /// error of this one is `doubt`.
+    /// Returns the smallest and the largest `f64` to which the exact number may round, given that `self`
+    /// is known to approximate it with a relative error of at most `doubt`.
     pub(crate) fn nearest(self, doubt: f64) -> [f64; 2] {
         let off = DoubleDouble::from(1.01 * doubt * self.value.hi.abs());
         [self.value - off, self.value + off].map(|value| Precise { value, ..self }.to_f64())

@@ -3,24 +3,24 @@
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 
-/// Maximum relative error of a root that may be used. Up to this, [`SECOND_ORDER`] covers the square of
-/// the error, which the bound leaves out.
+/// Maximum relative error of a usable root. Up to this error, the factor [`SECOND_ORDER`] covers the
+/// square of the error, which the bounds omit.
 pub(crate) const LARGEST_SHARE: f64 = 1.0 / 64.0;
 
-/// A formula for the discriminant D. Which formula loses fewer digits depends on the origin's distance
-/// from the centre.
+/// A formula for the discriminant D of the quadratic of a ray and a sphere ([`Quadratic`]). Which
+/// formula loses fewer digits depends on the distance of the ray's origin from the sphere's centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// `b^2 - a c`, for origins inside the sphere, where it is a sum of positive numbers, and just
-    /// outside it, where both terms are small.
+    /// `b^2 - a c`, for origins inside the sphere, where `-a c` is positive, too, and just outside,
+    /// where both terms are small.
     Near,
     /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`, for grazing rays and
     /// distant spheres.
     Far,
 }
 
-/// The scaled terms of a sphere that all rays from one origin share: `q = center - origin`, r, and
-/// `c = |q|^2 - r^2`.
+/// The values of a sphere that all rays from one origin share, scaled: `q = center - origin`, the radius
+/// r, and `c = |q|^2 - r^2`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SphereTerms<T> {
     pub(crate) q: Vector<T>,
@@ -35,7 +35,7 @@ pub(crate) struct SphereTerms<T> {
     pub(crate) form: Form,
 }
 
-/// The terms of a ray's direction, scaled.
+/// A ray's direction d, scaled, with its length and its error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DirectionTerms<T> {
     pub(crate) d: Vector<T>,
@@ -45,8 +45,8 @@ pub(crate) struct DirectionTerms<T> {
     pub(crate) doubt: f64,
 }
 
-/// The quadratic `a t^2 - 2 b t + c = 0` with `D = b^2 - a c` and `b = q.d`, which is positive if the
-/// centre lies ahead.
+/// The quadratic `a t^2 - 2 b t + c = 0` of a ray and a sphere, with the discriminant `D = b^2 - a c`.
+/// `a = d.d`, and `b = q.d` is positive if the sphere's centre lies ahead of the ray's origin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadratic<T> {
     pub(crate) a: T,
@@ -61,7 +61,8 @@ pub(crate) struct Quadratic<T> {
 }
 
 impl<T: Number> Quadratic<T> {
-    /// Computes the coefficients and their bounds. With `k` the sum of the relative errors of q and d:
+    /// Computes the coefficients and their error bounds, in which k is the sum of the relative errors of
+    /// q and d, B the bound of b's error, and M that of the error of the vector `m = q x d`:
     ///
     /// ```text
     /// b:  B = |q||d| (DOT + k)                 a:  a (DOT + 2 k)
@@ -70,7 +71,7 @@ impl<T: Number> Quadratic<T> {
     /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
     /// ```
     ///
-    /// To these, the difference itself adds SUM times each of its terms.
+    /// To the bound of D, the rounding of the difference adds SUM times each of its two terms.
     #[inline(always)]
     pub(crate) fn new(sphere: &SphereTerms<T>, direction: &DirectionTerms<T>) -> Quadratic<T> {
         let (q, d) = (sphere.q, direction.d);
@@ -106,9 +107,10 @@ impl<T: Number> Quadratic<T> {
     /// Returns `None` if D may be 0.
     ///
     /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z` (Press et
-    /// al., *Numerical Recipes*, 3rd ed., section 5.6). The error of D is at most its doubt, so that of
-    /// its root is at most `doubt / sqrt D`, or little more than half of that if D is large compared
-    /// with its doubt. The error of z is that of the root, b's doubt, and those of a root and a sum.
+    /// al., *Numerical Recipes*, 3rd ed., section 5.6). If D is off by at most its bound, `sqrt D` is
+    /// off by at most `bound / sqrt D`, or by little more than half of that if D is large compared with
+    /// its bound. The error of z is the sum of the errors of `sqrt D` and b, and of the rounding of a
+    /// square root and a sum.
     #[inline(always)]
     pub(crate) fn root(&self, sphere: &SphereTerms<T>, far: bool) -> Option<(T, f64)> {
         let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
@@ -121,7 +123,7 @@ impl<T: Number> Quadratic<T> {
         let z_doubt = (b_doubt + share * discriminant_doubt / root.near()) / z.near().abs();
         let (t, other_doubt) =
             if self.is_of_c(far) { (sphere.c / z, sphere.c_doubt) } else { (z / a, a_doubt) };
-        // One more product, for the whole number by which t is stretched.
+        // One more product, because callers multiply t by the ray's `stretch`, a whole number.
         let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
     }
@@ -133,8 +135,8 @@ impl<T: Number> Quadratic<T> {
     }
 }
 
-/// Returns the outward unit normal of a sphere at `t`: `t d - q`, scaled to length 1. It is the zero
-/// vector if rounding has left no direction.
+/// Returns the outward unit normal of a sphere at a ray's point t: `t d - q`, scaled to length 1. It is
+/// the zero vector if the square of the length of `t d - q` is computed as 0 or overflows.
 pub(crate) fn sphere_normal<T: Number>(
     q: Vector<T>,
     direction: &DirectionTerms<T>,

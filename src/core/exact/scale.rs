@@ -79,7 +79,7 @@ pub fn length(v: DVec3) -> f64 {
     ldexp(m.length(), k)
 }
 
-/// Returns the angle between two unit vectors, accurate even for small angles.
+/// Returns the angle between two unit vectors in radians, accurate even for small angles.
 pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
@@ -108,7 +108,8 @@ mod tests {
     use super::*;
     use crate::test_seed::config;
 
-    /// Computes `x * 2^k` rounded to nearest, ties to even, on the integer `m` of `|x| = m * 2^e`.
+    /// Computes `x * 2^k`, rounded to nearest, ties to even, in integer arithmetic on the mantissa m of
+    /// `|x| = m * 2^e`.
     fn by_integers(x: f64, k: i32) -> f64 {
         let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
         let fraction = x.to_bits() & ((1 << 52) - 1);

@@ -1,4 +1,5 @@
-//! The steps of the ladder, and how many decisions each step made.
+//! The steps of [the ladder](crate#the-ladder) of increasing precision, and counts of the decisions that
+//! each step made.
 
 use std::cmp::Ordering;
 use std::ops::Add;
@@ -8,8 +9,9 @@ use serde::Serialize;
 /// How many decisions each step of [the ladder](crate#the-ladder) made, or how many values of `t` each
 /// step computed.
 ///
-/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step has
-/// an error bound, and passes on to the next step any decision whose value lies within the bound.
+/// A decision is, for example, whether one ray hits one object, or which of two objects it hits first.
+/// Each step but the last, which is exact, has an error bound, and passes on to the next step any
+/// decision whose value lies within the bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 #[non_exhaustive]
 pub struct Steps {
@@ -21,7 +23,7 @@ pub struct Steps {
     pub exact: u64,
 }
 
-/// One step of the ladder, the lowest first.
+/// One step of [the ladder](crate#the-ladder). The steps are ordered from the fastest to the exact one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Step {

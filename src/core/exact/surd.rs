@@ -1,4 +1,5 @@
-//! Exact numbers with two square roots. The directions of a camera's view rays have this form.
+//! Exact numbers that contain two square roots. The coordinates of a view ray's direction have this
+//! form.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Neg, Sub};
@@ -7,8 +8,8 @@ use num_bigint::BigInt;
 
 use crate::exact::dyadic::Dyadic;
 
-/// The two numbers under the square roots of a [`Surd`]: A and B, which are positive. A camera's are
-/// `A = |view|^2` and `B = |view x up|^2`.
+/// The two numbers under the square roots of a [`Surd`]: A and B, which are positive. For a camera's
+/// view rays, `A = |view|^2` and `B = |view x up|^2`.
 #[derive(Clone, Debug)]
 pub(crate) struct Radicands {
     pub(crate) a: Dyadic,
@@ -54,8 +55,9 @@ impl Surd {
     /// Returns the product, using `sqrt A sqrt A = A` and `sqrt B sqrt B = B`; coefficients of 0 are
     /// skipped.
     pub(crate) fn times(&self, other: &Surd, radicands: &Radicands) -> Surd {
-        /// Returns the factor for the product of the coefficients i and j: the radicands of the roots
-        /// that both have (bit 0 for A, bit 1 for B), or `None` if they have no root in common.
+        /// Returns the radicand by which the product of coefficients i and j is multiplied: the product
+        /// of the numbers whose roots both terms contain. Bit 0 of an index stands for `sqrt A`, bit 1
+        /// for `sqrt B`. Returns `None` if the terms share no root.
         fn factor(i: usize, j: usize, radicands: &Radicands) -> Option<&Dyadic> {
             match i & j {
                 0 => None,
@@ -95,7 +97,7 @@ impl Surd {
     /// Returns the sign, decided exactly.
     ///
     /// The number is `x + y sqrt B`, where x and y are numbers `p + q sqrt A`. If x and y have the same
-    /// sign, this is the result. Otherwise the result is the sign of x if `x^2 > y^2 B`, and that of y
+    /// sign, that is the result. Otherwise the result is the sign of x if `x^2 > y^2 B`, and that of y
     /// if not. The signs of x and y follow in the same way from exact numbers.
     pub(crate) fn sign(&self, radicands: &Radicands) -> Ordering {
         let [x0, x1, y0, y1] = &self.0;
@@ -161,8 +163,8 @@ fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
     larger_of(p.sign(), q.sign(), || (&p.square() - &(&q.square() * a)).sign())
 }
 
-/// Returns the sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`. It is decided
-/// exactly, by squaring once for each root.
+/// Returns the sign of `x + s sqrt p + t sqrt q`, where s and t stand for -1, 0 or 1, and p and q are
+/// not negative. It is decided exactly, by squaring once for each root.
 pub(crate) fn sign_with_roots(
     x: &Surd,
     (s, p): (Ordering, &Surd),

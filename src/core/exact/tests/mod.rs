@@ -1,5 +1,6 @@
-//! The arithmetic under the ladder on random bit patterns, against big integers: sums and products
-//! with their errors to the bit, double-double within its bounds, on every SIMD level.
+//! Tests the arithmetic on which the ladder is based with random bit patterns, compared with big
+//! integers: error-free sums and products are exact to the bit, double-double stays within its bounds,
+//! and every SIMD level gives the same results.
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -17,7 +18,7 @@ use crate::exact::scale::{exponent, ldexp};
 use crate::test_levels::levels;
 use crate::test_seed::seed;
 
-/// Patterns of each operation.
+/// Number of random patterns with which each operation is tested.
 const COUNT: usize = 100_000;
 
 /// Random bits (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014).
@@ -31,13 +32,13 @@ impl Bits {
         x ^ (x >> 31)
     }
 
-    /// A whole number in `from..=to`.
+    /// Returns a whole number in `from..=to`.
     fn within(&mut self, from: i32, to: i32) -> i32 {
         from + (self.next() % (to - from + 1) as u64) as i32
     }
 
-    /// A number of either sign and any digits with this exponent: random ones, few ones, long runs of
-    /// ones or zeros, where carries and ties are.
+    /// Returns a number with this exponent, of either sign. Its bits are random, or only one is set, or
+    /// they form long runs of ones and zeros, which make carries and ties likely.
     fn number(&mut self, exponent: i32) -> f64 {
         let (random, shift) = (self.next(), self.within(0, 52));
         let fraction = match self.next() % 5 {
@@ -51,8 +52,8 @@ impl Bits {
         ldexp(mantissa, exponent)
     }
 
-    /// Two numbers to add: of any two exponents down to the subnormal ones, of close ones, and nearly
-    /// opposite ones.
+    /// Returns two numbers to add: with independent exponents down to the subnormal ones, with close
+    /// exponents, or nearly opposite.
     fn summands(&mut self) -> (f64, f64) {
         let top = self.within(-1074, 1022);
         let a = self.number(top);
@@ -73,14 +74,14 @@ impl Bits {
         (a, b)
     }
 
-    /// Two factors in the range that [`dekker_product`] is for.
+    /// Returns two factors in the range in which [`dekker_product`] is exact.
     fn factors(&mut self) -> (f64, f64) {
         let product = self.within(-969, 1021);
         let first = self.within((product - 995).max(-1022), (product + 1022).min(995));
         (self.number(first), self.number(product - first))
     }
 
-    /// A double-double with a high part of about 2^exponent.
+    /// Returns a double-double whose high part is about `2^exponent`.
     fn double(&mut self, exponent: i32) -> DoubleDouble {
         let hi = self.number(exponent);
         let down = match self.next() % 4 {
@@ -92,7 +93,7 @@ impl Bits {
         DoubleDouble { hi, lo }
     }
 
-    /// Two of them: far apart, close, and nearly opposite.
+    /// Returns two double-doubles: with independent exponents, with close exponents, or nearly opposite.
     fn doubles(&mut self) -> (DoubleDouble, DoubleDouble) {
         let top = self.within(-200, 200);
         let a = self.double(top);
@@ -116,13 +117,13 @@ impl Bits {
     }
 }
 
-/// `-x`, so many units in the last place larger or smaller.
+/// Returns `-x` with its magnitude changed by this many units in the last place.
 fn opposite(x: f64, ulps: i32) -> f64 {
     let magnitude = x.abs().to_bits().saturating_add_signed(i64::from(ulps));
     f64::from_bits(magnitude).copysign(-x)
 }
 
-/// Runs a check on all patterns.
+/// Calls a check [`COUNT`] times with one generator of random bits.
 fn on_all(mut check: impl FnMut(&mut Bits)) {
     let mut bits = Bits(seed());
     for _ in 0..COUNT {
@@ -173,7 +174,7 @@ fn value(x: DoubleDouble) -> Dyadic {
     &Dyadic::from(x.hi) + &Dyadic::from(x.lo)
 }
 
-/// Asserts `|found - exact| <= bound u^2 |size|`, and that the parts do not overlap.
+/// Asserts `|found - exact| <= bound u^2 |size|`, with `u^2 = 2^-106`.
 #[track_caller]
 fn assert_within(
     bound: f64,
@@ -192,7 +193,7 @@ fn assert_normal(x: DoubleDouble, case: &dyn Fn() -> String) {
     assert_eq!(x.hi + x.lo, x.hi, "{} overlaps: {x:?}", case());
 }
 
-/// `3 / (1 - 4u)`
+/// Bound of a sum's relative error in units of `u^2`: `3 / (1 - 4u)`, rounded up.
 const SUM_BOUND: f64 = 3.0 + 8.0 * f64::EPSILON;
 
 #[test]
@@ -225,7 +226,7 @@ fn double_double_products_are_within_their_bounds() {
     });
 }
 
-/// `|x - a/b| <= k |a/b|` where `|x b - a| <= k |a|`.
+/// Checks quotients x of a and b without dividing: `|x - a/b| <= k |a/b|` if `|x b - a| <= k |a|`.
 #[test]
 fn double_double_quotients_are_within_their_bound() {
     on_all(|bits| {
@@ -238,7 +239,8 @@ fn double_double_quotients_are_within_their_bound() {
     });
 }
 
-/// `|s - sqrt x| <= k sqrt x` where `(1 - k)^2 x <= s^2 <= (1 + k)^2 x`.
+/// Checks square roots s of x by squaring: `|s - sqrt x| <= k sqrt x` if
+/// `(1 - k)^2 x <= s^2 <= (1 + k)^2 x`.
 #[test]
 fn double_double_roots_are_within_their_bound() {
     let k = &Dyadic::from(3.125) * &Dyadic::from(2_f64.powi(-106));
@@ -257,7 +259,7 @@ fn double_double_roots_are_within_their_bound() {
     });
 }
 
-/// Number of the operations' results.
+/// Number of values that [`results`] returns.
 const RESULTS: usize = 7;
 
 fn results<F: Lane>(a: F, b: F, positive: F) -> [F; RESULTS] {
@@ -286,8 +288,8 @@ fn by_lanes<S: Simd>(simd: S, cases: &[Case]) -> Vec<[f64; RESULTS]> {
     all
 }
 
-/// Lanes give the same bits as one number, whose results are checked above. An error of 0 has either
-/// sign: Dekker's product may make it -0, a fused one makes it +0.
+/// Checks that SIMD vectors give the same bits as scalars, which the tests above check. The sign of an
+/// error of 0 is ignored: Dekker's product may make it -0, a fused multiply-add makes it +0.
 #[test]
 fn lanes_give_the_same_bits_on_every_level() {
     let mut cases: Vec<Case> = Vec::new();
