@@ -15,8 +15,8 @@ pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
 
 /// The camera's coordinate frame in the world: right, up in the image, and *backwards*.
 ///
-/// The basis is orthonormal and right-handed: `u x v = w`. In its coordinates, the camera is the
-/// canonical one.
+/// The basis is orthonormal and right-handed: `u x v = w`. Expressed in this basis, the camera looks
+/// along -z with y up, like the canonical camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Basis {
     /// Right in the image.
@@ -32,7 +32,8 @@ pub struct Basis {
 pub struct UpAngle {
     /// Angle between up and view in radians, between 0 and pi. Only rounding can make it 0 or pi.
     pub angle: f64,
-    /// `1 / sin(angle)`: degrees of roll for each degree that up is tipped sideways.
+    /// `1 / sin(angle)`: the number of degrees by which the camera rolls for each degree that up is
+    /// tilted sideways.
     pub conditioning: f64,
 }
 
@@ -90,13 +91,14 @@ pub enum BasisError {
         /// The dot product of the two vectors.
         dot: f64,
     },
-    /// `u x v` of a basis given by hand is `-w`.
+    /// A basis given by hand is left-handed: its `u x v` is `-w`.
     #[error("the basis is left-handed: u x v is -w and must be w, which points backwards")]
     LeftHanded,
 }
 
 impl Basis {
-    /// Returns how far u, v and w are from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
+    /// Returns how far u, v and w are from orthonormal: the sum of `| |a|^2 - 1 |` over the three
+    /// vectors and of `|a . b|` over the three pairs.
     pub(crate) fn defect(&self) -> f64 {
         let Basis { u, v, w } = *self;
         let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
@@ -107,7 +109,7 @@ impl Basis {
     /// The canonical camera's basis: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 
-    /// Creates a basis of vectors given by hand, which are used unchanged. They must have length 1 and
+    /// Creates a basis from vectors given by hand, which are used unchanged. They must have length 1 and
     /// be orthogonal, both within [`ORTHONORMAL_TOLERANCE`], and be right-handed.
     ///
     /// # Errors
@@ -155,16 +157,16 @@ impl Basis {
         Some(Basis { u: turn.x_axis, v: turn.y_axis, w: turn.z_axis })
     }
 
-    /// Returns how far three vectors are from orthonormal: the largest of `| |a| - 1 |` and `|a .
-    /// b|`.
+    /// Returns how far three vectors are from orthonormal: the largest of `| |a| - 1 |` of a vector and
+    /// `|a . b|` of a pair.
     pub fn error_of(u: DVec3, v: DVec3, w: DVec3) -> f64 {
         let lengths = [u, v, w].map(|a| (a.length() - 1.0).abs());
         let angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
         lengths.into_iter().chain(angles).fold(0.0, f64::max)
     }
 
-    /// Returns whether three vectors, unit or not, are left-handed. A camera with such vectors for
-    /// right, up and backwards would show a mirror image.
+    /// Returns whether three vectors of any length are left-handed; false if one is zero or not finite.
+    /// A camera with such vectors for right, up and backwards would show a mirror image.
     pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
         let vectors = [u, v, w];
         if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {

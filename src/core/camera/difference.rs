@@ -36,11 +36,13 @@ impl Camera {
     ///
     /// ```text
     /// turn = atan2(|u' x u + v' x v + w' x w|, u' . u + v' . v + w' . w - 1)
-    /// roll = atan2(-v . u'', v . v'')       u'', v'': this view with the other's up
+    /// roll = atan2(-v . u'', v . v'')
     /// ```
     ///
-    /// The arguments of the first `atan2` are `2 sin(turn)` and `2 cos(turn)`, taken from the rotation's
-    /// matrix. They are accurate even for small turns and for turns near 180 degrees.
+    /// u, v, w are this camera's basis, u', v', w' the other camera's. u'' and v'' belong to a camera
+    /// that looks along this camera's view and is held level by the other camera's up. The arguments of
+    /// the first `atan2` are `2 sin(turn)` and `2 cos(turn)`, taken from the rotation's matrix. They are
+    /// accurate even for small turns and for turns near 180 degrees.
     ///
     /// # Errors
     /// Returns an error if either camera has no basis.

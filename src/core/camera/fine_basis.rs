@@ -19,8 +19,8 @@ pub(crate) struct FineBasis {
     pub(crate) doubt: f64,
 }
 
-/// A view direction as it was given. The form is kept because `at - eye` may have more digits than
-/// `f64`.
+/// A view direction in the form in which it was given, because the exact `at - eye` may have more digits
+/// than `f64` can hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewGiven {
     /// The direction `to - from`.
@@ -52,9 +52,9 @@ impl ViewGiven {
     }
 }
 
-/// The exact parts of a basis computed from view and up. With `f` the view and `R = f x up`,
-/// `w = -f / sqrt A`, `u = R / sqrt B` and `v = w x u = (R x f) / sqrt(A B)`, where `A = |f|^2` and
-/// `B = |R|^2`.
+/// The exact, unnormalized vectors of a basis computed from view and up. With the view `f` and
+/// `R = f x up`, `w = -f / sqrt A`, `u = R / sqrt B` and `v = w x u = (R x f) / sqrt(A B)`, where
+/// `A = |f|^2` and `B = |R|^2`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigBasis {
     pub(crate) view: Exact3,
@@ -83,9 +83,9 @@ impl FineBasis {
     /// Computes the basis from a view direction and up, neither of which is zero. Returns `None` if
     /// up is exactly parallel to the view.
     ///
-    /// With f the view, `R = f x up` in double-double has an error of up to `CROSS |f| |up|`. If R is
-    /// much shorter than `|f| |up|`, exact numbers are used instead, so that the result is equally
-    /// accurate at every angle.
+    /// With f the view, `R = f x up` in double-double has an error of up to `CROSS |f| |up|` (see
+    /// [`Number::CROSS`]). If R is much shorter than `|f| |up|`, exact numbers are used instead, so that
+    /// the result is equally accurate at every angle.
     pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
@@ -116,8 +116,8 @@ impl FineBasis {
         if is_sure { Some(basis) } else { FineBasis::from_exact(view, up) }
     }
 
-    /// Computes the basis from exact numbers. The error of each coordinate is at most `3 u^2`.
-    /// Returns `None` if up is parallel to the view.
+    /// Computes the basis from exact numbers. The error of each coordinate is at most `3 u^2` with
+    /// `u = 2^-53`. Returns `None` if up is parallel to the view.
     pub(crate) fn from_exact(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let BigBasis { view, right, upward, radicands } = BigBasis::new(view, up);
         if radicands.b.is_zero() {

@@ -1,4 +1,4 @@
-//! The camera as it is given and edited.
+//! The camera as it is given and edited, before it is checked.
 
 pub(crate) mod basis;
 pub(crate) mod difference;
@@ -37,7 +37,7 @@ pub enum Orientation {
         /// The vector that keeps the camera level. It need not be at right angles to the view, as v is.
         up: DVec3,
     },
-    /// u, v, w set by hand, used as given.
+    /// The vectors u, v, w, set by hand and used unchanged.
     Basis(Basis),
 }
 
@@ -52,7 +52,8 @@ pub enum OrientationKind {
     Basis,
 }
 
-/// A camera as it is given. Both the edited camera and the observer of the world view have this type.
+/// A camera as it is given. Both the camera that is edited and the observer, from which the world around
+/// that camera is shown, have this type.
 ///
 /// The fields may have any values while they are edited; [`Camera::resolve`] checks them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,7 +165,8 @@ impl Camera {
         Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
-    /// Returns the same camera with its orientation given in the way `kind`.
+    /// Returns the same camera with its orientation given in the form `kind`: by at, by view, or by a
+    /// basis.
     ///
     /// The eye and up are kept; the up of a basis is v. The new `at` is `eye + view`, or `eye - w` for a
     /// basis. If rounding that sum would change the direction (for example, with the eye at 1e12), `at`

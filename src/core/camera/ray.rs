@@ -1,5 +1,5 @@
-//! Rays in parametric form: rays with a direction in `f64`, and exact rays. An exact ray is one as
-//! given, or a camera's view ray, whose exact direction does not fit into `f64`.
+//! Rays in parametric form: [`Ray`], with a direction in `f64`, and [`ExactRay`], which is either such a
+//! ray, taken as exact, or a camera's view ray, whose exact direction does not fit into `f64`.
 
 use glam::{DVec2, DVec3};
 use serde::Serialize;
@@ -14,9 +14,10 @@ use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::{ldexp, split, triple};
 
-/// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
+/// A ray: the points `origin + t * direction`. The direction is not normalized; `t` is in units of its
+/// length.
 ///
-/// The fields may have any values; a ray that does not pass [`Ray::check`] meets nothing.
+/// The fields may have any values; a ray that does not pass [`Ray::check`] hits nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ray {
     /// The point at `t = 0`, the lecture's p.
@@ -109,11 +110,11 @@ pub struct ExactRay<'a> {
     /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
     /// between 1e-30 and 1e30.
     pub(crate) fine: DirectionTerms<DoubleDouble>,
-    /// The direction, rounded to `f64`.
+    /// The same direction as in `fine`, rounded to `f64`.
     pub(crate) rough: DirectionTerms<f64>,
     pub(crate) scale: i32,
-    /// A whole number by which the direction is multiplied to clear denominators: a pixel's (u, v) times
-    /// `stretch` has none.
+    /// A whole number by which the direction is multiplied to avoid divisions. For a pixel, it is a
+    /// multiple of `2 W` and `2 H`, the denominators of u and v; otherwise it is 1.
     pub(crate) stretch: f64,
 }
 
@@ -125,14 +126,15 @@ enum Source<'a> {
 }
 
 impl ResolvedCamera {
-    /// Returns the view ray through a pixel's centre, for the camera as given, with nothing rounded:
-    /// `u = width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact
-    /// basis.
+    /// Returns the view ray through a pixel's centre, with nothing rounded: neither
+    /// `u = width ((column + 0.5) / W - 0.5)` nor `v = height (0.5 - (row + 0.5) / H)` nor the basis.
+    /// The camera's inputs count as exact.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
         ExactRay::from_view(self, Selection::Pixel(pixel))
     }
 
-    /// Returns the view ray through (u, v), for (u, v) and the camera as given, with nothing rounded.
+    /// Returns the view ray through (u, v), with nothing rounded. (u, v) and the camera's inputs count
+    /// as exact.
     ///
     /// # Errors
     /// Returns an error if u or v is not finite.
@@ -145,7 +147,7 @@ impl ResolvedCamera {
 }
 
 impl<'a> ExactRay<'a> {
-    /// Returns a ray, as given, as an exact ray.
+    /// Converts a ray to an exact ray: its origin and direction count as exact.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or the direction is zero.

@@ -1,4 +1,5 @@
-//! A checked camera with its basis: pixels, (u, v), view rays and projection, with their inverses.
+//! A checked camera with its basis, which converts between pixels, positions (u, v), view rays and world
+//! points.
 
 use glam::{DVec2, DVec3};
 
@@ -119,7 +120,8 @@ impl ResolvedCamera {
     /// v = height * (0.5 - (row + 0.5) / H)
     /// ```
     ///
-    /// computed as `width * (2 column + 1 - W) / (2 W)`, whose numerator is exact.
+    /// u is computed as `width * (2 column + 1 - W) / (2 W)`, in which `2 column + 1 - W` is exact, and
+    /// v likewise.
     pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
         DVec2::new(self.u_of_column(pixel.column), self.v_of_row(pixel.row))
     }
@@ -182,8 +184,8 @@ impl ResolvedCamera {
         &self.fine_basis
     }
 
-    /// Returns u, v and the distance, each times the point's [stretch](Selection::stretch), as pairs of
-    /// numbers whose product is the exact value.
+    /// Returns u, v and the distance, each multiplied by the point's [stretch](Selection::stretch), a
+    /// whole number that avoids divisions. Each value is a pair of numbers whose exact product it is.
     fn coordinates(&self, point: Selection) -> [(f64, f64); 3] {
         let Viewport { width, height, distance } = self.viewport;
         match point {
@@ -200,7 +202,8 @@ impl ResolvedCamera {
         }
     }
 
-    /// Returns the view ray's direction times the point's stretch, in units of `2^k`, and k.
+    /// Returns the direction of the view ray through a point, times the point's
+    /// [stretch](Selection::stretch), in double-double in units of `2^k`; and k.
     pub(crate) fn fine_direction(&self, point: Selection) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(point);
         // The size of the products matters, not that of the width and height, which drop out at the
@@ -291,9 +294,9 @@ impl ResolvedCamera {
     }
 }
 
-/// Finds in which of `count` cells across an `extent` a position lies, and on which edge, if any.
-/// Returns `None` if the position is outside. `fraction` runs from 0 to 1 across the extent; `edge`
-/// returns the position of an edge.
+/// Finds in which of `count` rows or columns across an `extent` a position lies, and on which edge, if
+/// any. Returns `None` if the position is outside. `fraction` is the position as a fraction of the
+/// extent, from 0 to 1; `edge` returns the position of an edge.
 fn cell_of(
     position: f64,
     fraction: f64,

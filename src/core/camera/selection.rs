@@ -23,8 +23,8 @@ impl Default for Selection {
 }
 
 impl Selection {
-    /// Returns the whole number that clears the denominators of the ray's (u, v): `2 W H` for a pixel, 1
-    /// if (u, v) itself is given.
+    /// Returns a whole number by which the ray's direction is multiplied to avoid divisions: for a pixel
+    /// `2 W H`, a common multiple of the denominators of u and v; 1 if (u, v) itself is given.
     pub(crate) fn stretch(self, image: ImageSize) -> f64 {
         match self {
             Selection::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
@@ -61,8 +61,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection. A selected pixel that lies outside the image, which may have shrunk, is
-    /// moved back into it.
+    /// Returns the selection, with a selected pixel moved back into the image if it lies outside, as it
+    /// may after the image has become smaller.
     pub fn inside(self, image: ImageSize) -> Selection {
         match self {
             Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
@@ -102,8 +102,8 @@ impl Selection {
         }
     }
 
-    /// Returns the selection moved by `rows` down and `columns` to the right, for the arrow keys. From a
-    /// (u, v), the first step leads to the next pixel centre in that direction.
+    /// Returns the selection moved by `rows` down and `columns` to the right, for the arrow keys. If a
+    /// (u, v) is selected, the first step leads to the next pixel centre in that direction.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
         let (Pixel { row, column }, rows, columns) = match self {
             Selection::Pixel(pixel) => (pixel, rows, columns),

@@ -189,8 +189,9 @@ impl ImageSize {
 ///      0  0  1
 /// ```
 ///
-/// (Hartley, Zisserman, *Multiple View Geometry*, 2nd ed., section 6.1, with y down.) If pixel centres
-/// are at whole numbers, as in OpenCV, cx and cy are smaller by 0.5.
+/// q is the vector from the eye to the point that is projected. (Hartley, Zisserman, *Multiple View
+/// Geometry*, 2nd ed., section 6.1, with y down.) If pixel centres are at whole numbers, as in OpenCV,
+/// cx and cy are smaller by 0.5.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intrinsics {
     /// Horizontal focal length in pixels, `distance W / width`.
