@@ -18,9 +18,10 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// plane:   f(t) = n . (p + t d - point)                              a straight line
 /// ```
 ///
-/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 2.5.3 and 4.4.) Its
-/// zeros are the ray's roots; it is negative inside a sphere, and on the side of a plane that the
-/// normal points away from.
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 2.5.3 and 4.4.) Here n is
+/// the plane's normal; a, b and c are those of [`SphereQuadratic`](crate::SphereQuadratic). The zeros of
+/// f are the ray's roots, the `t` at which its line meets the object. f is negative inside a sphere, and
+/// on the side of a plane that the normal points away from.
 ///
 /// ```
 /// use pinhole_core::*;
@@ -37,21 +38,23 @@ pub struct AlongRay<'a> {
     seen: ObjectFromOrigin,
 }
 
-/// The lowest point of a sphere's parabola: there, the ray's line is nearest to the centre.
+/// The lowest point of the parabola f(t) of a sphere ([`AlongRay`]), where the ray's line is nearest to
+/// the sphere's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParabolaVertex {
     /// The `t` of the vertex, `-b / a`, where the derivative is 0.
     pub t: f64,
-    /// f at the vertex, `-D / a`: negative where the line crosses the sphere, 0 where it touches it. In
-    /// squared world units, at least `-r^2`.
+    /// f at the vertex, `-D / a` with the discriminant D: negative if the line crosses the sphere, 0 if
+    /// it touches the sphere. It is at least `-r^2`, in squared world units.
     pub value: f64,
 }
 
-/// Maximum relative error of a value, 2^-60, with which the rounded value is within half an ulp plus
-/// 2^-7 of an ulp.
+/// Maximum relative error of a value before it is rounded: 2^-60, so that the rounded value is within
+/// half an ulp plus 2^-7 of an ulp.
 const ENOUGH: f64 = 1.0 / (1_u64 << 60) as f64;
 
-/// Range of scaled `t` in which double-double neither overflows nor loses digits to underflow.
+/// Range of the magnitude of a scaled `t` in which double-double neither overflows nor loses digits to
+/// underflow.
 const PLAIN_TIMES: std::ops::Range<f64> = 1e-90..1e90;
 
 impl<'a> AlongRay<'a> {
@@ -140,7 +143,8 @@ impl<'a> AlongRay<'a> {
         Some((std::array::from_fn(|i| ray.fine.d[i] * t - q[i]), doubt))
     }
 
-    /// Returns `t 2^k / stretch`, or `None` if it is neither 0 nor in [`PLAIN_TIMES`].
+    /// Returns `t 2^k / stretch`, with the factor `stretch` of the ray's direction; or `None` if the
+    /// result is neither 0 nor of a magnitude in [`PLAIN_TIMES`].
     fn scaled_time(&self, t: f64, k: i32) -> Option<DoubleDouble> {
         if t == 0.0 {
             return Some(DoubleDouble::default());
@@ -181,7 +185,8 @@ impl<'a> AlongRay<'a> {
         is_sure(value, 1.05 * doubt).then_some(Precise::new(value, seen.scale + seen.normal_scale))
     }
 
-    /// Returns f at an infinite t: infinite, or the constant of a parallel plane.
+    /// Returns the limit of f at an infinite t, which is infinite unless the ray is parallel to a plane,
+    /// where f is constant. NaN gives NaN.
     fn limit(&self, t: f64) -> f64 {
         if t.is_nan() {
             return t;
@@ -196,7 +201,8 @@ impl<'a> AlongRay<'a> {
     }
 }
 
-/// Returns whether a value's error is small enough, and the value so large that nothing has underflowed.
+/// Returns whether a value's error bound `doubt` is at most [`ENOUGH`] times the value, and the value
+/// far enough from 0 and infinity that nothing has underflowed or overflowed.
 fn is_sure(value: DoubleDouble, doubt: f64) -> bool {
     let magnitude = value.hi.abs();
     magnitude > 1e-200 && magnitude < 1e250 && doubt <= ENOUGH * magnitude

@@ -1,4 +1,5 @@
-//! The ladder's last step: where a ray meets spheres and planes, in exact arithmetic.
+//! Intersection of a ray with spheres and planes in exact arithmetic, the last step of [the
+//! ladder](crate#the-ladder).
 
 use std::cmp::Ordering;
 
@@ -45,9 +46,10 @@ impl BigRay {
         BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
     }
 
-    /// Returns `|origin + t direction - center|^2 - r^2`, by [`BigRay::value`].
+    /// Returns `|origin + t direction - center|^2 - r^2`, as accurate as [`BigRay::value`].
     pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> Precise {
-        // Multiplied by the square of the scale, which t and the direction do not contain.
+        // All terms are multiplied by the square of the scale, by which the result is divided at the
+        // end.
         let (c, t) = (big_c(sphere, &self.origin), Dyadic::from(t));
         let b = self.dot(&self.to_center(sphere));
         let square = self.scale.square(&self.radicands);
@@ -56,14 +58,14 @@ impl BigRay {
         self.value(&value, &square)
     }
 
-    /// Returns `2 direction . (origin + t direction - center)`, by [`BigRay::value`].
+    /// Returns `2 direction . (origin + t direction - center)`, as accurate as [`BigRay::value`].
     pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> Precise {
         let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.radicands);
         let half = &self.a.scaled(&Dyadic::from(t)) - &b;
         self.value(&(&half + &half), &self.scale.square(&self.radicands))
     }
 
-    /// Returns `normal . (origin + t direction - point)`, by [`BigRay::value`].
+    /// Returns `normal . (origin + t direction - point)`, as accurate as [`BigRay::value`].
     pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> Precise {
         let normal = exact3(plane.normal);
         let offset = big_offset(plane, &self.origin);

@@ -44,8 +44,9 @@ use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 /// A decision for which double-double does not suffice, and which is made in integers, has a margin of
 /// 0.
 ///
-/// A certificate describes the decisions for a single ray. A frame may manage with lower steps: for
-/// example, it distinguishes nearly equal spheres in `f64`, by their difference.
+/// A certificate describes the decisions for a single ray. Tracing a whole frame may need only lower
+/// steps: for example, it can tell nearly equal spheres apart in `f64`, by the difference between the
+/// spheres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Certificate {
@@ -66,13 +67,15 @@ pub struct Hardest {
     pub question: Question,
     /// The object that the question is about.
     pub object: u32,
-    /// The relative error bound, in the unit of [`Question`]; at [`Step::Exact`], the bound of
-    /// double-double, which did not suffice.
+    /// The error bound of the value that decides, divided by the denominator that [`Question`] gives; at
+    /// [`Step::Exact`], the bound of double-double, which did not suffice.
     pub bound: f64,
 }
 
-/// A question about a ray and an object. q is the vector from the eye to a sphere's centre, r its radius
-/// and d the direction; n is a plane's normal, and p the vector from the eye to its point.
+/// A question about a ray and an object. Each case gives the value whose sign is the answer, divided by
+/// a denominator that makes it dimensionless. d is the ray's direction, q the vector from the eye to a
+/// sphere's centre, r the sphere's radius, and D the discriminant; n is a plane's normal, and p the
+/// vector from the eye to the plane's point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Question {
     /// Whether the eye is inside a sphere: `(|q|^2 - r^2) / (|q|^2 + r^2)`; or on which side of a
@@ -89,7 +92,8 @@ pub enum Question {
     Order,
 }
 
-/// A number whose sign is decided, with its error bound, and the unit in which both are reported.
+/// A value whose sign answers a question, its error bound, and the denominator by which both are divided
+/// in a report (see [`Question`]).
 struct Bounded {
     question: Question,
     value: f64,
@@ -148,16 +152,17 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
     ways.into_iter().flatten().reduce(Certificate::or)
 }
 
-/// Pairs `(s, bits)`: a line that passes a sphere at more than `s` times the sphere's distance misses it
-/// with a margin of at least that many bits.
+/// Pairs `(s, bits)`: a ray's line misses each sphere that is not among [`Scene::spheres_near`] with
+/// `share = s`, with a margin of at least that many bits.
 ///
-/// Let m be the distance of the line from the centre. Then `m - r > 2 s |q|` for a sphere that is
-/// passed at a greater distance, so `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`. The error
-/// bound of D is below `26 u |d|^2 |q| m` in either form, if the error of d is little more than u.
+/// Let d be the ray's direction, q the vector from its origin to the sphere's centre, r the radius, and
+/// m the line's distance from the centre. For these spheres `m - r > 2 s |q|`, so the discriminant has
+/// `|D| = |d|^2 (m - r) (m + r) > 2 s |d|^2 |q| m`. The error bound of D is below `26 u |d|^2 |q| m`
+/// with either formula for D, if the relative error of d is little more than the unit roundoff u.
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
 impl Scene {
-    /// Returns the certainty of the decision of [`Scene::first_hit_of`]. The certificate does not depend
+    /// Returns the certainty with which [`Scene::first_hit_of`] decides. The certificate does not depend
     /// on the order in which objects are examined.
     ///
     /// ```
@@ -347,7 +352,8 @@ fn sphere_is_not_first(
     side.and(Certificate::exact(undecided.question, index, undecided.bound / undecided.unit))
 }
 
-/// The two signs of a sphere's quadratic.
+/// The two values whose signs decide whether a ray hits a sphere: the discriminant and b of the
+/// quadratic.
 struct Signs {
     meets: Bounded,
     ahead: Bounded,
@@ -419,7 +425,8 @@ fn is_later(hit: &Hit, first: &Hit, ray: &ExactRay) -> Option<Certificate> {
 }
 
 /// Returns `t` in `f64` and its relative error, or `None` if it is out of range. If `f64` cannot decide
-/// whether the line meets a sphere, `b / a` is taken, because any roots are near it:
+/// whether the line meets a sphere, t is `b / a` of the sphere's quadratic, because the roots, if there
+/// are any, are near this value:
 ///
 /// ```text
 /// |t - b / a| <= sqrt(D + bound of D) / a
@@ -440,7 +447,7 @@ fn rough_t(hit: &Hit, ray: &ExactRay) -> Option<(f64, f64)> {
     (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
 }
 
-/// Returns the certificate of the order of two hits that `f64` cannot decide.
+/// Returns the certificate of the decision which of two hits comes first, if `f64` cannot make it.
 fn order_of(hit: &Hit, first: Option<&Hit>, ray: &ExactRay) -> Certificate {
     let Some(first) = first else { return Certificate::SURE };
     let (t, first_t) = (hit.object.t(ray, hit.root), first.object.t(ray, first.root));

@@ -1,4 +1,4 @@
-//! A scene of spheres and planes, and the roots and hits of rays with them.
+//! A scene of spheres and planes, and the points at which rays meet them: roots and first hits.
 
 pub(crate) mod along_ray;
 pub(crate) mod big_roots;
@@ -31,8 +31,8 @@ use crate::scene::sphere_predicates::RootSide;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 ///
-/// The first frame of a scene with many spheres makes an index over them, which the scene keeps. Clones
-/// share the spheres and the index, so cloning copies only the planes.
+/// The first frame of a scene with many spheres builds a spatial index over them, which the scene keeps.
+/// Clones share the spheres and the index, so cloning copies only the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     spheres: Arc<Spheres>,
@@ -227,9 +227,9 @@ impl Scene {
         Some((index, object.rounded_t(ray, root, steps_of_t)))
     }
 
-    /// Returns the indices of the spheres for which `may` is true, in ascending order. `may` is called
-    /// with the centre and the half extents of a box. If it is true for a sphere's box, it must be true
-    /// for any box around that.
+    /// Returns, in ascending order, the indices of the spheres whose bounding boxes satisfy `may`, which
+    /// is called with the centre and the half extents of a box. If `may` is true for a box, it must be
+    /// true for every box that contains that box.
     fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         if let Some(index) = self.index() {
             return index.spheres_where(may);

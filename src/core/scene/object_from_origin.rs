@@ -1,5 +1,5 @@
-//! Objects with the values precomputed for all rays from one origin, and the order in which a ray meets
-//! the objects.
+//! Objects with the values precomputed for all rays from one origin, and the exact order of a ray's
+//! hits.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -48,7 +48,7 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns where the ray first hits the object, or `None` if it does not.
+    /// Returns at which of its roots the ray first hits the object, or `None` if it does not.
     pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.first_root(ray, steps),
@@ -119,7 +119,8 @@ impl ObjectFromOrigin {
         }
     }
 
-    /// Returns `t` at a root in `f64` and its relative error; `None` if it is out of range.
+    /// Returns `t` at a root in `f64` and its relative error; `None` if `f64` is not accurate enough or
+    /// `t` is out of its range.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
             ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
@@ -165,8 +166,8 @@ impl ObjectFromOrigin {
     /// Returns the root with its point and normal.
     ///
     /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. If a
-    /// coordinate of the direction is 0, the point has the origin's coordinate. If the terms of a
-    /// coordinate cancel up to the rounding of t, the coordinate is 0.
+    /// coordinate of the direction is 0, the point has the origin's coordinate. If the two terms of a
+    /// coordinate cancel to no more than the rounding error of t, the coordinate is 0.
     pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
         let t = self.t(ray, root);
         let (point, normal) = match self {

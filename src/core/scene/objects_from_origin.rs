@@ -24,7 +24,8 @@ pub(crate) struct ObjectsFromOrigin<'a> {
     made: Vec<ObjectFromOrigin>,
 }
 
-/// Maximum number of objects whose values are computed in advance; so many take some megabytes.
+/// Maximum number of objects whose values are computed in advance; for that many, they take some
+/// megabytes.
 const MOST_MADE: usize = 10_000;
 
 impl<'a> ObjectsFromOrigin<'a> {
@@ -108,18 +109,20 @@ impl Line {
 
     /// Returns false if the line certainly misses the box `middle +- half`, otherwise true.
     ///
-    /// Let q be the vector from the line's origin to the middle. Seen along the line, the box is a
-    /// hexagon whose sides have the normals `e_i x d`. It lies to one side of the line if, for one of
-    /// them,
+    /// Let d be the line's direction, h the half extents, q the vector from the line's origin to the
+    /// middle, and e_i the coordinate axes. Seen along the line, the box is a hexagon whose sides have
+    /// the normals `e_i x d`. The line passes beside the box if, for some i and the other two axes j and
+    /// k,
     ///
     /// ```text
     /// |(q x d)_i| > h_j |d_k| + h_k |d_j|
     /// ```
     ///
-    /// Each side is off by less than 16 u of `|d| (|q|_1 + |h|_1)`, for two products and a sum, and q
-    /// rounded once; and by the relative error of d. [`Line::DOUBT`] is far more than 16 u, because a
-    /// box that is nearly met costs no more than one that is met. Underflow changes a value by less than
-    /// the smallest normal number; a side whose value overflows decides nothing.
+    /// Each side of the inequality is off by less than `16 u |d| (|q|_1 + |h|_1)` with the unit roundoff
+    /// u, for two products, a sum and the rounding of q; and by the relative error of d. [`Line::DOUBT`]
+    /// is far more than 16 u, because it does no harm to count a box as met that the line just misses.
+    /// Underflow changes a value by less than the smallest normal number. If a value overflows, the
+    /// inequality decides nothing.
     pub(crate) fn may_meet(&self, middle: [f64; 3], half: [f64; 3]) -> bool {
         let d = self.direction;
         let q: [f64; 3] = std::array::from_fn(|i| middle[i] - self.origin[i]);
@@ -133,6 +136,7 @@ impl Line {
         !(0..3).any(is_beside)
     }
 
-    /// Allowance for errors, relative to `|d| (|q|_1 + |h|_1)`: a box within it counts as met.
+    /// Allowance for errors, relative to `|d| (|q|_1 + |h|_1)`: a box that the line misses by no more
+    /// counts as met.
     const DOUBT: f64 = 1e-12;
 }

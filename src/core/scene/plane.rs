@@ -16,7 +16,8 @@ pub struct Plane {
 /// The terms of a ray-plane intersection: `t = offset / rate`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneTerms {
-    /// `normal . d`, the rate at which the ray approaches the plane; 0 if the ray is parallel.
+    /// `normal . d` for the ray's direction d, the rate at which the ray approaches the plane; 0 if the
+    /// ray is parallel to the plane.
     pub rate: f64,
     /// `normal . (point - p)`, the distance from the ray's origin p to the plane along the normal, times
     /// the normal's length.

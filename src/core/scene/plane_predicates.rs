@@ -1,5 +1,5 @@
-//! A plane with the values precomputed for all rays from one origin: the ladder's decisions, the root,
-//! and which of two planes a ray hits first.
+//! A plane with the values precomputed for all rays from one origin: decides exactly whether a ray hits
+//! it, computes `t`, and decides which of two planes a ray hits first.
 
 use std::cmp::Ordering;
 
@@ -171,8 +171,9 @@ impl PlaneFromOrigin {
         (ray.big().t(&self.big_root(ray)), Step::Exact)
     }
 
-    /// Returns `t` in `f64`, in units of `2^(scale - scale of the ray) / stretch`, and its relative
-    /// error. Returns `None` if the line may be parallel to the plane.
+    /// Returns `t` in `f64`, in units of `stretch 2^(scale of the plane - scale of the ray)`, where
+    /// `stretch` is the factor of the ray's direction; and its relative error. Returns `None` if the
+    /// line may be parallel to the plane.
     pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
         let rate = self.rate_of(direction);
         rate.sign()?;
@@ -245,18 +246,19 @@ impl Plane {
     }
 }
 
-/// The order in which rays from one origin hit two planes. With offsets o and o', both not 0, and
-/// normals n and n', a ray along d that hits both planes hits the first one before the other if
+/// The order in which rays from one origin hit two planes. Let n be the normal of the first plane and
+/// `o = n . (point - origin)` its offset, and n' and o' those of the second plane; neither offset is 0.
+/// A ray along d that hits both planes hits the first one first if
 ///
 /// ```text
 /// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n)
 /// ```
 ///
-/// where s and s' are the signs of o and o'. At a hit, n.d and n'.d have these signs, too. e is computed
-/// exactly and then rounded, so that even planes that nearly coincide are distinguished.
+/// where s and s' are the signs of o and o'. At a hit, n.d and n'.d have these signs, too. The vector e
+/// is computed exactly and then rounded, so that even planes that nearly coincide are distinguished.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PlaneOrder {
-    /// e, its largest coordinate near 1.
+    /// The vector e, scaled so that its largest coordinate is near 1.
     e: Vector<f64>,
     length: f64,
 }

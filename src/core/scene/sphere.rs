@@ -19,8 +19,8 @@ pub struct Sphere {
 /// a = d.d     b = d.(p - center)     c = |p - center|^2 - r^2     D = b^2 - a c
 /// ```
 ///
-/// so that `t = (-b -+ sqrt D) / a`. Here b is *half* the linear coefficient; the textbook's
-/// `b^2 - 4ac` is four times this D.
+/// so that `t = (-b -+ sqrt D) / a`. p is the ray's origin, d its direction, r the radius, and b is
+/// *half* the linear coefficient; the textbook's `b^2 - 4ac` is four times this D.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphereQuadratic {
     /// `d.d`
@@ -29,9 +29,8 @@ pub struct SphereQuadratic {
     pub b: f64,
     /// `|p - center|^2 - r^2`: negative inside the sphere, 0 on it.
     pub c: f64,
-    /// `b^2 - a c`, with its exact sign. If p is farther from the centre than `sqrt(2) r`, it is
-    /// computed as `r^2 a -
-    /// |(p - center) x d|^2`, which is equal (Lagrange's identity).
+    /// `b^2 - a c`, with its exact sign. If p is farther from the centre than `sqrt(2) r`, it is computed
+    /// as `r^2 a - |(p - center) x d|^2`, which is equal (Lagrange's identity).
     pub discriminant: f64,
 }
 

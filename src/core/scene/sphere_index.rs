@@ -1,6 +1,6 @@
 //! A scene's spheres, and the index over them. The index stores spheres of similar size that are close
 //! together in common boxes, so that the visible ones are found without examining every sphere. The
-//! index depends on the spheres alone, not on a camera, and is kept until they change.
+//! index depends on the spheres alone, not on a camera; it is updated when a sphere is replaced.
 
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -21,8 +21,9 @@ fn columns_of(sphere: &Sphere) -> [f64; 4] {
     [sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius]
 }
 
-/// The index over a scene's spheres. Each sphere has a slot; [`BLOCK`] slots form a block, and up to
-/// [`GROUP`] blocks form a group. Each block and each group has a box around its spheres.
+/// The index over a scene's spheres, a bounding volume hierarchy of two levels. Each sphere has a slot;
+/// [`BLOCK`] slots form a block, and up to [`GROUP`] blocks form a group. Each block and each group has
+/// a box around its spheres.
 ///
 /// The spheres of a group have radii between the same two powers of 4 and lie close together, until [one
 /// is replaced](SphereIndex::replace). Empty slots at the end of a block repeat the block's first
@@ -111,8 +112,9 @@ impl SphereIndex {
         block * BLOCK..(block + 1) * BLOCK
     }
 
-    /// Returns, in ascending order, the indices of the spheres for which `may` is true, and true for
-    /// their block and their group. `may` is called with the centre and the half extents of a box.
+    /// Returns, in ascending order, the indices of the spheres for which `may` is true of the sphere's
+    /// box, its block's box and its group's box. `may` is called with the centre and the half extents of
+    /// a box.
     pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         let may_be_in = |bound: &Bound| may(bound.middle, bound.half);
         let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups[*group]));
@@ -143,7 +145,7 @@ impl SphereIndex {
         }
     }
 
-    /// Fills the last block up with its first sphere.
+    /// Pads the last block with copies of its first sphere.
     fn fill_up(&mut self) {
         let first = (self.ids.len() - 1) / BLOCK * BLOCK;
         while !self.ids.len().is_multiple_of(BLOCK) {
@@ -161,7 +163,7 @@ impl SphereIndex {
     }
 }
 
-/// A box around spheres, with totals of the spheres inside.
+/// An axis-aligned box around some spheres, with totals over these spheres.
 ///
 /// On each axis the box is `middle - half ..= middle + half`. It contains the spheres whether its ends
 /// are computed exactly or in rounded arithmetic. A half extent beyond the range of `f64` is infinite.
@@ -179,8 +181,8 @@ pub(crate) struct Bound {
 }
 
 impl Bound {
-    /// Returns the box of a sphere, not yet rounded outward; [`Bound::around`] does so for the box of
-    /// several.
+    /// Returns the box of one sphere, not rounded outward. [`Bound::around`], which makes a box around
+    /// several, rounds it outward.
     pub(crate) fn of_sphere(sphere: &Sphere) -> Bound {
         let Sphere { center, radius } = *sphere;
         let (middle, half) = (center.to_array(), [radius; 3]);
@@ -270,7 +272,8 @@ pub(crate) const BLOCK: usize = 16;
 /// Maximum number of blocks in a group.
 pub(crate) const GROUP: usize = 64;
 
-/// A sphere's centre and index, the items that are sorted to put the spheres in order.
+/// A sphere's centre and index. These are sorted, instead of the spheres, to find the order of the
+/// slots.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key {
     pub(crate) center: [f64; 3],
@@ -283,7 +286,8 @@ const SHARED_FROM: usize = 8192;
 /// Number of size classes, for radii from 2^-1074 to 2^1024.
 const CLASSES: usize = (1074 + 1024) / 2;
 
-/// Returns a radius's size class: the largest power of 4 not above the radius.
+/// Returns the number of a radius's size class. A class contains the radii from one power of 4 up to the
+/// next.
 fn class_of(radius: f64) -> usize {
     ((exponent(radius) + 1074) / 2) as usize
 }

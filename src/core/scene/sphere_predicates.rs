@@ -1,5 +1,6 @@
-//! A sphere with the values precomputed for all rays from one origin: the ladder's decisions and roots,
-//! and the power of the origin, `|q|^2 - r^2`, with its exact sign.
+//! A sphere with the values precomputed for all rays from one origin: decides exactly whether a ray hits
+//! it, and computes `t`, normals, and the power of the origin, `|center - origin|^2 - r^2`, with its
+//! exact sign.
 
 use std::cmp::Ordering;
 
@@ -42,7 +43,7 @@ pub(crate) struct SphereFromOrigin {
     pub(crate) sphere: Sphere,
     pub(crate) fine: SphereTerms<DoubleDouble>,
     pub(crate) rough: SphereTerms<f64>,
-    /// c in units of `2^(2 scale)`, see [`PointPower::tiny`].
+    /// The coefficient c in units of `2^(2 scale)`, see [`PointPower::tiny`].
     tiny_c: Option<Precise>,
     pub(crate) scale: i32,
     /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
@@ -86,7 +87,7 @@ impl SphereFromOrigin {
     }
 
     /// Returns the sphere's terms in `f64`. Returns `None` unless the origin is well outside the sphere
-    /// and all lengths are ordinary.
+    /// and all lengths are far from overflow and underflow.
     pub(crate) fn rough_terms(sphere: &Sphere, origin: DVec3) -> Option<SphereTerms<f64>> {
         let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
@@ -121,8 +122,8 @@ impl SphereFromOrigin {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Returns the sign of D: `Less` if the ray's line misses the sphere, `Equal` if it touches it,
-    /// `Greater` if it crosses it.
+    /// Returns the sign of the discriminant D: `Less` if the ray's line misses the sphere, `Equal` if it
+    /// touches it, `Greater` if it crosses it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -141,8 +142,8 @@ impl SphereFromOrigin {
         big.quadratic(&self.sphere).discriminant.sign(&big.radicands)
     }
 
-    /// Returns the sign of b, for a line that meets the sphere: `Greater` if the centre lies ahead
-    /// of the origin.
+    /// Returns the sign of `b = q.d`, for a line that meets the sphere: `Greater` if the centre lies
+    /// ahead of the origin.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
         let rough = Quadratic::new(&self.rough, &ray.rough);
@@ -213,16 +214,17 @@ impl SphereFromOrigin {
         }
     }
 
-    /// Returns `t` in double-double, in units of `2^(scale of the sphere - scale of the ray) / stretch`;
-    /// `None` if its relative error is above `doubt`.
+    /// Returns `t` in double-double, in units of `stretch 2^(scale of the sphere - scale of the ray)`,
+    /// where `stretch` is the factor of the ray's direction; `None` if the relative error of `t` is
+    /// above `doubt`.
     fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<Precise> {
         let (t, off) = self.fine_root(ray, root)?;
         (off <= doubt).then_some(t)
     }
 
     /// Returns `t` in double-double and its relative error, in the units of
-    /// [`SphereFromOrigin::fine_t`]; `None` if D may be 0, or if t is so small or large that it loses
-    /// digits.
+    /// [`SphereFromOrigin::fine_t`]; `None` if the discriminant may be 0, or if t is so small or large
+    /// that it loses digits.
     fn fine_root(&self, ray: &ExactRay, root: RootSide) -> Option<(Precise, f64)> {
         let (quadratic, is_far) = (Quadratic::new(&self.fine, &ray.fine), root == RootSide::Far);
         let (t, off, scale) = match self.tiny_c {
@@ -241,7 +243,7 @@ impl SphereFromOrigin {
     }
 
     /// Returns `t` in `f64` and its relative error, in the units of [`SphereFromOrigin::fine_t`]; `None`
-    /// if D may be 0.
+    /// if the discriminant may be 0.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
     }
@@ -289,7 +291,7 @@ impl SphereFromOrigin {
     }
 }
 
-/// Returns the sign of D, or `None` if D's error leaves it in doubt.
+/// Returns the sign of the discriminant, or `None` if it is within its error bound.
 fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
     let discriminant = quadratic.discriminant.near();
     (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
@@ -343,13 +345,15 @@ impl Sphere {
     }
 }
 
-/// Error of c in `f64`, relative to `|q|^2 + r^2`: 6 roundings, plus twice the rounding of q itself.
+/// Error of `c = |q|^2 - r^2` in `f64`, relative to `|q|^2 + r^2`: 6 roundings, plus twice the rounding
+/// of q itself.
 pub(crate) const ROUGH_SHARE: f64 = 8.0 * UNIT;
 
-/// Error of c in double-double, relative to `|q|^2 + r^2`; r^2 is exact.
+/// Error of `c = |q|^2 - r^2` in double-double, relative to `|q|^2 + r^2`; r^2 is exact.
 pub(crate) const FINE_SHARE: f64 = DoubleDouble::DOT + DoubleDouble::SUM;
 
-/// `c = |q|^2 - r^2` with its exact sign.
+/// The power of a point with respect to a sphere, with its exact sign: `c = |q|^2 - r^2`, where q is the
+/// vector from the point to the sphere's centre.
 pub(crate) struct PointPower {
     pub(crate) value: DoubleDouble,
     /// Relative error.

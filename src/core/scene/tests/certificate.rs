@@ -1,4 +1,4 @@
-//! Certificates of many spheres: those that are left out would not have counted.
+//! Tests that the spheres which [`Scene::certificate_of`] skips would not change the certificate.
 
 use super::cloud;
 use crate::camera::Camera;

@@ -1,5 +1,5 @@
-//! The index over spheres: whose slots hold every sphere once, whose boxes contain what is inside, at
-//! any size, and which stays so while spheres are replaced.
+//! Tests of the index over spheres: every sphere has exactly one slot, every box contains its spheres,
+//! whatever their sizes, and both remain true while spheres are replaced.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod certificate;
@@ -20,7 +20,7 @@ use crate::scene::sphere_index::{BLOCK, GROUP};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::test_seed::config;
 
-/// A coordinate: ordinary, or anything finite.
+/// Generates a coordinate: mostly from -100 to 100, sometimes any finite number.
 fn coordinate() -> impl Strategy<Value = f64> {
     let any = any::<f64>().prop_filter("finite", |x| x.is_finite());
     prop_oneof![4 => -100.0..100.0f64, 1 => any, 1 => Just(1e308), 1 => Just(-1e308)]
@@ -34,7 +34,7 @@ fn sphere() -> impl Strategy<Value = Sphere> {
         .prop_map(|(center, radius)| Sphere { center: center.into(), radius })
 }
 
-/// Spheres in a cloud, each with a radius between the given powers of 10.
+/// Returns spheres scattered in a cube, each with a radius between the given powers of 10.
 fn cloud(count: usize, (least, most): (f64, f64)) -> Vec<Sphere> {
     let part = |i: usize, by: f64| (i as f64 * by).fract();
     let sphere = |i| Sphere {
@@ -63,13 +63,13 @@ fn axes(bound: &Bound) -> [[f64; 2]; 3] {
     std::array::from_fn(|axis| [bound.middle[axis], bound.half[axis]])
 }
 
-/// The spheres in these slots, as `(slot, sphere)`.
+/// Returns the spheres in these slots, as `(slot, sphere)`, without empty slots.
 fn held(index: &SphereIndex, slots: std::ops::Range<usize>) -> Vec<(usize, Sphere)> {
     let own = slots.filter(|slot| index.ids[*slot] != NO_SPHERE);
     own.map(|slot| (slot, index.sphere(slot))).collect()
 }
 
-/// Everything that holds of an index of these spheres, whether new or updated.
+/// Asserts the invariants of an index over these spheres, whether it is new or updated.
 fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
     assert_eq!(index.ids.len(), index.blocks.len() * BLOCK);
     let mut seen = vec![0; spheres.len()];
@@ -97,7 +97,7 @@ fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
     assert!(seen.iter().all(|times| *times == 1), "a sphere has no slot, or two");
 }
 
-/// Asserts what a box says of the spheres inside it.
+/// Asserts that a box contains the spheres inside it, and that its totals are theirs.
 fn assert_box(bound: &Bound, inside: &[(usize, Sphere)]) {
     assert!(!inside.is_empty() && bound.count as usize == inside.len());
     for (_, sphere) in inside {
@@ -112,7 +112,7 @@ fn assert_box(bound: &Bound, inside: &[(usize, Sphere)]) {
     assert_eq!(bound.radius, radii().fold(0.0, f64::max));
 }
 
-/// Slots without a sphere repeat the block's first one.
+/// Asserts that the empty slots of a block repeat its first sphere.
 fn assert_filled_up(index: &SphereIndex, block: usize) {
     let slots = SphereIndex::slots_of(block);
     let first = slots.start;
