@@ -3,7 +3,7 @@
 
 use crate::model::symbols;
 
-/// A named concept of the scene or of a camera's derivation.
+/// A concept with a name: a part of the scene, or a quantity in a camera's derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Concept {
     /// The camera's position.
@@ -22,9 +22,9 @@ pub enum Concept {
     V,
     /// The basis vector w: backwards.
     W,
-    /// `up x w`, with its two factors and the parallelogram that they span.
+    /// The cross product `up x w`, with its two factors and the parallelogram that they span.
     UpCrossW,
-    /// `w x u`, with its two factors and the parallelogram that they span.
+    /// The cross product `w x u`, with its two factors and the parallelogram that they span.
     WCrossU,
     /// The viewport's rectangle.
     Viewport,
@@ -32,11 +32,11 @@ pub enum Concept {
     Distance,
     /// The selected pixel, or the selected point (u, v) of the viewport.
     Pixel,
-    /// `u U`: the component of the direction to the right.
+    /// The component of the ray's direction to the right: u times the basis vector u.
     AlongU,
-    /// `v V`: the component of the direction upwards.
+    /// The component of the ray's direction upwards: v times the basis vector v.
     AlongV,
-    /// `-distance W`: the component of the direction forwards.
+    /// The component of the ray's direction forwards: -distance times the basis vector w.
     AlongW,
     /// The direction of the selected ray: from the eye to the viewport.
     Direction,
@@ -48,7 +48,7 @@ pub enum Concept {
     Root {
         /// Index of the object.
         object: u32,
-        /// Index of the root among the object's roots, by ascending t.
+        /// Index of the point among all points where the line meets this object, by ascending t.
         number: u8,
     },
     /// The normal at the first hit.
@@ -71,11 +71,11 @@ pub enum HoverSource {
     Numbers,
     /// A view. The derivation then scrolls to the concept's line.
     View,
-    /// A line of the derivation, or the text next to the plot.
+    /// A line of the derivation, or the text next to the plot of f(p + t d).
     Derivation,
 }
 
-/// The concepts without an index: each with its name in files and its description.
+/// The concepts that need no object's index, each with its name in files and its description.
 const NAMES: [(Concept, &str, &str); 19] = [
     (Concept::Eye, "eye", symbols::EYE),
     (Concept::At, "at", symbols::AT),

@@ -1,6 +1,7 @@
-//! The sections of the derivation, each of which can be hidden.
+//! The sections of the derivation, which is the step-by-step calculation of the camera's and the ray's
+//! numbers. Each section can be hidden.
 
-/// A section of the derivation, with its label and its name in files. The order is from top to bottom.
+/// A section of the derivation. The variants are in their order on the screen, from top to bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DerivationSection {
     /// The steps from view and up to u, v, w.

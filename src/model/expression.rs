@@ -4,7 +4,7 @@ use std::f64::consts::{E, PI, TAU};
 
 use pinhole_exchange::legible;
 
-/// The name of a function of one number, and the function.
+/// The name of a function of one variable, and the function itself.
 type NamedFunction = (&'static str, fn(f64) -> f64);
 
 /// The supported functions of one number.
@@ -23,7 +23,7 @@ const FUNCTIONS: [NamedFunction; 9] = [
 const CONSTANTS: [(&str, f64); 7] =
     [("pi", PI), ("PI", PI), ("π", PI), ("e", E), ("E", E), ("tau", TAU), ("τ", TAU)];
 
-/// Maximum nesting depth of brackets and signs; real input never comes near it.
+/// Maximum nesting depth of brackets and signs, far beyond that of any sensible input.
 const DEEPEST: usize = 64;
 
 /// Maximum number of characters of the typed text.

@@ -23,7 +23,7 @@ pub enum Origin {
     Step(String),
 }
 
-/// Returns the name that the window's title shows for a document with this origin.
+/// Returns the name of a document with this origin in the window's title.
 pub fn title_of(origin: &Origin) -> String {
     match origin {
         Origin::Step(title) => title.clone(),
@@ -67,12 +67,13 @@ impl Stamp {
 /// The stamps (modification times and sizes) of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
-/// Returns the current stamp of the file with a document's spheres; `None` if there is no such file.
+/// Returns the current stamp (modification time and size) of the CSV file with a document's spheres; `None`
+/// if there is no such file.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
 }
 
-/// The open document, with the data needed to save it and to detect changes.
+/// The open document, with the data needed to save it and to detect changes made here or by other programs.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
     /// The document as edited.
@@ -111,8 +112,9 @@ impl OpenDocument {
         OpenDocument { document, saved, text: None, stamps: [None; 2], origin, forgiving: true }
     }
 
-    /// Opens a document with unsaved changes. It belongs to `source` if `source` can still be read, and
-    /// otherwise to no file. `stamp` is the source's stamp when the changes began.
+    /// Opens a document with unsaved changes. It belongs to `source` if that can still be read, and
+    /// otherwise to no file. `stamp` is the modification time and size that the source had when the changes
+    /// began.
     pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
         let saved = source.and_then(|source| Some((source.load().ok()?, source)));
         let Some((saved, source)) = saved else {
@@ -129,7 +131,8 @@ impl OpenDocument {
         OpenDocument { document, ..Self::made_up(Document::default(), title) }
     }
 
-    /// Opens a document with this title that belongs to no file and has no unsaved changes.
+    /// Opens a document with this title that was made by the program: it belongs to no file and has no
+    /// unsaved changes.
     pub fn made_up(document: Document, title: String) -> Self {
         OpenDocument { forgiving: false, ..Self::of_step(document, title) }
     }
@@ -185,7 +188,8 @@ impl OpenDocument {
         self.stamps[0]
     }
 
-    /// Returns the current stamps of the scene file and of the CSV file with its spheres.
+    /// Returns the current stamps (modification times and sizes) of the scene file and of the CSV file with
+    /// its spheres.
     fn stamps_now(&self) -> Stamps {
         [self.scene_file().and_then(Stamp::of), csv_stamp(&self.saved)]
     }
@@ -223,7 +227,7 @@ impl OpenDocument {
         !is_same
     }
 
-    /// Accepts the changes that another program made to the files, so that saving may overwrite them.
+    /// Acknowledges the changes that another program made to the files, so that saving may overwrite them.
     pub fn keep_mine(&mut self) {
         self.stamps = self.stamps_now();
     }

@@ -88,7 +88,7 @@ impl GivenVector {
     }
 }
 
-/// The document and the selected ray, which together hold all given numbers.
+/// The document and the selected ray, which together hold all numbers that the user gives.
 #[derive(Clone, Copy, Debug)]
 pub struct Givens<'a> {
     /// The document.

@@ -24,7 +24,7 @@ pub enum ObjectTerms {
 pub struct Inspection {
     /// The point (u, v) where the ray passes through the viewport.
     pub uv: DVec2,
-    /// The position of that point in the image; `None` outside the image.
+    /// The position in the image of the point (u, v); `None` if it lies outside.
     pub image_position: Option<PixelOfUv>,
     /// The view ray, with its direction rounded to `f64`. The intersections are calculated for the
     /// unrounded ray.
@@ -34,7 +34,7 @@ pub struct Inspection {
     pub roots: Vec<Root>,
     /// The rank of each root; see [`RankedRoot`](pinhole_core::RankedRoot).
     pub ranks: Vec<u32>,
-    /// The distance of each root from the eye; negative for a root behind the eye.
+    /// The distance from the eye to each root's point, which is negative behind the eye.
     pub distances: Vec<f64>,
     /// The terms of the intersections with the first [`LISTED_OBJECTS`] objects.
     pub terms: Vec<ObjectTerms>,

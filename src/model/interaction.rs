@@ -10,7 +10,8 @@ pub const MARK_REACH: f32 = 8.0;
 /// Maximum movement, in points, for which a press on a handle counts as a click.
 pub const CLICK: f32 = 2.0;
 
-/// Minimum length, in points, of the steps by which keys move a handle and to which a drag snaps.
+/// Minimum length on the screen, in points, of the steps by which keys move a handle and to which a drag
+/// snaps.
 pub const STEP_POINTS: f64 = 10.0;
 
 /// Angle by which one key press turns the camera or the observer, in radians.
@@ -28,6 +29,6 @@ pub const WHEEL_ZOOM: f32 = 0.004;
 /// Scroll distance, in points, that increases the loupe's magnification by one step.
 pub const LOUPE_SCROLL: f32 = 40.0;
 
-/// Time in seconds after the last wheel or key input during which its effect is displayed and Escape
-/// undoes it.
+/// Time in seconds after the last wheel or key input for which its effect is displayed and Escape undoes
+/// it.
 pub const PAUSE: f64 = 1.2;

@@ -61,7 +61,7 @@ pub enum LineHandle {
     P,
     /// The tip of d.
     Tip,
-    /// The point p + t d, which moves along its line.
+    /// The marked point p + t d, which can only move along its line.
     T,
 }
 

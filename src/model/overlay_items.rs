@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub enum Item {
     /// The camera's position.
     Eye,
-    /// The point at which the camera looks, if the camera is given by one.
+    /// The point at, for a camera that is given by it.
     At,
     /// The view and up vectors as given.
     ViewAndUp,
@@ -22,7 +22,8 @@ pub enum Item {
     Picture,
     /// The edges between pixels, in both views.
     PixelGrid,
-    /// The marks on the image's top edge and at pixel (0, 0), in both views.
+    /// The marks that show how the image lies on the viewport: at its top edge and at pixel (0, 0), in both
+    /// views.
     Marks,
     /// The selected view ray, and its pixel in both views.
     Ray,
@@ -36,7 +37,7 @@ pub enum Item {
     UvAxes,
     /// The labels of all these items.
     Labels,
-    /// The magnified pixels around the selected point, in the camera view.
+    /// The loupe: the magnified pixels around the selected point, in the camera view.
     Loupe,
     /// The handles in the world view.
     Handles,

@@ -27,7 +27,7 @@ pub struct Reading {
     pub name: &'static str,
     /// The name in the text of `pinhole inspect`.
     pub long_name: &'static str,
-    /// The concept that the views highlight for the reading, if any.
+    /// The concept that the views highlight while the user points at the reading, if any.
     pub concept: Option<Concept>,
     /// The value.
     pub value: ReadingValue,
@@ -68,7 +68,8 @@ pub enum ReadingValue {
     Text(String),
 }
 
-/// Returns the readings of u, v and w and, if `angle` is given, those of the angle between up and view.
+/// Returns the readings (named quantities) of u, v and w and, if `angle` is given, those of the angle
+/// between up and view.
 pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading> {
     let basis = camera.basis();
     let mut readings = vec![
@@ -87,7 +88,7 @@ pub fn of_basis(camera: &ResolvedCamera, angle: Option<UpAngle>) -> Vec<Reading>
 }
 
 impl Inspection {
-    /// Returns the readings of the ray itself, for an image of this size.
+    /// Returns the readings (named quantities) of the ray itself, for an image of this size.
     pub fn ray_readings(&self, image: ImageSize) -> [Reading; 5] {
         let length = ReadingValue::Number(self.ray.distance_along(1.0));
         let (pixel, d) = (ReadingValue::Pixel(self.image_position, image), Concept::Direction);
@@ -112,8 +113,8 @@ impl Inspection {
         values.map(|(name, value)| Reading::new(name, name, self.concept_of(root), value))
     }
 
-    /// Returns the readings of the first hit: its t and the title of its object. `title` returns an
-    /// object's title.
+    /// Returns the readings (named quantities) of the first hit: its t, and its object's title. `title`
+    /// maps an object's index to its title.
     pub fn hit_readings(&self, title: impl Fn(usize) -> String) -> Vec<Reading> {
         let hit = |concept, text| Reading {
             name: "hit",
@@ -141,7 +142,7 @@ impl NumberStyle {
         NumberStyle { exact: true, ..self }
     }
 
-    /// Returns the style with its number of digits limited to `digits`.
+    /// Returns this style with at most `digits` significant digits.
     pub(crate) fn at_most(self, digits: usize) -> NumberStyle {
         NumberStyle { digits: self.digits.min(digits), ..self }
     }

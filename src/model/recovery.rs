@@ -15,14 +15,15 @@ use serde::{Deserialize, Serialize};
 
 use super::files::{OpenDocument, Stamp, argument_of, title_of};
 
-/// Maximum number of slots. Windows beyond this number do not record their changes.
+/// Maximum number of slots, each of which holds the unsaved changes of one window. Further windows do not
+/// record theirs.
 const SLOTS: usize = 64;
 
 /// The beginning of the last line of a slot's scene file, a TOML comment. A [`ChangedScene`] as JSON
 /// follows.
 const SOURCE: &str = "\n# unsaved changes to: ";
 
-/// A window's slot. It stays locked as long as this value lives.
+/// A window's slot: its file for unsaved changes, and a lock that is held as long as this value lives.
 #[derive(Debug)]
 pub struct Slot {
     scene: PathBuf,
@@ -74,7 +75,7 @@ struct Faults {
 }
 
 impl Faults {
-    /// Moves the invalid numbers out of a document, and puts valid ones in their place.
+    /// Moves the invalid numbers out of a document, and replaces them there by valid ones.
     fn take(document: &mut Document) -> Faults {
         let mut faults = Faults::default();
         let viewport = &mut document.camera.viewport;
@@ -165,7 +166,7 @@ impl Slot {
         (own, found, fault)
     }
 
-    /// Locks a slot. Returns `None` if another window has locked it.
+    /// Locks the slot with this number. Returns `None` if another window has locked it.
     fn at(folder: &Path, number: usize) -> Result<Option<Slot>, FileError> {
         let [scene, lock] =
             ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")));
@@ -238,7 +239,7 @@ impl Found {
     }
 }
 
-/// Formats a duration as a whole number of its largest unit, such as `3 minutes`.
+/// Formats a duration in whole units of the largest one that fits, such as `3 minutes`.
 pub fn in_words(age: Duration) -> String {
     let seconds = age.as_secs();
     let (count, unit) = match seconds {

@@ -1,7 +1,8 @@
 //! The lecture's symbols: the only table of their meanings, one sentence each, and their letters in plain
 //! text, taken from Unicode's block *Mathematical Alphanumeric Symbols*.
 
-/// The kind of a symbol. The vector u and the scalar u are two different symbols.
+/// The kind of a symbol. It distinguishes symbols with the same letter, such as the vector u and the scalar
+/// u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SymbolKind {
     /// A vector or a point, bold.
@@ -85,8 +86,8 @@ pub(crate) fn meaning(kind: SymbolKind, name: &str) -> Option<&'static str> {
     MEANINGS.iter().find(known).map(|(.., meaning)| *meaning)
 }
 
-/// Returns the italic letter of a scalar. Characters other than A to Z and a to z are returned
-/// unchanged.
+/// Returns the mathematical italic form of a letter, for scalars. Characters other than A to Z and a to z
+/// are returned unchanged.
 pub(crate) fn italic(letter: char) -> char {
     match letter {
         // U+1D455 is not assigned; the older U+210E is used instead.
@@ -97,8 +98,8 @@ pub(crate) fn italic(letter: char) -> char {
     }
 }
 
-/// Returns the bold upright letter of a vector. Characters other than A to Z and a to z are returned
-/// unchanged.
+/// Returns the mathematical bold form of a letter, for vectors. Characters other than A to Z and a to z are
+/// returned unchanged.
 pub(crate) fn bold(letter: char) -> char {
     match letter {
         'a'..='z' => shifted(letter, 'a', 0x1d41a),

@@ -133,7 +133,7 @@ impl Translation {
     }
 }
 
-/// Returns the text with long numbers shortened to `digits` significant digits, for display.
+/// Returns the text with its long numbers rounded to `digits` significant digits, for display.
 pub fn shortened(text: &Text, digits: usize) -> Text {
     let mut short = Text::default();
     let mut from = 0;

@@ -1,5 +1,5 @@
-//! Applies a lesson's step to the document and the session. A step's fields change the state of the
-//! window only here.
+//! Applies a lesson's step to the document and the session. This is the only place where the fields of a
+//! step change the window's state.
 
 use pinhole_exchange::document::Document;
 
@@ -22,7 +22,7 @@ pub fn apply(
     set_view(step, seen_from, session);
 }
 
-/// Shows the answer to the step's question, and the items that the question hid.
+/// Shows the answer to the step's question, and the overlay items that were hidden while it was open.
 pub fn answer(step: &Step, session: &mut Session) {
     session.settings.items = items_to_frame(step, session);
     session.is_asking = false;
@@ -127,7 +127,7 @@ pub fn differs(
     step.document != *document || as_step != *session
 }
 
-/// Returns the concepts of the viewport that are named in the step's title or text.
+/// Returns the concepts of the viewport (such as the distance) that the step's title or text names.
 fn spoken_of(step: &Step) -> Vec<Concept> {
     const NAMES: [(&str, Concept); 3] = [
         ("width", Concept::Viewport),

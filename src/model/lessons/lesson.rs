@@ -36,7 +36,7 @@ pub struct Step {
     pub scene_from: usize,
     /// The selected ray.
     pub selection: Selection,
-    /// All other parts of the window's state that the step sets.
+    /// The other parts of the window's state that the step sets.
     pub view: StepView,
 }
 
@@ -51,7 +51,8 @@ pub struct StepQuestion {
     pub hidden: OverlayItems,
 }
 
-/// An exercise: either the lecture's own question of this kind, or a question with random numbers.
+/// The exercise that a step opens: the lecture's own question of a kind, or a similar one with random
+/// numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AskedExercise {
     /// The kind of question.
@@ -60,7 +61,7 @@ pub struct AskedExercise {
     pub seed: Option<u64>,
 }
 
-/// The view of a step. A field that is `None` leaves that part of the window unchanged.
+/// The view that a step sets. A field that is `None` leaves its part of the window unchanged, except `t`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepView {
     /// The observer of the world view.
@@ -77,7 +78,7 @@ pub struct StepView {
     pub digits: Option<usize>,
     /// True if distance, width and height change together.
     pub keep_picture: Option<bool>,
-    /// True if the part of the camera panel for teaching is unfolded.
+    /// True if the teaching part of the camera panel is unfolded.
     pub teaching: Option<bool>,
     /// The sections of the derivation that are shown.
     pub derivation: Option<DerivationSections>,
@@ -86,7 +87,7 @@ pub struct StepView {
     pub highlighted: Option<Option<Concept>>,
     /// The mistake that is shown: the camera with this mistake is compared with the right one.
     pub mistake: Option<Mistake>,
-    /// The parameter t of the point on the selected ray; `None` if there is no such point.
+    /// The parameter t of the point to mark on the selected ray; `None` marks no point.
     pub t: Option<f64>,
     /// The animation to open, at its start.
     pub play: Option<Kind>,

@@ -303,7 +303,7 @@ fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     }
 }
 
-/// Reads a concept in a scene with `objects` objects, or `nothing`.
+/// Reads the name of a concept in a scene with `objects` objects, or the word `nothing` for no concept.
 fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {

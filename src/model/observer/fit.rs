@@ -192,7 +192,8 @@ impl Observer {
         points.all(|center| self.sees(&Bound { center, radius: 0.0 }, size.aspect(), 0.0))
     }
 
-    /// Returns an observer in the same direction from which eye, arrows and viewport fill the picture.
+    /// Returns the observer in the same direction that sees the eye, the arrows and the viewport as large
+    /// as possible.
     pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {
         let orientation = match camera.orientation {
             // The point at need not be in the picture, so it is replaced by a direction.

@@ -26,7 +26,7 @@ pub enum Kind {
     OverTheTop,
     /// A point moves along the selected ray, from the eye to the object that the ray hits.
     Walk,
-    /// The rays are sent one after another, as a renderer sends them, and the picture appears.
+    /// The pixels are traced one after another, as by a renderer, and the picture appears row by row.
     Scan,
 }
 
@@ -127,7 +127,8 @@ pub struct Still {
     pub selection: Selection,
     /// The parameter t of the point on the selected ray.
     pub ray_point_t: Option<f64>,
-    /// Number of pixels that the picture shows so far, row by row; `None` if it shows all.
+    /// During a scan, the number of pixels that the picture shows so far, counted row by row; `None` if it
+    /// shows all.
     pub scanned_pixels: Option<u64>,
 }
 

@@ -43,7 +43,7 @@ pub struct Player {
     /// The observer of the world view before and after it was moved back to see the whole animation; `None`
     /// if it was not moved.
     pub(crate) stepped_back: Option<[Observer; 2]>,
-    /// Time of the last advance, on the window's clock in seconds.
+    /// Time of the last advance in seconds, on the window's clock.
     time: Option<f64>,
 }
 

@@ -89,7 +89,8 @@ fn your(shape: MarkShape, name: &str) -> AnswerMark {
 }
 
 impl Exercises {
-    /// Returns true if the right answer to this part may be revealed.
+    /// Returns true if the right answer to a part of the question may be shown. `typed` is the student's
+    /// answer to it.
     fn may_be_seen(&self, typed: &TypedAnswer) -> bool {
         self.is_solved || typed.feedback.as_ref().is_some_and(Feedback::is_good)
     }
@@ -112,7 +113,7 @@ impl Exercises {
         Answered { yours: typed.clone().filter(|_| !is_right), typed, right }
     }
 
-    /// Returns the overlay items of `usual` that do not reveal an answer.
+    /// Returns the overlay items `usual` without those that would reveal an answer.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
         use Item::*;
         let hidden = [Handles, Loupe, Ray, Hit, Picture, PixelGrid, Marks];
@@ -210,7 +211,7 @@ impl Exercises {
         points
     }
 
-    /// Returns the right t; `None` if the question does not ask for it.
+    /// Returns the t that is the right answer; `None` if the question does not ask for t.
     pub(crate) fn right_t(&self) -> Option<f64> {
         let part = self.question().parts.iter().find(|part| part.asked == Asked::T)?;
         match &part.truth {

@@ -148,8 +148,7 @@ impl Exercises {
         self.answers.iter().all(|typed| typed.feedback.as_ref().is_some_and(Feedback::is_good))
     }
 
-    /// Returns a document with the question's camera and the objects that its ray meets; `None` if the
-    /// question has no camera.
+    /// Returns a document with the question's camera and objects; `None` if the question has no camera.
     pub(crate) fn document(&self) -> Option<Document> {
         let question = &self.question;
         Some(Document {

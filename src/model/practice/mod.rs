@@ -9,7 +9,8 @@ use pinhole_lecture::{AnswerKind, Mistake, Vote};
 pub mod answer_marks;
 pub mod exercises;
 
-/// Maximum seed of a question or a vote. The seed's number field uses `f64`, which is exact up to 2^53.
+/// Maximum seed of a question or a vote, far below 2^53, up to which the seed's `f64` number field is
+/// exact.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
 
 /// Returns the next seed. The maximum is followed by 0.
@@ -17,7 +18,8 @@ pub(crate) fn next_seed(seed: u64) -> u64 {
     if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
 
-/// The state of the mistakes view. A lesson's step sets it.
+/// The state of the mistakes view, which compares a camera with a classic mistake with the right one. A
+/// lesson's step sets this state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MistakesView {
     /// The chosen mistake.
@@ -120,7 +122,7 @@ pub struct AnswersFile {
 pub struct StudentAnswers {
     /// The file.
     pub file: Arc<AnswersFile>,
-    /// The number of the first row and of the first column: 0 or 1.
+    /// The number with which the file begins to count rows and columns: 0 or 1.
     pub count_from: u32,
 }
 

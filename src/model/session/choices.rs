@@ -1,5 +1,5 @@
-//! The types of the choices in the settings: workspaces and layouts, the boundaries between the
-//! window's areas, shadings, and the colours that distinguish objects and vectors.
+//! The types of the settings with a choice: workspaces and layouts, the boundaries between the window's
+//! areas, shadings, and the colours that distinguish objects and vectors.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -50,7 +50,7 @@ impl Workspace {
         self.texts()[1]
     }
 
-    /// Returns the workspace's pages. The first one is shown when the workspace opens.
+    /// Returns the layouts that are the workspace's pages. The first one is shown when the workspace opens.
     pub fn pages(self) -> &'static [ViewLayout] {
         use ViewLayout::*;
         match self {
@@ -65,8 +65,7 @@ impl Workspace {
 /// The layouts that are tools. They belong to no workspace.
 pub const TOOLS: &[ViewLayout] = &[ViewLayout::Translator, ViewLayout::Accuracy];
 
-/// A layout of the window, with its label, its description, and its name in lesson files. The name
-/// is empty if no lesson can show the layout.
+/// A layout of the window. Some layouts cannot be shown by lessons and have no name in lesson files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum ViewLayout {
     /// World view and camera view side by side.
@@ -303,7 +302,7 @@ const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 /// A colour scheme that distinguishes objects and vectors, with its label and its description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Scheme {
-    /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
+    /// Objects in their own colours; u, v, w in different hues, as everywhere in the lecture.
     #[default]
     Standard,
     /// Colours that viewers with any kind of colour blindness can distinguish, by hue and by

@@ -5,7 +5,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::overlay_items::Item;
 
-/// A handle in the world view. An object is given by its index in the document.
+/// A handle in the world view. Variants for an object hold its index in the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {
     /// The camera's position.
@@ -154,7 +154,8 @@ pub struct HandleValues {
 }
 
 impl HandleValues {
-    /// Reads the current values, including those of the object with this index.
+    /// Reads the current values from the document and the session, including those of the object with this
+    /// index.
     pub fn read(document: &Document, selection: Selection, object: Option<usize>) -> HandleValues {
         let object = object.and_then(|k| Some((k, document.object(k)?)));
         HandleValues { camera: document.camera, selection, object }

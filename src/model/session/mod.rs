@@ -26,11 +26,12 @@ pub struct Session {
     pub selection: Selection,
     /// The ray through the position under the pointer, which is shown instead of the selected one.
     pub pointed_ray: Option<Selection>,
-    /// The observer of the world view; `None` until it is framed for the first time.
+    /// The observer of the world view; `None` until it is placed for the first time.
     pub observer: Option<Observer>,
     /// The t of the movable point p + t d on the selected ray; `None` if no point is shown.
     pub ray_point_t: Option<f64>,
-    /// Number of pixels that the camera's picture shows so far, row by row; `None` if it shows all.
+    /// During a scan, the number of pixels that the camera's picture shows so far, counted row by row;
+    /// `None` if it shows all.
     pub scanned_pixels: Option<u64>,
     /// The frozen camera with which the current one is compared.
     pub ghost: Option<Ghost>,
@@ -75,7 +76,7 @@ pub struct Session {
 /// Minimum and maximum number of significant digits of the readouts.
 pub(crate) const DIGITS: (usize, usize) = (2, 17);
 
-/// Minimum and maximum number of pixels that the loupe shows across and down.
+/// Minimum and maximum number of pixels that the loupe (the magnifier) shows across and down.
 pub(crate) const LOUPE_PIXELS: (u32, u32) = (3, 15);
 
 /// Minimum and maximum zoom of the window.
@@ -99,7 +100,7 @@ pub struct Settings {
     pub exact_forms: bool,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// True if the pixels keep their shape when the viewport or the image changes.
+    /// True if the pixels keep their ratio of width to height when the viewport or the image changes.
     pub keep_pixel_shape: bool,
     /// True if distance, width and height of the viewport change together, so that the picture stays the
     /// same.
@@ -109,7 +110,7 @@ pub struct Settings {
     pub keep_up: bool,
     /// The quantity that stays fixed while the eye is dragged in the world view, such as at.
     pub eye_keeps: Keep,
-    /// True if the part of the camera panel for teaching is unfolded.
+    /// True if the teaching part of the camera panel is unfolded.
     pub teaching: bool,
     /// True if the side panel is hidden.
     pub hides_panel: bool,
@@ -209,15 +210,15 @@ impl Session {
         self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
     }
 
-    /// Returns the concepts that the lesson's step mentions or that are highlighted.
+    /// Returns the concepts that the lesson's step mentions, and those that are highlighted.
     pub fn spoken_of(&self) -> Vec<Concept> {
         let spoken = self.spoken.iter().flatten().copied();
         spoken.chain(self.highlighted()).chain(self.highlighted).collect()
     }
 
-    /// Returns true if everything except the highlighted concept is dimmed. The derivation and a
-    /// lesson's step always dim the rest; pointing at a concept in a view does so only while Alt is
-    /// held.
+    /// Returns true if everything except the highlighted concept is dimmed. It always is if the derivation
+    /// or a lesson's step highlights the concept; if the user points at the concept in a view, only while
+    /// Alt is held.
     pub fn dims(&self) -> bool {
         self.alt_dims || self.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
     }
