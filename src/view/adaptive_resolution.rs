@@ -65,7 +65,7 @@ pub(crate) struct AdaptiveResolution {
     moving: Subsampling,
     /// The subsampling at rest.
     resting: Subsampling,
-    /// Upper estimate of the time to trace a picture at full resolution.
+    /// Estimated time to trace a picture at full resolution; the real time may be shorter.
     full: Duration,
     /// Number of objects in the scene that was measured.
     objects: usize,

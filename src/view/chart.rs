@@ -10,7 +10,8 @@ use pinhole_lecture::numbers::{power_of_ten, short, written};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     is_logarithmic: bool,
-    /// The values at the two ends of the edge; on a logarithmic scale, their decimal logarithms.
+    /// The values at the start and at the end of the edge; on a logarithmic scale, their decimal
+    /// logarithms.
     range: [f64; 2],
     edge: [f32; 2],
 }

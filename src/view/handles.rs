@@ -26,7 +26,8 @@ const BEYOND: f64 = 10.0;
 /// the mouse grabs a handle.
 const TOGETHER: f64 = 0.4;
 
-/// The document and the observer, from which the positions of handles are computed.
+/// The inputs from which the positions of handles are computed: the document and what is shown of it, and
+/// the observer.
 #[derive(Clone, Copy)]
 pub struct Stage<'a> {
     /// The document.
@@ -140,8 +141,8 @@ impl Stage<'_> {
         overlay::length_of_points(self.observer, eye, BEYOND, self.scale)
     }
 
-    /// Returns the length in the world at which an up vector of length 1 is drawn; `None` if the arrow
-    /// is not drawn.
+    /// Returns the length in the world at which an up vector of length 1 is drawn; `None` if the arrow of
+    /// up is not drawn.
     fn up_length(&self) -> Option<f64> {
         let camera = &self.document.camera;
         let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);

@@ -36,7 +36,7 @@ pub struct Plot {
     pub compressed: bool,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
-    /// The t of the point marked on the ray, and the value of each curve's f there.
+    /// The t of the point marked on the ray, and the value of each curve's function f there.
     pub ray_point_t: Option<(f64, Arc<Vec<f64>>)>,
 }
 

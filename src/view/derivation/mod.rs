@@ -42,7 +42,7 @@ pub struct Derivation {
 pub struct DerivedSection {
     /// The kind of section.
     pub section: DerivationSection,
-    /// The index of the object, if the section is about an object.
+    /// The index of the object that the section is about, if any.
     pub object: Option<u32>,
     /// The title above it.
     pub title: String,

@@ -9,7 +9,7 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{OnWork, Shown, WorkKind, watched};
 use crate::view::overlay::{Drawing, Style};
 
-/// The last value that was computed, with the key from which it was computed.
+/// A cache of the last value that was computed, and of the key (the inputs) from which it was computed.
 #[derive(Debug)]
 pub(super) struct Memo<K, V>(Option<(K, V)>);
 
@@ -44,8 +44,8 @@ impl<K, V> Memo<K, V> {
 }
 
 impl<K: PartialEq> Memo<K, Subsampling> {
-    /// Returns the subsampling to use: `wanted`, or a finer one that was already used for this key. A
-    /// coarser picture thus never replaces a finer one.
+    /// Returns the subsampling to trace with: `wanted` or, if it is finer, the one last used for this key.
+    /// A coarser picture thus never replaces a finer one.
     pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let subsampling =
             self.known(|known| *known == key).map_or(wanted, |known| wanted.min(*known));

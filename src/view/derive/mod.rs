@@ -251,7 +251,7 @@ pub struct Derived {
     /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade
     /// them with.
     pub grading: Option<Grading>,
-    /// The answers that the world view marks: a student's answers and the right ones.
+    /// The marks for answers in the world view: a student's answers and the right ones.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The observer's traced frame, over which the world view is drawn.
     pub world_frame: Option<Arc<Frame<f32>>>,

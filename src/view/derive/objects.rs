@@ -9,7 +9,7 @@ use pinhole_exchange::document::{CsvSpheres, Document, Item};
 use crate::model::observer::{hidden, traced_scene};
 use crate::model::session::Scheme;
 
-/// The scene and the colours of the last document whose objects were all valid.
+/// The scene and its objects' colours, from the last document whose objects were all valid.
 #[derive(Clone, Debug)]
 pub(super) struct GoodWorld {
     pub(super) scene: Arc<Scene>,
@@ -34,7 +34,8 @@ pub(super) struct Objects {
     csv: Option<CsvSpheres>,
     /// The colour scheme for which `GoodWorld::colors` was computed.
     scheme: Scheme,
-    /// The scene that is traced for the observer, and the indices of the spheres that it leaves out.
+    /// The indices of the spheres that are hidden from the observer, and the scene without them that is
+    /// traced for it.
     observed: Option<(Enclosing, Arc<Scene>)>,
 }
 
@@ -79,8 +80,8 @@ impl Objects {
         Ok(())
     }
 
-    /// Returns the last valid scene as the observer sees it, without planes and without the spheres
-    /// that hide the camera; see [`traced_scene`].
+    /// Returns the last valid scene as it is traced for the observer: without planes, and without the
+    /// spheres that would hide the camera; see [`traced_scene`].
     pub(super) fn observed(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
         match &self.observed {
@@ -149,7 +150,8 @@ fn different<'a, S: Copy + PartialEq>(
         .map(move |(index, (item, _))| (index, object(item.shape)))
 }
 
-/// Replaces objects by valid ones, in the scene and in the observer's scene.
+/// Replaces the shapes of some objects by new ones, which are valid, in the scene and in the observer's
+/// scene.
 fn replace(
     good: &mut GoodWorld,
     observed: Option<&mut (Enclosing, Arc<Scene>)>,

@@ -278,7 +278,7 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
     Arc::new(Picture { raster, image, pixels })
 }
 
-/// Returns the pixels under the loupe, drawn by the same method as the picture.
+/// Returns the pixels that the loupe (the magnifier) shows, traced by the same method as the picture.
 fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
     let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
     let mut frame = trace_truth(&world.scene, resolved, raster, watch);
@@ -326,8 +326,8 @@ pub type OnWork<'a> = &'a (dyn Fn(WorkKind) + Sync);
 /// A traced frame, and the opaque pixels of its picture.
 pub(super) type PaintedFrame = (Frame<f32>, Vec<egui::Color32>);
 
-/// Traces a frame with the given `outputs`. Returns the frame and the opaque pixels of its picture.
-/// Both reuse the memory of `spare` if its raster and its outputs are the same.
+/// Traces a frame with the given `outputs`. Returns the frame and its picture as opaque pixels. The memory
+/// of `spare` is reused for them if it has the same raster and outputs.
 pub(super) fn trace_picture(
     scene: &Scene,
     camera: &ResolvedCamera,
@@ -356,7 +356,8 @@ pub(super) fn trace_picture(
     })
 }
 
-/// Returns the opaque pixels of a frame, which must have all the outputs that the shading reads.
+/// Shades a frame and returns its opaque pixels. The frame must have all the outputs that the shading
+/// reads.
 pub(super) fn repainted<T: Depth>(
     frame: &Frame<T>,
     scene: &Scene,

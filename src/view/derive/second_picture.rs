@@ -67,11 +67,11 @@ type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
 /// The inputs of the map of a student's answers: the graded answers, and the map's size in screen pixels.
 type MapKey = (Same<Graded>, [u32; 2]);
 
-/// The picture of another camera, and the map of the pixels in which it differs from the edited
-/// camera's.
+/// The picture of another camera, and the map of the pixels in which it differs from the edited camera's
+/// picture.
 type Pair = [Arc<Picture>; 2];
 
-/// A cache of the second pictures: the last picture of each kind, and the view of the current one.
+/// A cache of the second pictures: the last picture of each kind, and the finished view of the current one.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
     error_map: Memo<Same<Compared>, Arc<Picture>>,

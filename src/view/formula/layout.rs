@@ -85,7 +85,7 @@ pub struct Layout {
     pub width: f32,
     /// Extent above the baseline.
     pub ascent: f32,
-    /// Extent below the baseline; with several lines, below the first baseline.
+    /// Extent below the baseline; in a layout of several lines, below the first baseline.
     pub descent: f32,
     /// The text.
     pub runs: Vec<TextRun>,
@@ -306,7 +306,7 @@ fn in_parentheses(inner: Layout, size: f32, measure: Measure<'_>) -> Layout {
     whole
 }
 
-/// Encloses a part in two delimiters that are as tall as the part.
+/// Encloses a part of a formula in two delimiters, such as brackets, that are as tall as the part.
 fn fenced(inner: Layout, fence: Fence, size: f32) -> Layout {
     let (top, bottom) = (-inner.ascent - 0.04 * size, inner.descent + 0.04 * size);
     let pad = match fence {

@@ -237,7 +237,7 @@ impl Formula {
         if self.is_negative() { parentheses(self) } else { self }
     }
 
-    /// Returns true if rounded digits occur before the formula's first relation.
+    /// Returns true if a rounded number occurs before the formula's first relation, such as `=`.
     pub fn begins_rounded(&self) -> bool {
         self.parts().iter().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
     }

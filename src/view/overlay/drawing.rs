@@ -43,8 +43,8 @@ pub struct Mark {
     pub shape: Shape,
     /// The colour.
     pub color: Color32,
-    /// The colour of a casing around the mark. The casing separates the mark from the lines that it
-    /// crosses.
+    /// The colour of the casing, a wider outline below the mark that separates it from the lines that it
+    /// crosses; `None` for a mark without a casing.
     pub halo: Option<Color32>,
     /// True if the mark is drawn dashed, because an object hides it or because it belongs to the ghost (the
     /// camera that is compared with the edited one).

@@ -70,7 +70,7 @@ impl Screen {
         Screen { observer: *observer, focal, size, unit, scale: scale.into() }
     }
 
-    /// Creates a screen for measuring lengths at one point in the world.
+    /// Creates a screen that is only used to measure lengths at one point in the world.
     fn at(observer: &ResolvedCamera, point: DVec3, scale: f32) -> Screen {
         Screen::new(observer, point.distance(observer.eye()), scale)
     }

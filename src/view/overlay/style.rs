@@ -192,7 +192,7 @@ impl Style {
     }
 }
 
-/// Returns the grey with the same brightness (luma of ITU-R BT.709).
+/// Returns the grey that is as bright as a colour (by the luma of ITU-R BT.709).
 fn grey(color: Color32) -> Color32 {
     let [r, g, b, a] = color.to_array();
     let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);

@@ -151,7 +151,8 @@ impl ChangedAreas {
         }
     }
 
-    /// Adds the area in which two primitives at the same index differ.
+    /// Adds the area in which a primitive of the new frame differs from the old frame's primitive at the
+    /// same index.
     fn compare(&mut self, old: &ClippedPrimitive, new: &ClippedPrimitive) {
         if same(old, new) {
             return;

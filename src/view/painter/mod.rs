@@ -134,7 +134,7 @@ impl Band<'_> {
     }
 }
 
-/// The meshes to draw, and the data that all pieces of the picture share.
+/// The meshes to draw, and other data that all pieces of the picture share.
 struct Scene<'a> {
     scale: f32,
     triangles_only: bool,

@@ -241,7 +241,7 @@ impl Gradient {
         }
     }
 
-    /// Returns the unclamped colour at the base column of a row.
+    /// Returns the colour at the base column of a row, not clamped to the range of colours.
     #[inline(always)]
     fn row(&self, row: usize) -> Rgba {
         self.channels.map(|plane| {

@@ -66,7 +66,7 @@ pub enum Guide {
         from: DVec3,
         /// The other end of the line, in the direction of the axis.
         to: DVec3,
-        /// Index of the axis: 0 to 2 for u, v, w.
+        /// Index of the axis: 0, 1 or 2 for the camera's u, v or w.
         axis: usize,
     },
     /// A ring around a point: `center + cos(angle) a + sin(angle) b`.
