@@ -63,14 +63,14 @@ pub struct Frame<T = f64> {
     /// Outward unit normals, zero where nothing is hit; empty unless requested.
     pub normal: Vec<DVec3>,
     /// Number of decisions that each step of [the ladder](crate#the-ladder) made. Testing a pixel
-    /// against an object is one decision; a pixel that goes up the ladder by itself may take several:
+    /// against an object is one decision; a pixel that the ladder decides individually may take several:
     /// whether the object is hit, whether the hit is in front of the eye, and whether it is first.
     pub steps: Steps,
     /// Counts of the work that was left out, and of the work that remained.
     pub counts: Counts,
     /// Number of values of [`Frame::t`] that each step of the ladder computed, for `t` in `f64`.
     /// Rounding `t` correctly takes more digits than `f64` has, so the `f64` step computes none. For `t`
-    /// in `f32`, which the decision yields as well, all numbers are 0.
+    /// in `f32`, which is a by-product of the decisions, all counts are 0.
     pub steps_of_t: Steps,
 }
 
@@ -93,7 +93,7 @@ impl Raster {
     }
 
     /// Returns the raster of the pixels that are visible when the image is shown on `rows` x `columns`
-    /// dots without interpolation (nearest neighbour). Each pixel occurs at most once.
+    /// screen pixels without interpolation (nearest neighbour). Each pixel occurs at most once.
     pub fn shown_on(image: ImageSize, columns: u32, rows: u32) -> Raster {
         Raster {
             rows: shown(image.height(), rows.max(1)),
@@ -160,7 +160,8 @@ impl Raster {
     }
 }
 
-/// Divides `count` cells into `dots` dots of equal width, and returns the cell at each dot's centre.
+/// Returns the rows or columns, of `count` in an image, that are visible on `dots` screen pixels: the
+/// one at each screen pixel's centre, or all if there are enough screen pixels.
 fn shown(count: u32, dots: u32) -> Vec<u32> {
     if dots >= count {
         return (0..count).collect();
@@ -245,7 +246,7 @@ pub(crate) fn empty_frame<T: Depth>(
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,
-    /// The drawn `t`, if the frame keeps `t` in `f64`.
+    /// `t` in `f32`, as it is drawn, if the frame keeps `t` in `f64`.
     pub(crate) drawn: Vec<f32>,
 }
 
@@ -291,7 +292,7 @@ pub struct Counts {
 }
 
 /// The floating-point type in which a frame keeps `t`: `f64`, correctly rounded from the exact value, or
-/// `f32`, within an ulp, which takes a fraction of the time.
+/// `f32`, within an ulp of it, which takes a fraction of the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     /// Zero.
     #[doc(hidden)]

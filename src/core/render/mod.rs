@@ -9,25 +9,26 @@
 //! - [`plan`]: which objects are visible in which rows, and how each is drawn. Spheres behind the eye or
 //!   outside the view are dropped. If there are many spheres, an index finds the visible ones ([`bvh`]).
 //! - Then bands of rows are drawn in parallel ([`row_band`]), each in this order ([`fill`]):
-//!   - spheres that are near or large, because they hide many of the others: their quadratic is made a
-//!     polynomial in rows and columns ([`polynomial`]);
+//!   - spheres that are near or large, because they hide many of the others: their quadratic is
+//!     evaluated as a polynomial in row and column ([`polynomial`]);
 //!   - all other spheres, near to far and row by row ([`rows`]), in `f32`, several pixels at a time. If
-//!     there are few, pixels are not cleared first: the first sphere in a vector of pixels writes it
-//!     without reading it ([`rows::draw_row`]). If there are many, spheres that are small compared with
-//!     their distance are drawn together ([`rows::small_spheres`]), and spheres hidden by nearer ones
-//!     are skipped ([`bvh::occlusion`], [`rows::vector_bounds`]);
+//!     there are few, pixels are not cleared first: the first sphere that covers a SIMD vector of pixels
+//!     writes it without reading it ([`rows::draw_row`]). If there are many, spheres that are small
+//!     compared with their distance are drawn together ([`rows::small_spheres`]), and spheres hidden by
+//!     nearer ones are skipped ([`bvh::occlusion`], [`rows::VectorBounds`]);
 //!   - spheres that cannot be drawn by outlines, and the planes, by polynomials again.
-//! - Every computation has an error bound. A pixel whose decision lies within the bound is *in doubt*
-//!   and goes up [the ladder](crate#the-ladder) by itself ([`row_band::fallback`]). So each pixel shows
-//!   the object that exact arithmetic would find.
+//! - Every computation has an error bound. A pixel whose decision lies within the bound is *in doubt*,
+//!   and is decided individually by [the ladder](crate#the-ladder), step by step in higher precision
+//!   ([`row_band::fallback`]). So each pixel shows the object that exact arithmetic would find.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
 //!
-//! Each pair of a pixel and a sphere in doubt costs 50 to 150 ns if `f64` decides it, as for spheres
-//! that are equal, nearly equal or nested, or that touch the eye ([`row_band::rough_hits`]). It costs a
-//! microsecond if double-double is needed, and 40 microseconds if exact numbers are: for exact tangents,
-//! and for ties between unequal objects. `cargo bench -p pinhole-core --bench worst` measures the worst
-//! families known: 57,600 pixels of each take less than 1.5 seconds on two cores, even with 10,000
-//! spheres that all lie within 1e-9 of each other.
+//! Each pair of a pixel and a sphere that is in doubt costs 50 to 150 ns if `f64` decides it, as for
+//! spheres that are equal, nearly equal or nested, or on whose surface the eye lies
+//! ([`row_band::rough_hits`]). It costs a microsecond if double-double is needed, and 40 microseconds if
+//! exact numbers are: for exact tangents, and for ties between unequal objects.
+//! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
+//! take less than 1.5 seconds on two cores, even with 10,000 spheres that all lie within 1e-9 of each
+//! other.
 //!
 //! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
 //! (`row_band::fallback::fill_exactly`).
@@ -68,8 +69,8 @@ use crate::scene::Scene;
 /// Each pixel's object is the one that [`Scene::first_hit_of`] finds for the pixel's [exact
 /// ray](ResolvedCamera::exact_ray), and its `t` is the exact value, rounded. The result is the same, bit
 /// for bit, with any number of threads and on any processor. Terms that the rays share are computed
-/// once, only visible objects are examined, and only pixels in doubt go up [the
-/// ladder](crate#the-ladder). A scene without planes runs no plane code.
+/// once, only visible objects are examined, and only pixels that are too close to call are decided by
+/// [the ladder](crate#the-ladder), in higher precision. A scene without planes runs no plane code.
 ///
 /// For a sequence of frames, use [`retrace`] for all but the first.
 pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
@@ -171,8 +172,8 @@ pub fn retrace_painted<T: Depth, P: Send>(
 }
 
 /// Traces another camera or scene into an existing frame, whose raster is kept. The result equals that
-/// of [`trace_as`], but no memory is allocated for it, which for a simple scene takes several times as
-/// long as everything else.
+/// of [`trace_as`], but no memory is allocated for it. For a simple scene, the allocation takes several
+/// times as long as everything else.
 ///
 /// ```
 /// use pinhole_core::*;

@@ -44,8 +44,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) planes: Vec<Option<ObjectFromOrigin>>,
 }
 
-/// Maximum number of spheres for which writing whole blocks, most of them once, costs less than clearing
-/// all pixels first.
+/// Maximum number of spheres for which it costs less to write whole SIMD vectors of pixels, most of them
+/// once, than to clear all pixels first.
 const MOST_WRITTEN_ONCE: usize = 64;
 
 impl<'a> Plan<'a> {
@@ -104,8 +104,9 @@ impl<'a> Plan<'a> {
 
     /// Returns the rows of each band, in the order in which threads take the bands.
     ///
-    /// A sphere on the border of two bands is examined twice, so with many spheres a band has two
-    /// slices. Towards the end it has one, so that all threads finish at about the same time.
+    /// A sphere on the border of two bands is examined twice, so with many spheres a band has two slices
+    /// of [`SLICE_ROWS`] rows. Towards the end it has one, so that all threads finish at about the same
+    /// time.
     pub(crate) fn bands(&self) -> Vec<Range<usize>> {
         /// The last `rows / LAST` rows are in bands of one slice.
         const LAST: usize = 4;
@@ -154,7 +155,8 @@ pub(crate) struct Classified {
 /// The data that is needed to classify spheres.
 pub(crate) struct Classifier<'a> {
     pub(crate) level: Level,
-    /// `None` if every sphere is tested pixel by pixel.
+    /// The camera's coordinate system; `None` if it is so extreme that no outline can be computed, and
+    /// every sphere is drawn by polynomials.
     pub(crate) space: Option<CameraSpace>,
     pub(crate) extents: &'a Extents<'a>,
     pub(crate) axes: &'a RasterAxes,
@@ -225,7 +227,7 @@ impl Classifier<'_> {
     }
 }
 
-/// Returns the number of `f64` in a vector.
+/// Returns the number of `f64` lanes in a SIMD vector.
 #[inline(always)]
 fn lanes<S: Simd>(_simd: S) -> usize {
     S::f64s::LEN

@@ -1,5 +1,5 @@
-//! Draws many spheres with the help of the sphere index: its visible groups and blocks, near to far,
-//! except the spheres that nearer ones hide.
+//! Draws many spheres by means of the sphere index: visits its visible groups and blocks (two levels of
+//! boxes around nearby spheres) near to far, and skips spheres that nearer ones hide.
 
 use std::ops::Range;
 
@@ -18,18 +18,18 @@ use crate::scene::sphere_index::{NO_SPHERE, SphereIndex, SphereSlots};
 pub(crate) mod occlusion;
 pub(crate) mod visible;
 
-/// Results of drawing a band's part of many spheres.
+/// The outcome of drawing many spheres into a band of rows, besides its pixels.
 #[derive(Default)]
 pub(crate) struct DrawnSpheres {
     /// Number of spheres that were left out because they cannot be seen.
     pub(crate) left_out: u64,
-    /// Spheres that cannot be drawn by rows.
+    /// Spheres that cannot be drawn by rows and remain to be drawn.
     pub(crate) others: Vec<u32>,
 }
 
 /// Draws the visible spheres of the index in the target's rows, near to far, starting at a given group
-/// and block. If too many pixels are in doubt, it stops early and returns the group and block at which
-/// to continue; otherwise it returns `None`.
+/// and block. If too many undecided pixels have accumulated, it stops early and returns the group and
+/// block at which to continue; otherwise it returns `None`.
 #[inline(always)]
 pub(crate) fn draw_visible<S: Simd>(
     simd: S,
@@ -141,8 +141,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// Draws the small spheres of the vector that starts at slot `from`; returns a mask of the remaining
-    /// spheres.
+    /// Draws those spheres of a SIMD vector of slots, which starts at slot `from`, that are small
+    /// compared with their distance; returns a mask of the spheres that remain to be drawn.
     #[inline(always)]
     fn small_spheres<S: Simd>(
         &mut self,
@@ -197,7 +197,9 @@ impl Drawing<'_> {
         there & !unseen & !small
     }
 
-    /// Draws the spheres whose bits are set in `there`, counted from slot `from`.
+    /// Draws the spheres whose bits are set in the mask `there`, in which bit 0 stands for slot `from`.
+    /// Adds those that cannot be drawn by rows to [`DrawnSpheres::others`], unless they are in
+    /// [`VisibleSpheres::others`] already (`has_others`).
     #[inline(always)]
     fn other_spheres<S: Simd>(
         &mut self,
@@ -261,7 +263,8 @@ impl Drawing<'_> {
     }
 }
 
-/// Returns a mask of the spheres of a vector that reach some of these rows of the raster.
+/// Returns a mask of the lanes whose spheres have a row between the first and the last of these rows of
+/// the raster.
 #[inline(always)]
 fn rows_meet<S: Simd>(
     simd: S,

@@ -1,5 +1,5 @@
-//! Upper bounds of the farthest hit in each small rectangle of a band, used to skip what nearer spheres
-//! hide.
+//! Upper bounds of the `t` of the farthest hit in each small rectangle of a band of rows, used to skip
+//! spheres that nearer ones hide.
 
 use std::ops::Range;
 
@@ -12,10 +12,11 @@ const ROWS: usize = 8;
 /// are seldom hidden.
 const MOST: usize = 512;
 
-/// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band.
+/// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band of rows.
 pub(crate) struct Occlusion {
     farthest: Vec<f32>,
-    /// For each rectangle, true if it was drawn into since its `farthest` was computed.
+    /// For each rectangle, true if pixels in it were drawn since its `farthest` was computed, so that
+    /// the bound may be too large.
     is_stale: Vec<bool>,
     across: usize,
     width: usize,
@@ -31,7 +32,8 @@ impl Occlusion {
         Occlusion { farthest, is_stale, across, width, height }
     }
 
-    /// Marks the rectangles of these rows and columns of the band as stale.
+    /// Marks the rectangles of these rows and columns of the band as drawn into, so that their bounds
+    /// are recomputed when needed.
     #[inline(always)]
     pub(crate) fn touch(&mut self, rows: &Range<usize>, columns: &Range<usize>) {
         for row in rows.start / ROWS..rows.end.div_ceil(ROWS) {
@@ -123,7 +125,7 @@ pub(crate) fn strips(rows: &Range<usize>) -> impl Iterator<Item = Range<usize>> 
     (start - start % ROWS..end).step_by(ROWS).map(move |row| row.max(start)..(row + ROWS).min(end))
 }
 
-/// Returns the larger of two numbers, neither of which is NaN.
+/// Returns the larger of two numbers, neither of which may be NaN.
 #[inline(always)]
 fn farther(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }

@@ -1,4 +1,5 @@
-//! The groups and blocks of the sphere index that a camera can see.
+//! The groups and blocks (two levels of boxes around nearby spheres) of the sphere index that a camera
+//! can see.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -9,10 +10,10 @@ use crate::render::outline::small_outlines::SmallOutlines;
 use crate::render::outline::{Extent, Extents, Outlines};
 use crate::scene::sphere_index::{Bound, NO_SPHERE, SphereIndex};
 
-/// A group or a block of spheres, and the part of the raster that its spheres can cover.
+/// A group or a block of the sphere index, and the part of the raster that its spheres can cover.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisibleBox {
-    /// Index among the groups or among the blocks.
+    /// The number of the group or block in the sphere index.
     pub(crate) id: u32,
     /// Lower bound of `t` of all hits of its spheres.
     pub(crate) nearest: f32,

@@ -1,5 +1,5 @@
-//! The outlines of several spheres at once, in columns and rows of the image, and the rectangles of
-//! pixels that they can cover.
+//! The outlines of several spheres at once (one per SIMD lane), in columns and rows of the image, and
+//! the rectangles of pixels that spheres can cover.
 
 use std::ops::Range;
 
@@ -16,53 +16,59 @@ use crate::scene::sphere_index::SphereSlots;
 pub(crate) mod raster_axes;
 pub(crate) mod small_outlines;
 
-/// Distance from an outline's end, in columns, beyond which a pixel is not in doubt. It is far more
-/// than the error of the end, and so small that hardly any pixel lies within it.
+/// Distance, in columns, from the ends of a row of an outline. Pixels farther from the ends are
+/// certainly inside or outside; nearer ones are in doubt. The distance is far more than the error of an
+/// end, and so small that hardly any pixel is in doubt.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
-/// The number of `f64` lanes in the widest vector of any level.
+/// The number of `f64` lanes in the widest SIMD vector of any level.
 pub(crate) const MOST_LANES: usize = 8;
 
-/// `2^50`, see [`Outlines::find`].
+/// `2^50`, rounded up: the factor for wide spheres in the choice of [`Outline::thin`], see
+/// [`Outlines::find`].
 const KEEP: f64 = 1.126e15;
 
-/// The number of `f32` lanes in the widest vector of any level.
+/// The number of `f32` lanes in the widest SIMD vector of any level.
 pub(crate) const MOST_SINGLE_LANES: usize = 2 * MOST_LANES;
 
 type Lane8 = [f64; MOST_LANES];
 
-/// The outline of a sphere. Let r and c be row and column numbers of the image, and j the number of rows
-/// from the centre's row to r. On row r, a sphere that is seen from outside and lies wholly in
-/// front of the eye covers the columns
+/// The outline of a sphere in the image, row by row. Let c be a column number, and j a row number
+/// counted from the row of the sphere's centre. On row j, a sphere that is seen from outside and lies
+/// wholly in front of the eye covers the columns
 ///
 /// ```text
 /// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2
 /// ```
 ///
-/// On these columns, with `S^2 = w^2 - (c - (column + shear j))^2`, the first hit is at
+/// where w is half the width of the row. In these columns, with
+/// `S^2 = w^2 - (c - (column + shear j))^2`, the first hit is at
 ///
 /// ```text
 /// t = numerator / (b(c, j) + S)         b = b0 + b_column c + b_row j
 /// ```
 ///
-/// Derivation: let `q = (X, Y, -Z)` be the centre in camera coordinates, and `d = (x, y, -1)` a
-/// direction with `(x, y) = (X, Y) / Z + (dx, dy)`. At `(dx, dy) = 0`, d is parallel to q, so that
-/// nothing cancels in `D = r^2 d.d - |q x d|^2`:
+/// where b and S are, up to a common factor, `q.d` and `sqrt D` of the sphere's quadratic.
+///
+/// Derivation: let r be the radius, `q = (X, Y, -Z)` the centre in camera coordinates,
+/// `(xc, yc) = (X, Y) / Z`, and `d = (x, y, -1)` a direction with `(x, y) = (xc, yc) + (dx, dy)`. At
+/// `(dx, dy) = 0`, d is parallel to q, so that nothing cancels in the discriminant
+/// `D = r^2 d.d - |q x d|^2`:
 ///
 /// ```text
 /// D = r^2 (1 + xc^2 + yc^2) + 2 r^2 (xc dx + yc dy)
 ///     + (r^2 - Z^2 - Y^2) dx^2 + 2 X Y dx dy + (r^2 - Z^2 - X^2) dy^2
 /// ```
 ///
-/// With `h = Z^2 + Y^2 - r^2` and the column slope s, `D = h s^2 S^2`; b is `q.d / (s sqrt h)`, and
-/// the numerator `c / (distance s sqrt h)` with `c = |q|^2 - r^2`.
+/// With `h = Z^2 + Y^2 - r^2` and the change s of x from one column to the next, `D = h s^2 S^2`; b is
+/// `q.d / (s sqrt h)`, and the numerator is `(|q|^2 - r^2) / (distance s sqrt h)`.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Outline<T = f64, Mask = bool> {
     pub(crate) column: T,
     /// The middle row of the image.
     pub(crate) middle_row: f64,
-    /// Row of the centre, counted from the middle row: `j = (r - middle_row) - row`. The error of j is
-    /// thus relative to these small numbers, not to a large row number.
+    /// Row of the centre, counted from the middle row: `j = (row number - middle_row) - row`. The error
+    /// of j is thus relative to these small differences, not to a large row number.
     pub(crate) row: T,
     pub(crate) shear: T,
     pub(crate) square: [T; 3],
@@ -79,14 +85,14 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
     /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
-    /// pixels go up the ladder.
+    /// pixels are decided individually, by the ladder.
     pub(crate) thin: T,
-    /// True if the sphere is so wide that the error of the root must be corrected too, as
+    /// True if the sphere is so wide that the rounding error of the root S must be corrected, too, as
     /// [`wide`](crate::render::rows::span::SpanLanes::wide) does.
     pub(crate) corrects_root: Mask,
 }
 
-/// Outlines of a vector of spheres.
+/// The outlines of a SIMD vector of spheres, one in each lane.
 #[derive(Clone, Default)]
 pub(crate) struct Outlines {
     pub(crate) lanes: Outline<Lane8, u64>,
@@ -108,23 +114,24 @@ fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
 }
 
 impl Outlines {
-    /// Finds the outlines of a vector of spheres.
+    /// Finds the outlines of the spheres in a SIMD vector of slots.
     ///
-    /// Bounds, with `u = 2^-53` and `k = r^2 / (Z^2 - r^2)`, which neither `r^2 / h` nor `r^2 / c`
-    /// exceeds: the coefficients of `w^2` are sums and products of at most a dozen operations on
-    /// numbers of one sign, apart from c, h and `Z^2 - r^2`, which lose a factor of `1 + k`. So each
-    /// is off by less than `16 u (4 + 8 k)` of itself. The radius itself may be off by
-    /// `eta = doubt (|q| + r)` (see [`CameraSpace::new`]), which moves each by at most
-    /// `(4 + 8 k) eta / r`: `r^2 / h` by `2 + 2 k`, its square by twice that, and
-    /// `square2 = -c (Z^2 - r^2) / h^2` by `8 k`. In the rows that the sphere has, the terms of `w^2`
-    /// are together at most `4 (square0 + square1^2 / |square2|)`.
+    /// Error bounds, with the symbols of [`Outline`], `c = |q|^2 - r^2`, `u = 2^-53` and
+    /// `k = r^2 / (Z^2 - r^2)`, which neither `r^2 / h` nor `r^2 / c` exceeds: the coefficients of `w^2`
+    /// are computed by at most a dozen operations, each on numbers of one sign, apart from c, h and
+    /// `Z^2 - r^2`, whose relative error is larger by a factor of `1 + k`. So each coefficient is off by
+    /// less than `16 u (4 + 8 k)` of itself. The radius itself may be off by `eta = doubt (|q| + r)`
+    /// (see [`CameraSpace::new`]), which moves each coefficient by at most `(4 + 8 k) eta / r` of
+    /// itself: `r^2 / h` by `(2 + 2 k) eta / r`, its square by twice that, and
+    /// `square2 = -c (Z^2 - r^2) / h^2` by `8 k eta / r`. In the rows that the sphere covers, the terms
+    /// of `w^2` add up to at most `4 (square0 + square1^2 / |square2|)`.
     ///
-    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`, the least b. A pixel that lies at
-    /// least [`MARGIN`] inside a row's ends, in a row that is not thin, has
-    /// `S^2 >= MARGIN sqrt(thin) = keep square_doubt`. The root is off by `square_doubt / (2 S)` at
-    /// most, which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres,
-    /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
-    /// adds less than `0.2 2^-24`.
+    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`, the least b. A pixel that lies at least
+    /// [`MARGIN`] inside a row's ends, in a row that is not thin, has
+    /// `S^2 >= MARGIN sqrt(thin) = keep square_doubt`. S is off by `square_doubt / (2 S)` at most, which
+    /// is at most `2^-28` of b if `keep >= square_doubt 2^54 / b^2`. For wide spheres, whose kernel
+    /// leaves more room for errors, `2^-26` of b suffices, with `2^50` in place of `2^54`. With
+    /// `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row adds less than `0.2 2^-24` of b.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, slots: &SphereSlots) {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -237,8 +244,8 @@ impl Outlines {
     }
 }
 
-/// Coordinates of the centres along the camera's u, v and -w from the eye, with the radii and the
-/// squared distances.
+/// The centres of a SIMD vector of spheres, as coordinates x, y, z along the camera's u, v and -w from
+/// the eye, with the radii r and the squared distances qq from the eye.
 #[derive(Clone, Copy)]
 pub(crate) struct Centers<S: Simd> {
     x: S::f64s,
@@ -265,7 +272,7 @@ impl<S: Simd> Centers<S> {
     }
 
     /// Returns the lanes whose spheres lie in front of the eye, have ordinary sizes, and lose no digits
-    /// in h.
+    /// in `h = z^2 + y^2 - r^2`.
     #[inline(always)]
     fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -304,9 +311,9 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// How the rows of each sphere of a vector are drawn: with or without correcting the root. The least b
-/// (see [`Outlines::find`]) is kept as its square, so that only the root of the width is needed, in
-/// `f32`, rounded up.
+/// How the rows of each sphere of a SIMD vector are drawn: with or without correcting the rounding error
+/// of the root S (see [`Outline`]). The least value of b (see [`Outlines::find`]) is stored as its
+/// square, so that the only square root to compute is that of the width, in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which the kernel that corrects the root is accurate enough.
@@ -318,7 +325,8 @@ struct Kinds<S: Simd> {
 }
 
 impl<S: Simd> Kinds<S> {
-    /// Chooses how rows are drawn, given `c / h` and its inverse.
+    /// Chooses how rows are drawn, given `c / h` and its inverse, with the symbols of
+    /// [`Outlines::find`].
     #[inline(always)]
     fn new(
         simd: S,
@@ -343,7 +351,8 @@ impl<S: Simd> Kinds<S> {
         Kinds { corrects_root, can_correct_root, thin, least }
     }
 
-    /// Returns the lanes in which the chosen rows are accurate enough, and whose numbers `f32` can hold.
+    /// Returns the lanes in which the chosen way to draw rows is accurate enough, and whose values `f32`
+    /// can hold.
     #[inline(always)]
     fn is_plain(
         &self,
@@ -403,8 +412,8 @@ impl<'a> Extents<'a> {
     /// centre. In these coordinates, the error of a ray comes from rounding the basis (or from its
     /// tolerance, if it is given by hand), and that of the centre from rounding its coordinates.
     /// Together they are less than `doubt` times the length of the vector, not of each coordinate, which
-    /// matters on a viewport of extreme aspect. So a ray that meets the sphere meets, in these
-    /// coordinates, a sphere that is larger by `doubt * (|oc| + r)`.
+    /// matters on a viewport of extreme aspect. So a ray that hits the sphere hits, in these
+    /// coordinates, a sphere whose radius is larger by `doubt * (|oc| + r)`.
     pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let (viewport, image) = (camera.viewport(), camera.image());
@@ -426,8 +435,9 @@ impl<'a> Extents<'a> {
     /// u / distance = (x z -+ r sqrt(x^2 + z^2 - r^2)) / (z^2 - r^2)
     /// ```
     ///
-    /// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
-    /// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
+    /// with x the centre's coordinate along u, z its depth and r the radius; likewise for v. They bound
+    /// the sphere if it lies wholly in front of the eye (z > r). A sphere that crosses the eye's plane
+    /// can be anywhere in the image.
     pub(crate) fn find(&self, sphere: &Sphere) -> Option<Extent> {
         let to_center = sphere.center - self.camera.eye();
         let q = self.camera.basis().to_camera_from_world(to_center);

@@ -1,5 +1,4 @@
-//! The rows and columns of a raster, and the camera's axes, as numbers that vectors of lanes can
-//! load.
+//! The rows and columns of a raster, and the camera's axes, as floating-point numbers for SIMD code.
 
 use std::ops::Range;
 
@@ -13,8 +12,8 @@ use crate::render::outline::MOST_SINGLE_LANES;
 /// Number of entries by which the tables extend past the last row and column.
 const PADDING: usize = MOST_SINGLE_LANES;
 
-/// The numbers of a raster's rows and columns in the image, ascending, with padding after the last so
-/// that a vector can begin anywhere.
+/// The row and column numbers, in the image, of a raster's rows and columns, ascending. Padding after
+/// the last ones lets a SIMD vector be loaded from any position.
 pub(crate) struct RasterAxes {
     pub(crate) row_numbers: Vec<f64>,
     pub(crate) columns: Vec<f32>,
@@ -58,14 +57,15 @@ impl RasterAxes {
         self.width * self.height
     }
 
-    /// Returns the range of the raster's columns with numbers from `first` to `last`, which must be
-    /// whole.
+    /// Returns the indices of the raster's columns whose numbers in the image are from `first` to
+    /// `last`, which must be whole numbers.
     #[inline(always)]
     pub(crate) fn columns_range(&self, first: f64, last: f64) -> Range<usize> {
         self.columns_between(first, last).map_or(0..0, |(from, to)| from..to + 1)
     }
 
-    /// Returns the range of the raster's rows with numbers from `first` to `last`, which must be whole.
+    /// Returns the indices of the raster's rows whose numbers in the image are from `first` to `last`,
+    /// which must be whole numbers.
     #[inline(always)]
     pub(crate) fn rows_between(&self, first: f64, last: f64) -> Range<usize> {
         let rows = &self.row_numbers[..self.height];
@@ -79,8 +79,8 @@ impl RasterAxes {
         from..rows.partition_point(|row| *row <= last).max(from)
     }
 
-    /// Returns the raster's first and last column with numbers from `first` to `last`, which must be
-    /// whole; `None` if there is no such column.
+    /// Returns the indices of the first and last of the raster's columns whose numbers in the image are
+    /// from `first` to `last`, which must be whole numbers; `None` if there is no such column.
     #[inline(always)]
     pub(crate) fn columns_between(&self, first: f64, last: f64) -> Option<(usize, usize)> {
         let columns = &self.columns[..self.width];
@@ -95,8 +95,9 @@ impl RasterAxes {
         (from < end).then(|| (from, end - 1))
     }
 
-    /// Returns, for a vector of rows, the raster's first and last columns with numbers from `first` to
-    /// `last`, which must be whole, and a mask of the lanes in which there is such a column.
+    /// Returns, for each lane of a SIMD vector of rows, the indices of the first and last of the
+    /// raster's columns whose numbers in the image are from `first` to `last`, which must be whole
+    /// numbers; and a mask of the lanes in which there is such a column.
     #[inline(always)]
     pub(crate) fn clip<S: Simd>(
         &self,
@@ -123,8 +124,9 @@ impl RasterAxes {
         (from, to, is_there)
     }
 
-    /// Clips like [`RasterAxes::clip`], for twice as many lanes. Returns the numbers of the first and
-    /// last columns, their indices, and a mask of the lanes in which there is such a column.
+    /// Clips like [`RasterAxes::clip`], for twice as many lanes. Returns the image's numbers of the
+    /// first and last columns, their indices in the raster, and a mask of the lanes in which there is
+    /// such a column.
     #[inline(always)]
     pub(crate) fn clip_singles<S: Simd>(
         &self,
@@ -155,8 +157,8 @@ impl RasterAxes {
     }
 }
 
-/// The camera's space, in which spheres are drawn: lengths along u, v and -w from the eye, and slopes
-/// `x = u / distance` and `y = v / distance` as functions of column and row.
+/// The camera's coordinate system, in which spheres are drawn: the eye and the axes, and the slopes
+/// `x = u / distance` and `y = v / distance` of view rays as functions of column and row.
 ///
 /// ```text
 /// x = column_slope (column - middle_column)      y = row_slope (middle_row - row)
@@ -198,9 +200,9 @@ impl CameraSpace {
     /// are computed from the rounded basis, as if it were orthonormal. With `u = 2^-53`, the error of
     /// `q = center - eye` is `u |q|`, that of its three dot products `3 u |q|` each, that of the basis
     /// its rounding (or its defect, if it is given by hand), and that of the slopes `3 u`: together less
-    /// than 12 u plus the defect. So a ray that meets a sphere meets, in these numbers, a sphere around
-    /// the computed centre that is larger by `doubt (|q| + r)`; and a ray that meets a sphere smaller by
-    /// as much meets the true one.
+    /// than 12 u plus the defect. So a ray that hits a sphere of radius r hits, as computed, a sphere
+    /// around the computed centre whose radius is larger by `doubt (|q| + r)`; and a ray that hits, as
+    /// computed, one whose radius is smaller by as much hits the true sphere.
     pub(crate) fn new(camera: &ResolvedCamera) -> CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();

@@ -1,4 +1,4 @@
-//! Outlines of spheres that are small compared with their distance, one in each lane of a vector of
+//! Outlines of spheres that are small compared with their distance, one in each lane of a SIMD vector of
 //! `f32`.
 
 use std::ops::Range;
@@ -11,31 +11,34 @@ use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES, MOST_SINGLE_LANES};
 use crate::scene::sphere_index::SphereSlots;
 
-/// One number for each sphere, in `f32`.
+/// One `f32` for each sphere of a SIMD vector of spheres.
 pub(crate) type Singles = [f32; MOST_SINGLE_LANES];
-/// One number for each sphere, in `f64`, in two vectors.
+/// One `f64` for each sphere of a SIMD vector of spheres, in two halves, because a vector holds half as
+/// many `f64` as `f32`.
 pub(crate) type Halves = [[f64; MOST_LANES]; 2];
 
-/// The largest `w^2` at which `f32` can hold column numbers, counted from a row's first one, and
-/// the fractions that are added to them, as
+/// The largest square of half a row's width at which `f32` can hold both column numbers, counted from
+/// the row's first one, and the fractions that are added to them, as
 /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t) requires.
 const MOST_SIZE: f32 = 4_194_304.0;
 
-/// Factor that turns the result of a few rounded `f32` operations into an upper bound.
+/// Factor that turns the result of a few rounded `f32` operations into an upper bound of the exact
+/// result.
 const UP: f32 = 1.0 + 1e-5;
 
-/// Outlines of small spheres, in the form of [`Outlines`](crate::render::outline::Outlines): on row
-/// `middle_row + row + j`, a sphere covers the columns within w of `middle + shear j`. On these columns,
-/// `S^2 = w^2 - (c - middle - shear j)^2`, and at column c the first hit is at
+/// Outlines of small spheres, in nearly the form of [`Outline`](crate::render::outline::Outline): on row
+/// `middle_row + row + j`, a sphere covers the columns within w of `middle + shear j`, and `w^2` is a
+/// polynomial in j with the coefficients `square`. In these columns, with
+/// `S^2 = w^2 - (c - middle - shear j)^2`, the first hit at column c is at
 ///
 /// ```text
 /// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
 /// ```
 ///
 /// where `(middle_row + row, column)` is the centre in the picture, and Q is the `t` that the centre
-/// would have if S were 0. Derivation: with q, X, Y, Z, h and s as for `Outlines`, `q.d` is `|q|^2 / Z`
-/// at the centre and linear in row and column, and the root is `sqrt h s S`. Dividing all of them by
-/// `|q|^2 / Z` gives
+/// would have if S were 0. Derivation: with q, X, Y, Z, r, h and s as for `Outline`, `q.d` is
+/// `|q|^2 / Z` at the centre and linear in row and column, and `sqrt D` is `sqrt h s S`. Dividing
+/// numerator and denominator of `t` by `|q|^2 / Z` gives
 ///
 /// ```text
 /// Q = Z (1 - r^2 / |q|^2) / distance      slope = s X Z / |q|^2      inverse = s sqrt h Z / |q|^2
@@ -53,7 +56,7 @@ pub(crate) struct SmallOutlines {
     pub(crate) shear: Halves,
     pub(crate) square: [Halves; 3],
     /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
-    /// pixels go up the ladder.
+    /// pixels are decided individually, by the ladder.
     pub(crate) thin: Halves,
     /// A whole number, at most the first covered row.
     pub(crate) first_row: Singles,
@@ -79,7 +82,8 @@ pub(crate) struct SmallOutlines {
     pub(crate) is_outside: u64,
 }
 
-/// The values that need `f64`, for half a vector of spheres.
+/// The values that need `f64`, for one half of a SIMD vector of spheres. X, Y, Z, r and h are those of
+/// [`Outline`](crate::render::outline::Outline).
 struct Doubles<S: Simd> {
     centers: Centers<S>,
     /// Column of the centre.
@@ -148,7 +152,7 @@ impl<S: Simd> Doubles<S> {
     }
 }
 
-/// Upper bounds for a vector of spheres.
+/// Bounds for a SIMD vector of spheres. w, S and e are those of [`SmallOutlines`].
 struct Bounds<S: Simd> {
     /// Upper bound of `w^2` in any row.
     size: S::f32s,
@@ -171,9 +175,9 @@ impl<S: Simd> Bounds<S> {
     /// Computes the bounds. The factor `UP` exceeds all roundings together. For the error of t, see
     /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
     ///
-    /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds here,
-    /// too. Each coefficient is the result of at most 64 roundings in none of which anything cancels, as
-    /// `a < 1/16`; then `8 k + 4 < 4.1`.
+    /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds
+    /// here, too. Each coefficient is the result of at most 64 rounded operations, in none of which
+    /// anything cancels, because `a = r / Z < 1/16`; then `8 k + 4 < 4.1`.
     #[inline(always)]
     fn new(simd: S, space: &CameraSpace, low: &Doubles<S>, high: &Doubles<S>) -> Self {
         let splat = |x: f32| S::f32s::splat(simd, x);
@@ -206,7 +210,8 @@ impl<S: Simd> Bounds<S> {
     }
 
     /// Finds the `w^2` below which a row is thin, as
-    /// [`Outlines::find`](crate::render::outline::Outlines::find) does, with `h / c < 1.005 h / Z^2`.
+    /// [`Outlines::find`](crate::render::outline::Outlines::find) does, with the upper bound
+    /// `1.005 h / Z^2` of `h / c`. `g` is `h / Z^2`.
     #[inline(always)]
     fn thin(&self, simd: S, space: &CameraSpace, g: S::f32s) -> S::f32s {
         let splat = |x: f32| S::f32s::splat(simd, x);
@@ -221,7 +226,8 @@ impl<S: Simd> Bounds<S> {
 }
 
 impl SmallOutlines {
-    /// Finds the outlines of the spheres in `low` and `high`, which together fill a vector of `f32`.
+    /// Finds the outlines of the spheres in `low` and `high`, which together fill a SIMD vector of
+    /// `f32`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(
         &mut self,
@@ -340,8 +346,8 @@ mod tests {
     /// Spheres by coordinate: x, y, z and the radius.
     type Spheres = [[f64; MOST_SINGLE_LANES]; 4];
 
-    /// Finds the outlines of spheres as small ones and as ordinary ones. Returns the number of lanes of
-    /// a vector of `f64`, too.
+    /// Finds the outlines of spheres both as [`SmallOutlines`] and as [`Outlines`]. Also returns the
+    /// number of lanes of a SIMD vector of `f64`.
     #[inline(always)]
     fn both<S: Simd>(
         simd: S,

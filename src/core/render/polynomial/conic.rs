@@ -1,4 +1,4 @@
-//! The quadratic of a sphere and the view rays, as polynomials in whole steps of rows and columns.
+//! The quadratic equation of a sphere and a view ray, as polynomials in the pixel's row and column.
 
 use std::cmp::Ordering;
 
@@ -6,10 +6,13 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot,
 use crate::exact::quadratic::{Form, SphereTerms};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
-/// A sphere's quadratic as polynomials. The direction of a pixel m steps of columns and k steps of rows
-/// from the middle of a [`Patch`] is `s + m e + k g`. The polynomials are the terms a, b and D of the
-/// quadratic, with coefficients in the order 1, m, k, m^2, mk, k^2. The middle of the patch is near that
-/// of the outline, where `r^2 a` and `|q x d|^2` are small, so that nothing cancels.
+/// A sphere's quadratic as polynomials in a pixel's position (m, k), relative to the middle of a
+/// rectangle of pixels, a [`Patch`]. m and k are differences of the whole numbers n and l of
+/// [`FrameRays`](crate::render::polynomial::frame_rays::FrameRays), so the pixel's direction is
+/// `s + m e + k g`, with the direction s of the middle. The polynomials are the coefficients a and b and
+/// the discriminant D of the quadratic, each as its coefficients of 1, m, k, m^2, mk, k^2. The middle of
+/// the patch is near that of the outline, where `r^2 a` and `|q x d|^2` are small, so that nothing
+/// cancels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Conic {
     a: [f64; 6],
@@ -23,7 +26,7 @@ pub(crate) struct Conic {
     a_doubt: f64,
 }
 
-/// One row of a [`Conic`]: polynomials in m.
+/// One row of a [`Conic`], at a fixed k: polynomials in m.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ConicRow {
     pub(crate) a: [f64; 3],
@@ -31,7 +34,7 @@ pub(crate) struct ConicRow {
     pub(crate) discriminant: [f64; 3],
 }
 
-/// Thresholds beyond which a pixel is not in doubt.
+/// Thresholds of D and b beyond which a pixel is certainly a hit or a miss.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thresholds {
     /// If D is at least this value, the pixel is a hit, whose `t` is accurate enough.
@@ -55,11 +58,13 @@ fn square([x0, x1, x2]: [Vector<f64>; 3]) -> [f64; 6] {
 impl Conic {
     /// Computes the coefficients, and bounds of their errors anywhere in the patch.
     ///
-    /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
-    /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and
-    /// a sum. A coefficient is made of dot products of vectors that are off by P. Evaluating a
-    /// polynomial, column within row, takes two steps for each of its two variables, one where it is
-    /// linear; three are allowed for there:
+    /// Let S be the value of `|s| + m |e| + k |g|` at the patch's corner, where it is largest, and let N
+    /// and B be the bounds of `|q x direction|` and `|b|` formed in the same way. P and Q are the
+    /// relative errors of direction and q, and STEP is the rounding error of a product with a whole
+    /// number and a sum. A coefficient is made of dot products of vectors that are off by P. Evaluating
+    /// a quadratic polynomial takes two such steps for each of its two variables. A linear one takes one
+    /// for each; three in all are allowed for it. So, with the bounds B' and M of the errors of b and
+    /// `q x direction`, and the two forms of D:
     ///
     /// ```text
     /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B
@@ -69,10 +74,10 @@ impl Conic {
     ///           + F (B^2 + |c| S^2)          with F = SUM + 4 STEP
     /// ```
     ///
-    /// For `D = r^2 a - m^2` the first term is right where `D >= 0`, since there `|m| <= r S`. It
-    /// suffices elsewhere: with `|m| <= r S + sqrt |D|` the error is at most
-    /// `2 r S M + 2 sqrt |D| M + M^2`, and `-|D| + 2 sqrt |D| M <= M^2`, so that D computed above the
-    /// bound (with `2 M^2`) is not negative.
+    /// In `D = r^2 a - |p|^2` with `p = q x direction`, the first term of the bound, `2 r S M`, is right
+    /// where `D >= 0`, since `|p| <= r S` there. It suffices elsewhere: with `|p| <= r S + sqrt |D|` the
+    /// error is at most `2 r S M + 2 sqrt |D| M + M^2`, and `-|D| + 2 sqrt |D| M <= M^2`. So if the
+    /// computed D is above the bound (with `2 M^2`), the exact D is not negative.
     pub(crate) fn new(sphere: &SphereTerms<f64>, rays: &Steppers, patch: &Patch) -> Conic {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
@@ -138,7 +143,7 @@ impl Conic {
     /// most `t_doubt`.
     ///
     /// With `z = |b| + sqrt D`, t is `c / z` or `z / a`. z is at least `sqrt(|c| a)`, since
-    /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. On the sphere itself
+    /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. If the eye lies on the sphere,
     /// `t = 2 b / a`.
     pub(crate) fn thresholds(
         &self,

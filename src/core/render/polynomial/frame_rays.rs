@@ -1,4 +1,5 @@
-//! The view rays of a frame, in whole steps along columns and rows.
+//! The view rays of a frame, as a linear function of two whole numbers, one for the column and one for
+//! the row.
 
 use std::ops::Range;
 
@@ -10,11 +11,11 @@ use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::ldexp;
 use crate::render::frame::Raster;
 
-/// All view rays of a frame: with the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`,
-/// the view ray's direction times `2 W H` is
+/// All view rays of a frame. With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the
+/// camera's basis u, v, w and the image's size W x H, a view ray's direction times `2 W H` is
 ///
 /// ```text
-/// n (width H U) + l (height W V) - 2 W H distance W  =  n e + l g + z
+/// n (width H u) + l (height W v) - 2 W H distance w  =  n e + l g + z
 /// ```
 #[derive(Clone, Debug)]
 pub(crate) struct FrameRays<'a> {
@@ -43,7 +44,7 @@ pub(crate) struct Steppers {
     pub(crate) z: Vector<f64>,
     /// Relative error of each of the vectors e, g and z.
     vector_doubt: f64,
-    /// `|z|`, rounded: no view ray's direction is shorter.
+    /// A lower bound of the length of every direction, slightly less than `|z|`.
     pub(crate) least_length: f64,
 }
 
@@ -83,7 +84,7 @@ impl<'a> FrameRays<'a> {
         }
     }
 
-    /// Returns the patch of these rows and columns of the raster.
+    /// Returns the patch (the rectangle of pixels) of these rows and columns of the raster.
     pub(crate) fn patch(&self, rows: &Range<usize>, columns: &Range<usize>) -> Patch {
         let (n, l) = (&self.n[columns.clone()], &self.l[rows.clone()]);
         let (n0, l0) = (n[n.len() / 2], l[l.len() / 2]);
@@ -129,8 +130,9 @@ impl Steppers {
     }
 }
 
-/// A rectangle of pixels around `(n, l)` that reaches up to `columns` steps to either side and `rows`
-/// steps up and down.
+/// A rectangle of pixels over which an object's polynomials are evaluated. Its middle is the pixel at
+/// `(n, l)`, the whole numbers of [`FrameRays`]; in its other pixels, n differs by up to `columns`, and
+/// l by up to `rows`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Patch {
     pub(crate) n: f64,

@@ -13,15 +13,15 @@ pub(crate) mod object_kernel;
 /// Marks a miss in a kernel's answers.
 pub(crate) const MISS: f64 = f64::INFINITY;
 
-/// Marks doubt in a kernel's answers: the pixel goes up the ladder by itself.
+/// Marks a pixel that a kernel cannot decide: the ladder decides it individually.
 pub(crate) const DOUBT: f64 = f64::NAN;
 
-/// Maximum relative error of the `t` that a kernel gives. An error of 2^-27 is at most a quarter of an
-/// ulp of `f32`, and rounding to `f32` adds half an ulp.
+/// Maximum relative error of the `t` that a kernel (an object's polynomials) computes. An error of 2^-27
+/// is at most a quarter of an ulp of `f32`, and rounding to `f32` adds half an ulp.
 pub(crate) const T_SHARE: f64 = 1.0 / (1_u64 << 27) as f64;
 
-/// The range of `t` in a frame. It is so much smaller than the range of `f32` that numbers computed
-/// from `t` stay within that range, too.
+/// The range of `t` in a frame. It is so much smaller than the range of `f32` that values computed from
+/// `t` stay within the range of `f32`, too.
 pub(crate) const RANGE: (f32, f32) = (1e-37, 1e38);
 
 /// Relative difference below which rounding may have put two `t` in the wrong order.
@@ -40,8 +40,8 @@ pub(crate) fn is_in_range(t: f64) -> bool {
     t > RANGE.0.into() && t < RANGE.1.into()
 }
 
-/// Writes the pixels that are nearer than the known hits. Returns whether any pixel
-/// [is in doubt](is_in_doubt); such pixels stay unchanged.
+/// Writes the pixels in which the object's hits `found` are nearer than the known hits. Returns whether
+/// any pixel [is in doubt](is_in_doubt); such pixels stay unchanged.
 #[inline(always)]
 pub(crate) fn blend<S: Simd>(
     simd: S,
@@ -80,7 +80,7 @@ pub(crate) fn is_in_doubt(found: f64, t: f32, object: u32, index: u32) -> bool {
     !is_sure && object != index
 }
 
-/// Blends one vector of pixels.
+/// Blends one SIMD vector of pixels, see [`blend`].
 #[inline(always)]
 fn blend_vector<S: Simd>(
     simd: S,

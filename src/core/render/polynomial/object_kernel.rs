@@ -1,5 +1,5 @@
-//! An object's polynomials over a patch of pixels. They give `t` for several pixels of a row at a time,
-//! or mark a pixel as in doubt.
+//! An object's polynomials over a rectangle of pixels (a patch). They compute `t` for several pixels of
+//! a row at a time, and mark the pixels that they cannot decide.
 
 use std::cmp::Ordering;
 
@@ -63,7 +63,8 @@ impl SphereKernel {
         Some(SphereKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
-    /// Finds a range of m that contains all hits of row k; `None` if the row has none.
+    /// Finds a range of m that contains all hits of row k; `None` if the row has none. m and k are
+    /// counted from the middle of the patch, as in [`Conic`].
     pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if self.side != Ordering::Greater {
             return Some(EVERYWHERE);
@@ -105,9 +106,9 @@ impl SphereKernel {
         (low <= high).then_some([low, high])
     }
 
-    /// Computes the first hit's `t`, or [`MISS`] or [`DOUBT`], for the pixels of row k that are m steps
-    /// of columns from the middle. `m` and `t` must have the same length, a multiple of the vector's
-    /// length.
+    /// Computes the first hit's `t`, or [`MISS`] or [`DOUBT`], for the pixels of row k at the positions
+    /// `m`, both counted from the middle of the patch, as in [`Conic`]. `m` and `t` must have the same
+    /// length, a multiple of a SIMD vector's.
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let row = self.conic.row(k);
@@ -157,13 +158,14 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Moves a bound of m towards `side` by 4, which is two columns, plus a share of m that covers its
-/// error.
+/// Moves a bound of m in the direction `side` (1 or -1) by 4, which is two columns, plus a fraction of m
+/// that covers its rounding error.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
 }
 
-/// A plane's `normal . direction` as a polynomial in columns m and rows k from the middle.
+/// A plane's rate, `normal . direction`, as a linear polynomial in a pixel's position (m, k), counted
+/// from the middle of the patch as in [`Conic`].
 pub(crate) struct PlaneKernel {
     /// The offset, in the units of `t`.
     offset: f64,
@@ -179,10 +181,10 @@ pub(crate) struct PlaneKernel {
 impl PlaneKernel {
     /// Computes the polynomial.
     ///
-    /// Let S be the longest direction of the patch, and P the direction's doubt. The rate is off by
-    /// `|n| S (DOT + P)`, and by two steps of a product and a sum in evaluating the polynomial. The
-    /// relative error of `t` is that error divided by the rate, plus the offset's, plus that of its own
-    /// operations.
+    /// Let n be the normal, S a bound of the length of the directions in the patch, and P their relative
+    /// error. The rate is off by `|n| S (DOT + P)`, and by the rounding of two products and two sums
+    /// when the polynomial is evaluated. The relative error of `t` is that error divided by the rate,
+    /// plus the offset's, plus that of its own operations.
     pub(crate) fn new(
         seen: &PlaneFromOrigin,
         factor: f64,

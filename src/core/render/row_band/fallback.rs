@@ -1,5 +1,6 @@
-//! Decides pixels in doubt one by one, up the ladder, with a cache of the numbers of objects and of
-//! pairs of planes. Also computes `t` in `f64` and normals for hits whose objects are known.
+//! Decides individually, by the ladder of `f64`, double-double and exact numbers, the pixels that
+//! drawing has left in doubt, with a cache of the values precomputed for objects and pairs of planes.
+//! Also computes `t` in `f64` and normals for hits whose objects are known.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -24,8 +25,8 @@ use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
 use crate::scene::plane_predicates::{PlaneFromOrigin, PlaneOrder};
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// Minimum number of pixels in doubt for which it pays to cache each pixel's rough hit and to divide the
-/// pixels among threads.
+/// Minimum number of pixels in doubt for which it pays to cache each pixel's hit in `f64` and to divide
+/// the pixels among threads.
 const MANY: usize = 1024;
 
 /// Number of parts into which a band's rows are divided for the threads.
@@ -84,7 +85,7 @@ impl RowBand<'_> {
         self.doubts.clear();
     }
 
-    /// Decides one pixel up the ladder. The caller has counted it as decided in `f64`; it is now counted
+    /// Decides one pixel by the ladder. The caller has counted it as decided in `f64`; now it is counted
     /// at the step that decides it.
     #[cold]
     pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
@@ -153,7 +154,8 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
-        // Most hits are farther than the known one, as the power of the known hit shows.
+        // Most hits are farther than the known one, as the power of the known hit with respect to the
+        // new sphere shows.
         if t.is_some()
             && let Some(sphere) = known_sphere
             && let Some(hit) = self.kept_hit(offset, known)
@@ -287,8 +289,8 @@ impl PixelLadder<'_> {
     }
 }
 
-/// A cache of objects with the numbers that all rays from the eye share, keyed by the last bits of their
-/// index, and of the orders of pairs of planes.
+/// A cache of objects with the values that all rays from the eye share, keyed by the last bits of the
+/// object's index, and of the orders in which rays hit pairs of planes.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
@@ -302,7 +304,7 @@ impl KnownObjects {
     /// Maximum number of pairs of planes in the cache.
     const PAIRS: usize = 4096;
 
-    /// Returns an object with the numbers that all rays from the eye share, from the cache or newly
+    /// Returns an object with the values that all rays from the eye share, from the cache or newly
     /// computed.
     pub(crate) fn get(
         &mut self,
@@ -317,7 +319,7 @@ impl KnownObjects {
         &slot.get_or_insert_with(|| (index, make())).1
     }
 
-    /// Returns the order of two planes, from the cache or newly computed.
+    /// Returns the order in which rays hit two planes, from the cache or newly computed.
     pub(crate) fn plane_order(
         &mut self,
         indices: [u32; 2],

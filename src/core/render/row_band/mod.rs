@@ -1,4 +1,4 @@
-//! Some rows of a frame, to which objects are added one after the other.
+//! A band of rows of a frame, into which objects are drawn one after the other.
 
 pub(crate) mod fallback;
 pub(crate) mod rough_hits;
@@ -24,7 +24,7 @@ use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
-/// The number of lanes of the widest vector: rows are padded to whole vectors.
+/// The number of `f64` lanes of the widest SIMD vector: rows are padded to a multiple of it.
 const LANES: usize = 8;
 
 /// Rows of a frame with their part of the buffers. Objects may be added in any order. If two hits are
@@ -36,21 +36,23 @@ pub(crate) struct RowBand<'a> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    /// The blocks of pixels written so far, while spheres are drawn by rows into buffers that were not
-    /// cleared; otherwise `None`.
+    /// Which blocks (SIMD vectors of pixels) have been written so far, while spheres are drawn by rows
+    /// into buffers that were not cleared; otherwise `None`.
     written: Option<WrittenBlocks>,
-    /// The position of the sphere to be drawn next or, if there are many spheres, of the group and
-    /// block; `None` if all are drawn.
+    /// Where drawing by rows continues: at this sphere of the plan or, if there are many spheres, at
+    /// this visible group and block. `None` if all are drawn.
     next: Option<(usize, usize)>,
     /// Pixels in doubt that remain to be decided.
     doubts: Vec<Doubt>,
-    /// The rough hits, in `f64`, of pixels that were in doubt.
+    /// For each pixel, the hit in `f64` of the sphere that it shows, if it was in doubt; empty if few
+    /// were.
     hits: Vec<Option<RoughHit>>,
     known_objects: KnownObjects,
     drawn: DrawnSpheres,
     /// For each row, true if an object's outline reaches it.
     is_reached: Vec<bool>,
-    /// Column numbers, counted from the middle of the current patch.
+    /// The position m of each column, counted from the middle of the current patch as in
+    /// [`Conic`](crate::render::polynomial::conic::Conic).
     m: Vec<f64>,
     /// The kernel's answers for one row: `t`, a miss or doubt.
     found: Vec<f64>,
@@ -60,7 +62,7 @@ pub(crate) struct RowBand<'a> {
 /// polynomials.
 const FEW_PIXELS: usize = 64;
 
-/// An object's polynomials over a patch of pixels.
+/// An object's polynomials over a rectangle of pixels (a patch).
 enum Kernel {
     Sphere(SphereKernel),
     Plane(PlaneKernel),
@@ -69,7 +71,7 @@ enum Kernel {
 }
 
 impl Kernel {
-    /// Returns a range of columns, counted from the patch's middle, that contains all hits of a row;
+    /// Returns a range of column positions that contains all hits of row k, see [`SphereKernel::reach`];
     /// `None` if the row has none.
     fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if let Kernel::Sphere(kernel) = self { kernel.reach(k) } else { Some(EVERYWHERE) }
@@ -127,8 +129,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Draws spheres by rows, until all are drawn or too many pixels are in doubt. Returns false if none
-    /// was left to draw.
+    /// Draws spheres by rows, until all are drawn or too many undecided pixels have accumulated. Returns
+    /// false if no sphere was left to draw.
     pub(crate) fn draw_rows(&mut self) -> bool {
         let RowBand { plan, rows, t, object, written, next, doubts, drawn, is_reached, .. } = self;
         let (plan, Some(from)) = (*plan, *next) else { return false };
@@ -278,7 +280,8 @@ impl<'a> RowBand<'a> {
         self.add(index, rows, columns, &patch, &kernel, Some(seen_by_eye));
     }
 
-    /// Evaluates the object's polynomials at the pixels of the patch that it can reach.
+    /// Evaluates an object's polynomials at the pixels of the patch that it can cover, and keeps the
+    /// nearer hits.
     fn add(
         &mut self,
         index: u32,

@@ -23,7 +23,7 @@ pub(crate) struct RoughHit {
     side: Ordering,
     /// The vector from the sphere's centre to the hit, in units of `2^scale`.
     from_center: Vector<f64>,
-    /// Bound of the length of the error of `from_center`.
+    /// Bound of the length of the error vector of `from_center`.
     off: f64,
     /// Lower bound of half the length of the ray's chord in the sphere.
     half_chord: f64,
@@ -82,7 +82,8 @@ impl Rough {
 }
 
 impl RoughHit {
-    /// Returns `t` for the ray itself, whose direction is shorter by the factor `stretch`.
+    /// Returns `t` for the ray itself. The direction used here is longer by the factor `stretch` and in
+    /// units of `2^scale`.
     pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
         ldexp(self.t * stretch, self.scale - scale)
     }
@@ -99,11 +100,12 @@ impl RoughHit {
         ((t - other_t).abs() > doubt).then(|| t.total_cmp(&other_t))
     }
 
-    /// Compares `t` with the `t` at which the ray hits another sphere, by the power of this hit with
-    /// respect to that sphere. The ray must be known to hit it. Returns `None` if in doubt.
+    /// Compares `t` with the `t` at which the ray hits another sphere, by the power of this hit's point
+    /// with respect to the other sphere, which the ray must be known to hit. Returns `None` if in doubt.
     ///
-    /// Let o be the vector from this sphere's centre to the hit, and e the vector from this centre to
-    /// the other one. In the power, the quadratic terms cancel:
+    /// Let r and r' be the radii of this and the other sphere, o the vector from this sphere's centre to
+    /// the hit, and e the vector from this centre to the other one. Since `|o| = r`, the quadratic terms
+    /// of the power cancel:
     ///
     /// ```text
     /// |o - e|^2 - r'^2  =  |e|^2 - 2 e.o - (r' - r) (r' + r)
@@ -116,9 +118,9 @@ impl RoughHit {
     ///   has already entered that sphere, so the other hit is first. If the eye is inside, the ray
     ///   leaves that sphere later, so this hit is first.
     /// - If the power is positive, the hit lies before or after the other sphere's chord. If the eye is
-    ///   outside, it lies before, provided that `|e|` is less than half of this chord, as the chords'
-    ///   middles are no farther apart than the centres. If the eye is inside, it lies after, as the
-    ///   other chord begins behind the eye.
+    ///   outside, it lies before, provided that `|e|` is less than half the chord in this sphere, as the
+    ///   chords' middles are no farther apart than the centres. If the eye is inside, it lies after, as
+    ///   the other chord begins behind the eye.
     #[inline]
     pub(crate) fn compare_by_power(
         &self,

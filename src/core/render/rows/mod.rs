@@ -10,12 +10,13 @@ use crate::render::rows::span::{SpanLanes, SpanRow};
 pub(crate) mod small_spheres;
 pub(crate) mod span;
 
-/// The buffers of a row, and the column numbers of its pixels as whole numbers.
+/// The buffers of a row of pixels, and the column number of each pixel, a whole number.
 pub(crate) struct RowBuffers<'a> {
     pub(crate) columns: &'a [f32],
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// For each block of the row, true if its pixels have been written; empty if all blocks have been.
+    /// For each block (SIMD vector of pixels) of the row, true if its pixels have been written; empty if
+    /// all blocks have been.
     pub(crate) is_written: &'a mut [bool],
 }
 
@@ -23,11 +24,11 @@ pub(crate) struct RowBuffers<'a> {
 /// each `t` is at most an ulp.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
-/// For each block of a band, whether it has been written. The first sphere in a block writes it without
-/// reading it; blocks that no sphere covers are cleared at the end.
+/// For each block of pixels of a band, whether it has been written. The first sphere that covers part of
+/// a block writes it without reading it; blocks that no sphere covers are cleared at the end.
 ///
-/// A block is a vector of neighbouring pixels of a row. Pixels at the end of a row that do not fill a
-/// block are cleared at the start.
+/// A block is a SIMD vector of neighbouring pixels of a row. Pixels at the end of a row that do not fill
+/// a block are cleared at the start.
 pub(crate) struct WrittenBlocks {
     is_written: Vec<bool>,
     /// Number of blocks in a row.
@@ -100,7 +101,7 @@ pub(crate) fn clear<S: Simd>(simd: S, t: &mut [f32], object: &mut [u32]) {
     object.fill(NO_OBJECT);
 }
 
-/// The values that the vectors of one row share.
+/// The values that all SIMD vectors of pixels of one row share.
 struct Drawing<S: Simd> {
     simd: S,
     below: S::f32s,
@@ -114,8 +115,8 @@ struct Drawing<S: Simd> {
 }
 
 impl<S: Simd> Drawing<S> {
-    /// Draws one vector of pixels, in which no `t` of the sphere is below `nearest`; returns a mask of
-    /// the lanes in doubt.
+    /// Draws one SIMD vector of pixels, in which no `t` of the sphere is below `nearest`; returns a mask
+    /// of the pixels in doubt.
     #[inline(always)]
     fn draw<const CORRECTS_ROOT: bool>(
         &self,
@@ -167,8 +168,9 @@ impl<S: Simd> Drawing<S> {
 }
 
 /// Writes the sphere's pixels in the columns `from..=to` of a row where they are nearer than the known
-/// hits. No `t` of the sphere is below `nearest`, or below the bound of its vector, if the vector has
-/// one. Returns whether any pixel is too close to call; such pixels stay unchanged.
+/// hits. No `t` of the sphere is below `nearest`, or below the bound in `bounds` of its SIMD vector of
+/// pixels, if the vector has one. Returns whether any pixel is too close to call; such pixels stay
+/// unchanged.
 #[inline(always)]
 pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
     simd: S,
@@ -236,14 +238,15 @@ pub(crate) fn draw_row<S: Simd, const CORRECTS_ROOT: bool>(
     in_doubt.any_true()
 }
 
-/// Maximum number of vectors of a row that have their own bounds.
+/// Maximum number of SIMD vectors of pixels of a row that have their own bounds.
 const MOST: usize = 256;
 
-/// Lower bounds of `t` in each vector of a row.
+/// Lower bounds of `t` in each SIMD vector of pixels of a row.
 ///
-/// `b + S` is concave along a row: its largest value between two columns is at one of the columns or, if
-/// the peak lies between them, at the peak. Columns are counted from the row's first one, which keeps
-/// rounding errors at about `2^-21`; the bounds allow 1e-5 for them.
+/// In `t = numerator / (b + S)` (see [`Outline`](crate::render::outline::Outline)), `b + S` is concave
+/// along a row: its largest value between two columns is at one of the columns or, if the peak lies
+/// between them, at the peak. Columns are counted from the row's first one, which keeps rounding errors
+/// at about `2^-21`; the bounds allow 1e-5 for them.
 pub(crate) struct VectorBounds {
     /// For each vector, a bound at its first column and a bound at the first column of the next.
     at_columns: [f32; MOST + MOST_SINGLE_LANES],
@@ -316,7 +319,7 @@ mod tests {
     use super::*;
 
     /// Asserts that no column of a row has a smaller t than its vector's bound, for
-    /// `b = b_first + b_column m`, with m columns from the first one.
+    /// `b = b_first + b_column m`, where m counts columns from the first one.
     fn assert_bounds(first: f32, last: f32, [left, right, b_first, b_column]: [f32; 4]) {
         let level = Level::new();
         let n = dispatch!(level, simd => lanes(simd));

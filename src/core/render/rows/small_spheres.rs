@@ -1,5 +1,5 @@
 //! Draws spheres that are small compared with their distance. Each step finds one row of every sphere in
-//! a vector of spheres; the rows are then drawn several pixels at a time.
+//! a SIMD vector of spheres; the rows are then drawn several pixels at a time.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
@@ -17,9 +17,9 @@ const PIXELS: usize = 8;
 /// Maximum number of rows that are found before they are drawn: the number of bits in a mask.
 const RUNS: usize = 64;
 
-/// The rows of the target that the spheres of a vector cover. The spheres are drawn in steps of one row
-/// each. If the raster has no gaps, each sphere's steps start at its own first row; otherwise all start
-/// at the first row that any of the spheres covers.
+/// The rows of the target that the spheres of a SIMD vector cover. The spheres are drawn in steps of one
+/// row each. If the raster has no gaps, each sphere's steps start at its own first row; otherwise all
+/// start at the first row that any of the spheres covers.
 struct OwnRows {
     /// Number of the first row.
     first: Singles,
@@ -33,7 +33,7 @@ struct OwnRows {
     steps: usize,
 }
 
-/// One row of each sphere of a vector.
+/// One row of each sphere of a SIMD vector, the same step for all (see [`OwnRows`]).
 struct RowStep<S: Simd> {
     number: S::f32s,
     /// First pixel of the row in the target.
@@ -58,7 +58,7 @@ pub(crate) struct Runs {
     left: [f32; RUNS],
     /// Distance of the last column from the outline's right end.
     right: [f32; RUNS],
-    /// The part of e that does not depend on S, at the first column; see [`Runs::t`].
+    /// The part of e that does not depend on S, at the first column; see [`SmallOutlines`].
     moved: [f32; RUNS],
     /// The first pixel in the target.
     offset: [i32; RUNS],
@@ -68,8 +68,8 @@ pub(crate) struct Runs {
     pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
-/// Draws those spheres of a vector whose bits are set in `small`; each must have a row in the target. A
-/// row with a pixel in doubt is not drawn, but listed in [`Runs::doubtful`].
+/// Draws those spheres of a SIMD vector whose bits are set in `small`; each must have a row in the
+/// target. A row with a pixel in doubt is not drawn, but listed in [`Runs::doubtful`].
 #[inline(always)]
 pub(crate) fn draw_small<S: Simd>(
     simd: S,
@@ -191,13 +191,14 @@ impl OwnRows {
     }
 }
 
-/// The ends of one row of each small sphere, for half a vector of spheres.
+/// The ends of one row of each small sphere, for one half of a SIMD vector of spheres (as many as it has
+/// `f64` lanes).
 struct SmallRowEnds<S: Simd> {
     first: S::f64s,
     last: S::f64s,
     left: S::f64s,
     right: S::f64s,
-    /// The part of e that does not depend on S, at the first column.
+    /// The part of e that does not depend on S (see [`SmallOutlines`]), at the first column.
     moved: S::f64s,
     is_thick: <S::f64s as SimdBase<S>>::Mask,
 }
@@ -283,19 +284,20 @@ impl Runs {
         (is_drawn.to_bitmask() & is_there, is_doubtful.to_bitmask())
     }
 
-    /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)` for columns counted from the
-    /// row's first one; see [`SmallOutlines`].
+    /// Computes `t = Q / (1 + e) = Q_high + (Q_low - Q_high e) / (1 + e)`, with Q, e and S of
+    /// [`SmallOutlines`], for columns counted from the row's first one.
     ///
-    /// With `u = 2^-24`, let R be the largest `inverse S`, V the largest absolute value of the rest of
-    /// e, of its two terms and of their sum, and v the change of e along half a row. Each factor of
-    /// `S^2` is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their product by u more,
-    /// the product with `inverse^2` by 2 u, so the root by `2.84 u` and its own rounding: by `3.84 u` of
-    /// R. `moved` is rounded from `f64`, by u of V; what e changes by along the row, 2 v at most, is off
-    /// by 2 u of itself; the sum of both is rounded by u of V, and the sum with the root by u of
-    /// `R + V`. So e is off by `(4.84 R + 3 V + 4 v) u`, and t, as `|e| < 1/17`, by 1.13 times that. The
-    /// roundings of `Q_high e`, of the difference, of `1 + e` and of the quotient are 4 u of 1.07 |e|.
-    /// Together: `(9.8 R + 7.8 V + 4.6 v) u`. [`SmallOutlines`] keep the sum of that and `0.07 u`, for
-    /// the errors of `S^2` itself and of Q, below `0.5 u`: with the last rounding, t is within an ulp.
+    /// Error bound: with `u = 2^-24`, let R be the largest `inverse S`, V the largest absolute value of
+    /// the rest of e, of its two terms and of their sum, and v the change of the rest of e along half a
+    /// row. Each factor of `S^2` is off by `4/3 u` (u for the sum, `1/3 u` for left or right) and their
+    /// product by u more, the product with `inverse^2` by 2 u, so the root by `2.84 u` and its own
+    /// rounding: by `3.84 u` of R. `moved` is rounded from `f64`, by u of V; the change along the row, 2
+    /// v at most, is off by 2 u of itself; the sum of `moved` and the change is rounded by u of V, and
+    /// the sum with the root by u of `R + V`. So e is off by `(4.84 R + 3 V + 4 v) u`, and t, as
+    /// `|e| < 1/17`, by 1.13 times that. The roundings of `Q_high e`, of the difference, of `1 + e` and
+    /// of the quotient are 4 u of 1.07 |e|. Together: `(9.8 R + 7.8 V + 4.6 v) u`. [`SmallOutlines`]
+    /// keep the sum of that and `0.07 u`, for the errors of `S^2` itself and of Q, below `0.5 u`: with
+    /// the last rounding, t is within an ulp.
     #[inline(always)]
     fn t<S: Simd>(
         &self,
@@ -401,9 +403,10 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
     doubtful
 }
 
-/// Adds the pixels whose bits are set, counted from `offset`, to the doubts: there, the sphere is too
-/// close to the known hit to call, and not equal to the known sphere. Returns the number of pixels
-/// added, whose decisions the ladder counts.
+/// Adds to the pixels in doubt those whose bits are set in `doubtful`, where bit 0 stands for the pixel
+/// at `offset`. In these pixels, the sphere's hit and the known hit are too close to call. A pixel that
+/// already shows an equal sphere is not added. Returns the number of pixels added, whose decisions the
+/// ladder counts.
 #[cold]
 #[inline(never)]
 fn note_ties(

@@ -19,15 +19,15 @@ use crate::scene::sphere::Sphere;
 pub(crate) struct Span {
     pub(crate) index: u32,
     pub(crate) outline: Outline,
-    /// The numerator of `t`, in two parts.
+    /// The numerator of `t` (see [`Outline`]), in two parts.
     numerator: [f32; 2],
-    /// Change of b from one column to the next, in two parts. If the root is corrected, the first part
-    /// has 12 bits.
+    /// Change of b (see [`Outline`]) from one column to the next, in two parts. If the root S is
+    /// corrected, the first part has 12 bits.
     b_column: [f32; 2],
 }
 
-/// A pixel in doubt. The question is whether a sphere covers it or, if `t` is known, whether the sphere
-/// is nearer than the object that the pixel shows.
+/// A pixel in doubt, left to the ladder. The question is whether a sphere covers it or, if the sphere's
+/// `t` is given, whether the sphere is nearer than the object that the pixel shows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Doubt {
     pub(crate) index: u32,
@@ -76,11 +76,12 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
-    /// The blocks written so far; `None` if all pixels were cleared at the start.
+    /// Which blocks (SIMD vectors of pixels) have been written so far; `None` if all pixels were cleared
+    /// at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
     /// True if the raster has no gaps, as the bounds require, and spheres overlap so much that it pays
-    /// to test whether each vector of a row is hidden.
+    /// to test whether each SIMD vector of pixels of a row is hidden.
     pub(crate) has_vector_bounds: bool,
     /// The bounds of the current row, if it has any.
     pub(crate) bounds: VectorBounds,
@@ -94,8 +95,8 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) decided: u64,
 }
 
-/// Minimum length of a row whose vectors have bounds of their own; the vectors of a shorter row share
-/// one bound.
+/// Minimum length, in pixels, of a row whose SIMD vectors have bounds of their own; the vectors of a
+/// shorter row share one bound.
 const SHORT: usize = 128;
 
 impl SpanTarget<'_> {
@@ -106,7 +107,7 @@ impl SpanTarget<'_> {
         self.is_all_reached = !self.is_reached.contains(&false);
     }
 
-    /// Adds pixels of a row of the raster to the doubts: the ladder decides whether the sphere
+    /// Adds pixels of a row of the raster to those in doubt: the ladder decides whether the sphere
     /// covers them.
     pub(crate) fn doubt(&mut self, index: u32, row: usize, columns: Range<usize>) {
         let row = row as u32;
@@ -212,7 +213,8 @@ impl Span {
         }
     }
 
-    /// Adds to the doubts the pixels of a row in which the sphere is too close to the known hit.
+    /// Adds to the pixels in doubt those of a row in which the sphere's hit and the known hit are too
+    /// close to call.
     #[cold]
     #[inline(never)]
     fn find_doubts<S: Simd>(
@@ -249,7 +251,8 @@ impl Span {
         }
     }
 
-    /// Draws the pixels of a row that are not in doubt, and adds the others to the doubts.
+    /// Draws the pixels of a row that the sphere certainly covers, and adds to the pixels in doubt those
+    /// that it may cover.
     #[cold]
     #[inline(never)]
     pub(crate) fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
@@ -301,7 +304,7 @@ impl Span {
     }
 }
 
-/// A vector of rows of one sphere.
+/// Some rows of one sphere, one in each lane of a SIMD vector.
 pub(crate) struct SpanRows {
     rows: SpanRow<Singles>,
     /// Index in the raster of each row's first column, as a floating-point number.
@@ -329,7 +332,8 @@ fn store_narrow<S: Simd>(x: S::f64s) -> Singles {
 }
 
 impl SpanRows {
-    /// Finds the sphere's rows in one vector of rows, which starts at the raster's row `base`.
+    /// Finds the sphere's part of each row in a SIMD vector of rows, which starts at the raster's row
+    /// `base`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -393,8 +397,8 @@ impl SpanRows {
     }
 }
 
-/// The ends of a vector of rows, computed from `w^2` and the column of each row's middle; see
-/// [`Outlines`](crate::render::outline::Outlines).
+/// The ends of a SIMD vector of rows, computed from the square of half of each row's width, `w^2`, and
+/// the column of its middle; see [`Outline`].
 pub(crate) struct RowEnds<S: Simd> {
     /// The outline's left end.
     pub(crate) start: S::f64s,
@@ -424,7 +428,8 @@ impl<S: Simd> RowEnds<S> {
     }
 }
 
-/// The values that a row's pixels share. Column numbers are whole, so that their differences are exact.
+/// The values that the pixels of one row of a sphere share; for b and S, see [`Outline`]. Column numbers
+/// are whole, so that their differences are exact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanRow<T = f32> {
     /// First column that the sphere covers, even beyond the image.
@@ -440,7 +445,7 @@ pub(crate) struct SpanRow<T = f32> {
     /// The column at which b is given: the middle or, if the root is corrected, the end at which b is
     /// larger.
     pub(crate) pivot: T,
-    /// `left right`, if the root is corrected.
+    /// The product `left right`, used only if the root is corrected.
     pub(crate) offset: T,
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
@@ -463,7 +468,7 @@ impl<T> SpanRow<T> {
     }
 }
 
-/// The values of a [`Span`] and a [`SpanRow`], copied to all lanes.
+/// The values of a [`Span`] and a [`SpanRow`], each copied to all lanes of a SIMD vector.
 #[derive(Clone, Copy)]
 pub(crate) struct SpanLanes<S: Simd> {
     row: SpanRow<SingleLanes<S>>,
@@ -490,17 +495,17 @@ impl<S: Simd> SpanLanes<S> {
     }
 
     /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp, for a
-    /// sphere whose S is small compared with b.
+    /// sphere whose S is small compared with b (see [`Outline`]).
     ///
     /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
     /// and their product by u more, so S is off by `5/2 u` and its own rounding. The part of b that
-    /// varies is off by 3 u of itself, and the sum of both by u: in all `(4.5 S + 4 |b - b_pivot|) u`.
+    /// varies is off by 3 u of itself, and its sum with S by u: in all `(4.5 S + 4 |b - b_pivot|) u`.
     /// `Kinds::new` in `render/outline` chooses this kernel only where that is at most 0.42 u of the
     /// denominator. The error of `S^2` itself moves S by at most `2^-28` of b, as `Outlines::find`
     /// derives, which adds u / 16: together less than 0.49 u, which leaves room for terms of second
     /// order below half an ulp of t. With the last rounding, t is within an ulp; `tests/ladder.rs`
-    /// checks it against the reference. The rounding error of the sum with `b_pivot` is kept; it and the
-    /// quotient's own residual correct the quotient.
+    /// checks it against the reference. The quotient is corrected by the rounding error of the sum with
+    /// `b_pivot` and by its own residual.
     #[inline(always)]
     fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);

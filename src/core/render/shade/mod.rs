@@ -44,7 +44,7 @@ pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     pixels
 }
 
-/// Paints a frame that has objects and, if the shading needs it, `t`.
+/// Computes the pixels of a traced frame, which must have objects and, if the shading needs it, `t`.
 pub(crate) fn paint_frame<T: Depth, P: Send>(
     level: Level,
     frame: &Frame<T>,
@@ -73,7 +73,8 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
     });
 }
 
-/// Returns a colour lit from the eye, as in [`Shade::Lambert`]; `cosine` is `|n.d| / |d|`.
+/// Returns a colour lit from the eye, as in [`Shade::Lambert`]; `cosine` is `|n.d| / |d|`, with the unit
+/// normal n and the ray's direction d.
 pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
     let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
     color.map(|byte| srgb.byte_of((light * srgb.linear_of(byte) + 0.5) as u32))

@@ -1,7 +1,7 @@
-//! Outward normals of hits, for one ray or several side by side, in `f64` and as accurate as
-//! colours need. Where possible, they are computed without `t`.
+//! Outward normals of hits, for one ray or a SIMD vector of rays, in `f64` and as accurate as colours
+//! need. Where possible, they are computed without `t`.
 //!
-//! The vector code has no closures: the compiler does not always inline a closure's body into the loop
+//! The SIMD code has no closures: the compiler does not always inline a closure's body into the loop
 //! around it, and the loop then costs ten times as much.
 
 use glam::DVec3;
@@ -97,17 +97,19 @@ fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
     }
 }
 
-/// Distance, in radii, up to which `p + t d - center` gives a normal within 1e-6, even from a `t` in
-/// `f32`.
+/// Distance of the eye from a sphere's centre, in radii, up to which `p + t d - center` gives a normal
+/// within 1e-6, even from a `t` in `f32`.
 const NEAR: f64 = 8.0;
 
-/// Distance, in radii, up to which the ray's point nearest to the centre gives a normal within 1e-6.
+/// Distance of the eye from a sphere's centre, in radii, up to which [`far_normal`] gives a normal
+/// within 1e-6.
 const FAR: f64 = 1e6;
 
 /// The range of `t` that keeps its digits in `f32`, too.
 pub(crate) const PLAIN_T: std::ops::Range<f64> = 1e-37..1e38;
 
-/// A sphere as seen from the eye, for numbers that need no scaling.
+/// A sphere as seen from the eye, if its size and distance need no scaling to avoid overflow and
+/// underflow.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
     /// The vector from the centre to the eye.
@@ -134,9 +136,9 @@ fn over<L: Lane>(a: [L; 3], b: L) -> [L; 3] {
     [a[0] / b, a[1] / b, a[2] / b]
 }
 
-/// Returns `|n.d| / |d|` where the ray of direction d meets the sphere of radius r whose centre is at
-/// -q: `sqrt(1 - |q x d|^2 / (d.d r^2))`, at either root; 0 if rounding has moved the ray past the
-/// sphere.
+/// Returns `|n.d| / |d|` where a ray of direction d from the origin meets the sphere of radius r around
+/// -q, with the normal n: `sqrt(1 - |q x d|^2 / (d.d r^2))`, at either root; 0 if rounding has moved the
+/// ray past the sphere.
 ///
 /// The error of the square is a few roundings times `(|q| / r)^2`, not counting the error of q itself.
 #[inline(always)]
@@ -160,9 +162,10 @@ pub(crate) fn near_normal<L: Lane>(q: [L; 3], d: [L; 3], t: L) -> [L; 3] {
     over(offset, length)
 }
 
-/// Returns the outward unit normal of a distant sphere at the nearer root of a ray from outside. It
-/// is computed from the ray's point nearest to the centre and half the chord: `n = (m - sqrt(r^2 -
-/// |m|^2) d / |d|) / r` with `m = d x (q x d) / d.d`.
+/// Returns the outward unit normal of a distant sphere at the nearer root of a ray from outside:
+/// `n = (m - sqrt(r^2 - |m|^2) d / |d|) / r`, from half the chord and the vector
+/// `m = d x (q x d) / d.d` from the centre to the ray's point nearest to it. q is the vector from the
+/// centre to the eye.
 #[inline(always)]
 pub(crate) fn far_normal<L: Lane>(q: [L; 3], r: L, d: [L; 3]) -> [L; 3] {
     let length_squared = dot(d, d);

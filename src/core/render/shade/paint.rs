@@ -66,8 +66,8 @@ pub(crate) struct Srgb {
     bytes: Vec<u8>,
 }
 
-/// Full light, in parts. It is a power of two, so that light in parts has the same digits as light from
-/// 0 to 1.
+/// The number of parts into which full light is divided; linear light is measured in these parts. It is
+/// a power of two, so that light in parts has the same digits as light from 0 to 1.
 pub(crate) const PARTS: usize = 1 << 16;
 
 static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);

@@ -17,7 +17,8 @@ pub(crate) struct Painter<'a, C, F> {
     shader: HitShader<'a>,
     camera: &'a ResolvedCamera,
     raster: &'a Raster,
-    /// Direction terms of each column (structure of arrays), padded to whole vectors.
+    /// The column's term of the view ray's direction, for each column (a structure of arrays), padded to
+    /// whole SIMD vectors.
     columns: [Vec<f64>; 3],
     is_plain: bool,
 }
@@ -84,7 +85,7 @@ where
         }
     }
 
-    /// Finds the runs of a row, from left to right.
+    /// Finds the runs of a row (neighbouring pixels that show the same object), from left to right.
     fn find_runs(&self, object: &[u32], runs: &mut Vec<Run>) {
         runs.clear();
         let mut start = 0;
@@ -131,7 +132,8 @@ fn run_length(object: &[u32], same: u32) -> usize {
 }
 
 /// Returns whether the squared lengths of all directions are far from 0 and infinity: no direction is
-/// shorter than the distance, and none is longer than three sides of the viewport's box.
+/// shorter than the viewport's distance, and none is longer than the sum of its width, height and
+/// distance.
 fn has_plain_rays(camera: &ResolvedCamera) -> bool {
     let viewport = camera.viewport();
     let longest = viewport.width + viewport.height + viewport.distance;

@@ -1,5 +1,5 @@
-//! Tones: the three numbers from which a pixel's colour is made, for a single pixel or, in vectors, for
-//! a run.
+//! Tones, the three numbers from which a pixel's colour is made, computed for a single pixel or, by
+//! SIMD, for a run (neighbouring pixels that show the same object).
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -21,7 +21,8 @@ pub(crate) const AMBIENT: f64 = 0.15;
 /// The fraction of light that comes from the eye.
 pub(crate) const FROM_EYE: f64 = 0.85;
 
-/// Three numbers per pixel: light in parts for [`Shade::Lambert`], bytes for all other shadings.
+/// Red, green and blue of a pixel: linear light, in parts of full light ([`PARTS`]), for
+/// [`Shade::Lambert`]; bytes for all other shadings.
 pub(crate) type Tones = [u32; 3];
 
 /// Converts hits to colours like [`shade`](fn@crate::shade), but for any rays, not only those of a
@@ -46,7 +47,8 @@ pub(crate) struct Run {
 #[derive(Clone, Copy)]
 pub(crate) struct RowRays<'a> {
     pub(crate) eye: DVec3,
-    /// Direction terms of each column (structure of arrays), padded to whole vectors.
+    /// The column's term of the direction, for each column (a structure of arrays), padded to whole SIMD
+    /// vectors.
     pub(crate) columns: [&'a [f64]; 3],
     pub(crate) row: DVec3,
     /// True if all directions have lengths that need no scaling.
@@ -236,7 +238,7 @@ fn byte(x: f32) -> u32 {
     u32::from((x + 0.5) as u8)
 }
 
-/// Rounds many numbers to the nearest bytes, between 0 and 255.
+/// Rounds each lane of a SIMD vector to the nearest byte, at most 255.
 #[inline(always)]
 fn bytes<S: Simd>(simd: S, x: S::f32s) -> S::u32s {
     let most = S::f32s::splat(simd, 255.0);
@@ -248,7 +250,7 @@ fn splat3<S: Simd>(simd: S, v: DVec3) -> [Lanes<S>; 3] {
     [Lanes::splat(simd, v.x), Lanes::splat(simd, v.y), Lanes::splat(simd, v.z)]
 }
 
-/// Returns the directions of one vector of rays.
+/// Returns the directions of a SIMD vector of rays, in the row's columns from `start` on.
 #[inline(always)]
 fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     let end = start + S::f64s::LEN;
@@ -260,10 +262,10 @@ fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     ]
 }
 
-/// A lit surface, for a vector of rays. It is a trait, not a closure, for the reason given in
+/// A lit surface, for a SIMD vector of rays. It is a trait, not a closure, for the reason given in
 /// `normals.rs`.
 trait Lit<S: Simd> {
-    /// Returns `|n.d| / |d|`.
+    /// Returns `|n.d| / |d|`, with the unit normal n where the ray of direction d hits the surface.
     fn cosine(&self, d: [Lanes<S>; 3]) -> Lanes<S>;
 }
 
@@ -291,7 +293,7 @@ impl<S: Simd> Lit<S> for LitSphere<S> {
     }
 }
 
-/// A curved surface, for a vector of rays.
+/// A curved surface, for a SIMD vector of rays.
 trait Curved<S: Simd> {
     /// Returns the normals at the hits of rays with the directions d, in the row's columns from `start`
     /// on.
