@@ -8,7 +8,7 @@ use pinhole_core::{
     Shade, Sphere, Viewport, trace_painted,
 };
 
-/// Signs from dark to light.
+/// Characters from dark to light.
 const TONES: &[u8] = b" .:-=+*#%@";
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -1,5 +1,5 @@
-//! Runs a [method](crate::methods) chosen at run time: for whole pictures, and as kernels for a caller
-//! that measures the time.
+//! Runs a [method](crate::methods) chosen at run time, to trace whole pictures or as a kernel whose time
+//! a caller measures.
 //!
 //! The loops are compiled for each SIMD level and vectorized by the compiler. Products and sums are
 //! fused only where a formula says so, so every level gives the same bits.
@@ -31,10 +31,10 @@ use crate::scene::Scene;
 pub struct MethodHit {
     /// The object's index in the scene.
     pub object: u32,
-    /// Position on the ray, in units of the direction's length, widened to `f64`.
+    /// Position on the ray, in units of the direction's length, converted to `f64`.
     pub t: f64,
-    /// The outward normal as computed by the method: for a sphere `(p + t d - center) / radius`, whose
-    /// length may differ from 1 by rounding.
+    /// The outward normal as computed by the method: for a sphere `(p + t d - center) / radius`, with
+    /// the ray's origin p and direction d. Because of rounding, its length may differ from 1.
     pub normal: DVec3,
 }
 
@@ -42,15 +42,15 @@ pub struct MethodHit {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Traced {
-    /// `t` of each pixel's first hit, widened to `f64`; infinite if there is none.
+    /// `t` of each pixel's first hit, converted to `f64`; infinite if there is none.
     pub t: Vec<f64>,
     /// Index of the object that each pixel hits first, or [`NO_OBJECT`].
     pub object: Vec<u32>,
 }
 
-/// Evaluates an expression for a method chosen at run time, where `$formula` stands for the formula's
-/// type and `$real` for that of its numbers. The ladder has separate expressions, one for each precision
-/// of `t`.
+/// Evaluates an expression for a method chosen at run time. In the expression, `$formula` stands for the
+/// formula's type and `$real` for its number type. For the ladder, separate expressions are given, one
+/// for each precision of `t`.
 macro_rules! with_method {
     (
         $method:expr,
@@ -149,7 +149,7 @@ pub trait MethodKernel: Send + Sync {
     }
 }
 
-/// Creates the kernel of a method for a raster.
+/// Creates the kernel of a method for the view rays of a raster's pixels.
 pub fn frame_kernel(
     method: Method,
     scene: &Arc<Scene>,
@@ -199,7 +199,7 @@ impl<T: Depth + 'static> MethodKernel for LadderFrame<T> {
         let frame = self.frame.get_or_init(|| self.traced());
         let traced = frame.at(index / width, index % width);
         let object = traced.object?;
-        // The frame was traced without normals, which cost more than everything else.
+        // The frame was traced without normals, whose computation takes longer than everything else.
         let root = self.scene.first_hit_of(&self.camera.exact_ray(traced.pixel));
         let normal = root.filter(|root| root.object == object)?.normal;
         Some(MethodHit { object, t: traced.t.widened(), normal })

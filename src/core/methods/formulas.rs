@@ -1,7 +1,8 @@
 //! The known formulas for a ray and a sphere, and the textbook formula for a ray and a plane. Each is
 //! written once, for any [`Real`].
 //!
-//! With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all formulas for spheres solve `f(t) = 0`:
+//! For a ray `p + t d` and a sphere of radius r, with `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`,
+//! all formulas for spheres solve `f(t) = 0`:
 //!
 //! ```text
 //! a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
@@ -12,8 +13,8 @@
 use crate::exact::bounded::{Vector, cross, dot};
 use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedSphere, minus, plus, times};
 
-/// The numbers of a ray and a sphere from which a formula computes `t`. In a loop over rays from one
-/// origin, the compiler computes the numbers that do not depend on the direction only once.
+/// The values of a ray and a sphere from which a formula computes `t`. In a loop over rays from one
+/// origin, the compiler hoists the values that do not depend on the direction out of the loop.
 pub(crate) struct Terms<R> {
     /// `d`
     direction: Vector<R>,
@@ -54,7 +55,7 @@ impl<R: Real> Terms<R> {
         (t, plus(self.from_center, times(t, self.direction)))
     }
 
-    /// Returns the first hit from the roots `q / a` and `c / q`, see
+    /// Returns `t` of the first hit, from the roots `q / a` and `c / q`, see
     /// [`Formula::HalfB`](crate::methods::Formula::HalfB).
     #[inline(always)]
     fn first_by_q(&self, discriminant: R) -> R {
@@ -63,11 +64,11 @@ impl<R: Real> Terms<R> {
     }
 }
 
-/// A way to intersect rays with a sphere, for numbers of type `R`. It is inlined and written without
-/// branches, so that a loop over directions can be vectorized.
+/// A formula for the intersection of a ray and a sphere, in numbers of type `R`. It is inlined and
+/// written without branches, so that a loop over directions can be vectorized.
 pub(crate) trait Intersect<R: Real>: Send + Sync + 'static {
-    /// Returns the smallest t > 0 at which the method finds the sphere. An infinite, NaN, zero or
-    /// negative result means no hit.
+    /// Returns the smallest t > 0 at which the ray hits the sphere, as computed by the formula. An
+    /// infinite, NaN, zero or negative result means no hit.
     fn first_hit(terms: &Terms<R>) -> R;
 }
 
@@ -165,12 +166,14 @@ impl<R: Real> Intersect<R> for Recentred {
     }
 }
 
-/// Returns `t` of a plane by the textbook formula, `n.(q - p) / n.d`, which all methods but the ladder
-/// use. The result is to be read like that of [`Intersect::first_hit`].
+/// Returns `t` at which a ray `p + t d` meets a plane with normal n through the point q, by the textbook
+/// formula `n.(q - p) / n.d`, which all methods but the ladder use. As with [`Intersect::first_hit`], an
+/// infinite, NaN, zero or negative result means no hit.
 ///
 /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2, section 2.2.
 ///
-/// The formula fails if the ray is nearly parallel to the plane, so that n.d loses its digits.
+/// The formula fails if the ray is nearly parallel to the plane, so that cancellation leaves n.d few
+/// correct digits.
 #[inline(always)]
 pub(crate) fn plane_by_textbook<R: Real>(
     &RoundedPlane { point, normal }: &RoundedPlane<R>,

@@ -1,8 +1,8 @@
 //! Traces whole frames and lists of rays by a [method](crate::methods). Each loop is compiled for each
 //! method.
 //!
-//! These pictures show the errors of a method, so every pixel's ray is intersected with every object:
-//! there are no bounds, and nothing is skipped.
+//! These pictures are to show the errors of a method, so every pixel's ray is intersected with every
+//! object: there are no bounding volumes, and nothing is skipped.
 
 use crate::camera::resolved::ResolvedCamera;
 use crate::exact::bounded::Vector;
@@ -23,7 +23,7 @@ pub(crate) struct RoundedFrame<R> {
     row_terms: Vec<Vector<R>>,
 }
 
-/// One row's directions, and the nearest hits so far.
+/// The directions of one row's rays, and the nearest hits so far.
 pub(crate) struct Row<R> {
     directions: [Vec<R>; 3],
     pub(crate) t: Vec<R>,

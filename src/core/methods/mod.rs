@@ -1,6 +1,6 @@
 //! The known ways to intersect rays with spheres, for comparison and teaching. Each has a name and a
-//! source, and can be computed in `f32` and `f64`. Pictures are made by [`Method::Ladder`], unless the
-//! caller chooses another method to show its errors.
+//! source, and can be computed in `f32` and `f64`. Everything outside this module uses [the
+//! ladder](crate#the-ladder); the other methods serve to show their errors.
 //!
 //! [`Formula`] lists the formulas with their sources. [`Method`] selects, at run time, the ladder or one
 //! of the formulas. The loops over pixels and rays are compiled for each method.
@@ -9,7 +9,7 @@
 //! use pinhole_core::methods::{Method, ray_kernel};
 //! use pinhole_core::*;
 //!
-//! // The course's floor, seen from just above: the textbook's near root loses its digits.
+//! // A large sphere as the floor, seen from just above: the textbook's near root loses its digits.
 //! let floor = Sphere::new([0.0, -5001.0, 0.0], 5000.0)?;
 //! let scene = Scene::new(vec![floor], vec![])?;
 //! let ray = Ray::new([0.0; 3], [0.25, -0.25, -1.0])?;
@@ -36,15 +36,16 @@ mod number;
 
 /// A formula for a ray and a sphere.
 ///
-/// With `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`, all formulas solve `f(t) = 0`:
+/// For a ray `p + t d` and a sphere of radius r, with `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`,
+/// all formulas solve `f(t) = 0`:
 ///
 /// ```text
 /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
 /// ```
 ///
 /// The formulas agree in real arithmetic. They differ in how much rounding changes D; [`Method::about`]
-/// says where each formula fails. For planes, all of them use the textbook formula `t = n.(q - p) / n.d`
-/// (Glassner, section 2.2).
+/// says where each formula fails. Each of them is combined with the textbook formula
+/// `t = n.(q - p) / n.d` for a plane with normal n through a point q (Glassner, section 2.2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// The textbook formula, `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, for both roots.
@@ -79,7 +80,8 @@ pub enum Formula {
     /// `kernels/geometry/sphere_intersector.h`.
     ClosestPoint,
     /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
-    /// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
+    /// half-b equation with its coefficients b' and c', where b' is almost 0:
+    /// `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
     ///
     /// Source: Embree, which uses this for curves ("move ray closer to make intersection stable",
     /// `kernels/geometry/curve_intersector_sweep.h`).
@@ -104,11 +106,11 @@ pub enum Precision {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "&'static str")]
 pub enum Method {
-    /// [The ladder](crate#the-ladder), by which this crate decides, as in
-    /// [`Scene::first_hit`](crate::Scene::first_hit) and [`trace`](crate::trace).
+    /// [The ladder](crate#the-ladder) of `f64`, double-double and exact integers, by which this crate
+    /// decides, as in [`Scene::first_hit`](crate::Scene::first_hit) and [`trace`](crate::trace).
     Ladder,
-    /// The ladder with `t` in `f32`, which makes the pictures: [`trace_as::<f32>`](crate::trace_as).
-    /// This method traces whole frames, not single rays.
+    /// The ladder with `t` in `f32`, as for pictures: [`trace_as::<f32>`](crate::trace_as). This method
+    /// traces whole frames, not single rays.
     LadderF32,
     /// [`Formula::HalfB`] in double-double, rounded at the end, without error bounds and without an
     /// exact step.

@@ -1,4 +1,4 @@
-//! The types of numbers in which the [methods](crate::methods) compute, and rays and objects rounded to
+//! The number types in which the [methods](crate::methods) compute, and rays and objects rounded to
 //! these types.
 
 use std::cmp::Ordering;
@@ -15,7 +15,7 @@ use crate::scene::sphere::Sphere;
 /// A floating-point number in which a method computes. Every operation rounds to its precision.
 pub(crate) trait Real: Arithmetic + PartialOrd + Send + Sync + 'static {
     const ZERO: Self;
-    /// The `t` that means no hit, greater than every number.
+    /// The value of `t` that stands for no hit, greater than every number.
     const INFINITY: Self;
 
     /// Returns the nearest number of this precision.
@@ -193,8 +193,8 @@ impl<R: Real> RoundedScene<R> {
         }
     }
 
-    /// Returns an object's outward unit normal at the point t of the ray, by the formulas taught in
-    /// courses: `(p + t d - center) / radius` for a sphere, `n / |n|` for a plane.
+    /// Returns an object's outward unit normal at a ray's point `p + t d`, by the textbook formulas:
+    /// `(p + t d - center) / radius` for a sphere, `n / |n|` for a plane with normal n.
     pub(crate) fn normal(&self, object: u32, ray: &RoundedRay<R>, t: R) -> DVec3 {
         let (vector, length) = match self.spheres.get(object as usize) {
             Some(sphere) => {
