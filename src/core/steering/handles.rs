@@ -1,5 +1,5 @@
-//! Moves eye or at to a point of the world, as when a handle is dragged. If the view comes close to up,
-//! up turns with it.
+//! Moves a camera's eye or at to a point of the world, as when its handle is dragged. If the view
+//! direction comes close to up, up is turned along with it.
 
 use std::f64::consts::PI;
 
@@ -63,9 +63,9 @@ impl Camera {
     /// Returns the camera after a drag of its eye or at. `moved` is the camera with the dragged field
     /// already set, by [`Camera::with_eye`] or [`Camera::with_at`].
     ///
-    /// With [`Keep::At`], up turns with the view while the view is close to up, and otherwise stays. A
-    /// basis set by hand is turned by the smallest angle that aims it at its [pivot](Camera::pivot)
-    /// again. With [`Keep::View`], the basis stays.
+    /// With [`Keep::At`], up turns with the view while the view is close to up (within [`CONE`]), and
+    /// otherwise stays. A basis set by hand is turned by the smallest angle that aims it at its
+    /// [pivot](Camera::pivot) again. With [`Keep::View`], the basis stays.
     ///
     /// If this camera has no basis, the result is `moved`, which may have one.
     ///
@@ -118,7 +118,8 @@ impl Camera {
     }
 }
 
-/// Allowance for rounding, in radians: a camera so close to the cone counts as on it.
+/// Allowance for rounding, in radians: a view direction this close to the rim of the cone around up
+/// counts as on it.
 const SLACK: f64 = 1e-9;
 
 /// The path of a view from one direction to another, along the great circle between them. The view takes
@@ -132,14 +133,14 @@ struct Way {
 }
 
 impl Way {
-    /// Creates the path between two directions. If they are opposite, the path turns about v.
+    /// Creates the path between two directions. If they are equal or opposite, the path turns about v.
     fn new(from: DVec3, to: DVec3, v: DVec3) -> Way {
         let across = from.cross(to);
         let axis = if across == DVec3::ZERO { unit(v) } else { unit(across) };
         Way { from, axis, turn: angle_between(from, to) }
     }
 
-    /// Returns a direction parallel-transported to a position on the path.
+    /// Returns a direction parallel-transported from the start of the path by `arc` radians along it.
     fn carried(&self, direction: DVec3, arc: f64) -> DVec3 {
         Turn::about(self.axis, arc).turned(direction)
     }
@@ -161,9 +162,10 @@ pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
 ///
 /// On its path the view passes through up to three stretches:
 ///
-/// 1. Inside the cone around up (or -up): v is parallel-transported. The angle to up stays constant if
-///    the view turns towards up. If the view turns away, the angle grows as fast as it would if up
-///    stayed, at the constant rate `-v . heading`. So a camera can get out of the cone again.
+/// 1. Inside the cone of half-angle [`CONE`] around up (or -up): v is parallel-transported. The angle to
+///    up stays constant if the view turns towards up. If the view turns away, the angle grows as fast as
+///    it would if up stayed, at the constant rate `-v . heading`. So a camera can get out of the cone
+///    again.
 /// 2. Outside the cones: up stays. The view at `arc` is at the angle
 ///    `acos(a cos(arc) + b sin(arc)) = acos(A cos(arc - arc_0))` to up, which meets the cones' rims at
 ///    `arc_0 +- acos(cos(CONE) / A)`, and half a turn on.
@@ -199,8 +201,8 @@ pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3,
     Some((way.carried(up, rest - entry), way.carried(v, rest - entry)))
 }
 
-/// Finds the `arc > 0` at which a view with `up . view = a cos(arc) + b sin(arc)` first enters a cone;
-/// `None` if it enters none.
+/// Finds the `arc > 0` at which a view with `up . view = a cos(arc) + b sin(arc)` first enters the cone
+/// around up or -up; `None` if it enters neither.
 fn entry_into_cone(a: f64, b: f64) -> Option<f64> {
     let share = CONE.cos() / a.hypot(b);
     if share >= 1.0 {

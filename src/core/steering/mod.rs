@@ -1,5 +1,6 @@
 //! Steers a camera: functions that return the camera after a drag, a turn of the wheel, or a key press.
-//! The result is given in the same way as the camera: by at, by view, or by a basis.
+//! The orientation of the result is given in the same way as that of the camera: by at, by view, or by a
+//! basis.
 //!
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`] rotate about up and u, like a turntable, by
 //!   the angles of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
@@ -27,9 +28,9 @@
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.
 //! - Handles may be dragged anywhere. Within [`CONE`] of up or -up, the view pushes up ahead of it: v is
-//!   parallel-transported, so it turns exactly as much as the view. Outside, up stays to the bit, and v
-//!   turns at most `1 / sin(CONE) = 11.5` times as much as the view. So a small drag makes a small
-//!   change, from any camera. But two drags from the same camera that end close together may give
+//!   parallel-transported, so it turns exactly as much as the view. Outside, up stays bit for bit the
+//!   same, and v turns at most `1 / sin(CONE) = 11.5` times as much as the view. So a small drag makes a
+//!   small change, from any camera. But two drags from the same camera that end close together may give
 //!   different v, if the path of one touched the cone and that of the other did not.
 //!
 //! Rounding of the result may turn the basis further, by at most [`ROUNDING_TURN`]; for cameras of
@@ -149,8 +150,9 @@ fn check_positive(field: &'static str, value: f64) -> Result<(), SteerError> {
     if is_positive { Ok(()) } else { Err(SteerError::NotPositive { field, value }) }
 }
 
-/// A right-handed rotation about an axis of length 1: `x cos + (k x x) sin + k (k . x) (1 - cos)` (O.
-/// Rodrigues 1840), written so that a small angle keeps its digits.
+/// A right-handed rotation about an axis k of length 1, which turns a vector p to
+/// `p cos + (k x p) sin + k (k . p) (1 - cos)` (O. Rodrigues 1840), written so that a small angle keeps
+/// its digits.
 #[derive(Clone, Copy, Debug)]
 struct Turn {
     axis: DVec3,

@@ -1,5 +1,6 @@
-//! Moves the camera along its view, turns it around its pivot or on the spot, and changes single
-//! parameters: the field of view, the roll, up, or the distance of the viewport with the same picture.
+//! Moves a camera along its view, turns it around its pivot or on the spot, and changes single
+//! parameters: the field of view, the roll, up, or the distance of the viewport, with an unchanged
+//! picture.
 
 use std::f64::consts::PI;
 
@@ -96,8 +97,8 @@ impl Camera {
     /// eye' = pivot + |eye - pivot| w'
     /// ```
     ///
-    /// `at`, up and the length of `view` stay to the bit. The distance from eye to pivot changes by at
-    /// most 4 ulps, in addition to half an ulp in each of the eye's coordinates.
+    /// `at`, up and the length of `view` stay bit for bit the same. The distance from eye to pivot
+    /// changes by at most 4 ulps, in addition to half an ulp in each of the eye's coordinates.
     ///
     /// # Errors
     /// Returns the errors of [`Camera::looked_round`], and an error if the eye's coordinates overflow.
@@ -126,9 +127,9 @@ impl Camera {
     /// (u', v', w') = R(up, yaw) R(u, pitch) (u, v, w)
     /// ```
     ///
-    /// Eye and up stay to the bit, so the camera stays level; `at` keeps its distance, and `view` its
-    /// length. The pitch stops [`POLE_GAP`] short of up and of -up. A camera that is already nearer may
-    /// move away, but not come nearer. v turns by at most `|yaw| + |pitch|`.
+    /// Eye and up stay bit for bit the same, so the camera stays level; `at` keeps its distance, and
+    /// `view` its length. The pitch stops [`POLE_GAP`] short of up and of -up. A camera that is already
+    /// nearer may move away, but not come nearer. v turns by at most `|yaw| + |pitch|`.
     ///
     /// A basis set by hand has no up to keep level and no poles: it is turned as a whole about the axis
     /// `pitch*u + yaw*v`, by `sqrt(pitch^2 + yaw^2)`, and made orthonormal.
@@ -210,9 +211,10 @@ impl Camera {
     /// up = s V + k W     becomes     s (cos V - sin U) + k W
     /// ```
     ///
-    /// View and w stay to the bit. Up's length and its angle to the view stay, apart from rounding,
-    /// which turns the camera by at most 5e-16 times the [conditioning](crate::UpAngle). A whole number
-    /// of turns changes nothing.
+    /// Here s and k are the components of up along the vectors V and W, and the angle is that of the
+    /// roll. View and w stay bit for bit the same. Up's length and its angle to the view stay, apart
+    /// from rounding, which turns the camera by at most 5e-16 times the [conditioning](crate::UpAngle).
+    /// A whole number of turns changes nothing.
     ///
     /// # Errors
     /// Returns an error if the angle is not finite, if there is no basis, or if there would be none
@@ -295,8 +297,8 @@ impl Camera {
         })
     }
 
-    /// Returns the camera with up replaced by `change` of up. The change is applied to up scaled to a
-    /// length of about 1, so that nothing overflows.
+    /// Returns the camera with up replaced by `change(up)`. `change` is applied to up scaled to a length
+    /// of about 1, so that nothing overflows.
     fn with_up(&self, change: impl Fn(DVec3) -> DVec3) -> Result<Camera, SteerError> {
         let changed = |up: DVec3| {
             let (up, k) = split(up);
@@ -315,8 +317,8 @@ impl Camera {
 }
 
 impl Viewport {
-    /// Returns the yaw and pitch with which [`Camera::looked_round`] makes the picture follow a drag from
-    /// one (u, v) to another:
+    /// Returns the yaw and pitch with which [`Camera::looked_round`] makes the picture follow a drag
+    /// from (u, v) to (u', v'):
     ///
     /// ```text
     /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)

@@ -1,4 +1,4 @@
-//! Converts the pointer's position in the observer's picture to a point of the world, for drags, and
+//! Converts the pointer's position in an observer's picture to a point of the world, for drags, and
 //! snaps or rounds numbers to the resolution of a pixel.
 
 use glam::{DVec2, DVec3};
@@ -9,18 +9,19 @@ use crate::exact::scale::unit;
 use crate::steering::{SteerError, check_finite, check_positive};
 
 /// The smallest angle, in radians, between the line of sight and the axis or plane of a drag: 5 degrees.
-/// At smaller angles, a pixel would be more than ten times as long as it is wide.
+/// At smaller angles, moving the pointer by one pixel would move the point more than ten times as far as
+/// when seen from the side.
 pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 /// Maximum depth of a drag, as a multiple of the depth at which the drag began. At greater depths, near
 /// the horizon of the axis or plane, the size of a pixel grows without bound.
 pub const FARTHEST: f64 = 1000.0;
 
-/// The line or plane along which a point is dragged. Vectors are directions in world coordinates, of any
-/// length.
+/// The line or plane along which a point is dragged, through the anchor, the point's position at the
+/// start. Vectors are directions in world coordinates, of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DragAlong {
-    /// The plane through the anchor, the dragged point, that is parallel to the observer's picture.
+    /// The plane through the anchor that is parallel to the observer's picture.
     ViewPlane,
     /// The line through the anchor in the given direction, which must not be zero.
     Axis(DVec3),
@@ -43,7 +44,7 @@ impl ResolvedCamera {
     /// ```text
     /// view plane   anchor + (m.u U + m.v V) z / distance
     /// plane        where the ray eye + t r meets it
-    /// axis         the point whose image is nearest to p + m on the axis' image
+    /// axis         the point of the axis whose image is nearest to p + m
     /// ```
     ///
     /// The image of `anchor + s a`, with `a = (a_x, a_y, -a_z)` of length 1, is
