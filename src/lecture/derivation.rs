@@ -14,17 +14,17 @@ use pinhole_core::{
     SphereQuadratic,
 };
 
-/// The derivation of a camera's basis. Its form depends on how the camera is given.
+/// The derivation of a camera's basis, whose steps depend on how the camera is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "made once a frame and read in place")]
 pub enum BasisDerivation {
-    /// From a view direction, or a point to look at, and up.
+    /// The basis is derived from up and from a view direction or a point to look at.
     FromUp(BasisFromUp),
-    /// u, v, w are set by hand. They are only checked, not derived.
+    /// The camera is given by u, v, w themselves, which are only checked, not derived.
     ByHand(BasisByHand),
 }
 
-/// The derivation from view and up, in the lecture's order:
+/// The derivation of a basis from view and up, with the value of each step, in the lecture's order:
 ///
 /// ```text
 /// view (or at - eye)   -view   w = -view / |view|   up x w   u = up x w / |up x w|   v = w x u
@@ -34,8 +34,9 @@ pub enum BasisDerivation {
 /// impossible, its value and those of all later steps are `None`, and [`BasisFromUp::basis`] contains
 /// the reason.
 ///
-/// Every vector is computed exactly and rounded once; lengths and the area are accurate to within an
-/// ulp. u, v and w equal those of [`Camera::basis`]. A value above the largest `f64` is infinite.
+/// Every vector is computed exactly and rounded once; lengths, and the area of a cross product's
+/// parallelogram, are accurate to within an ulp. u, v and w equal those of [`Camera::basis`]. A value
+/// above the largest `f64` is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisFromUp {
@@ -89,7 +90,8 @@ pub struct Cross {
     pub area: f64,
 }
 
-/// The checks that u, v, w set by hand must pass, with the results that [`Basis::by_hand`] uses.
+/// The checks that given vectors u, v, w must pass to be a camera's basis. [`Basis::by_hand`] decides
+/// by the same results.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisByHand {
@@ -107,8 +109,8 @@ pub struct BasisByHand {
     pub lengths: [Option<BasisCheck>; 3],
     /// `u . v`, `v . w`, `w . u`: each must be 0 within the same tolerance.
     pub dots: [Option<BasisCheck>; 3],
-    /// `(u x v) . w`: 1 or -1 for perpendicular unit vectors. It must be positive, which means that
-    /// they are right-handed.
+    /// `(u x v) . w`, which is 1 or -1 for perpendicular unit vectors. It must be positive, which means
+    /// that u, v, w are right-handed.
     pub handedness: Option<BasisCheck>,
     /// The basis, or the first error.
     pub basis: Result<Basis, BasisError>,
@@ -124,7 +126,7 @@ pub struct BasisCheck {
 }
 
 impl BasisDerivation {
-    /// Derives the basis of `camera` from the values by which it is given.
+    /// Derives the basis of `camera` from the values by which its orientation is given.
     pub fn new(camera: &Camera) -> BasisDerivation {
         let eye = camera.eye;
         match camera.orientation {
@@ -195,8 +197,8 @@ impl VectorAndLength {
 }
 
 impl Cross {
-    /// Returns `up x w` with `w = -f / |f|`, where f is the view. With `R = f x up`, which is exact, it
-    /// equals `R / |f|`.
+    /// Returns the cross product `up x w` with `w = -f / |f|`, where f is the view. It is computed as
+    /// `R / |f|` with `R = f x up`, which is exact.
     fn of_up_and_w(view: &Exact3, up: &Exact3, w: DVec3) -> Cross {
         let right = cross(view, up);
         let (ff, gg, rr) = (dot(view, view), dot(up, up), dot(&right, &right));
@@ -290,7 +292,7 @@ impl RayDerivation {
     /// Derives the selected view ray.
     ///
     /// # Errors
-    /// Returns an error if u or v is not finite.
+    /// Returns an error if the selected u or v is not finite.
     pub fn new(camera: &ResolvedCamera, selection: Selection) -> Result<RayDerivation, RayError> {
         let ray = selection.exact_ray(camera)?.rounded();
         let [along_u, along_v, along_w] = camera.direction_terms(selection);
@@ -477,8 +479,8 @@ impl PlaneDerivation {
     }
 }
 
-/// The unit in which an object's implicit function along a ray is plotted. With such units, spheres and
-/// planes of all sizes fit on one scale.
+/// The unit in which the plot of f along a ray shows the values of f, an object's implicit function (0
+/// on its surface). With such units, spheres and planes of all sizes fit on one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitUnit {
     /// The unit, a normal number greater than 0.
@@ -494,14 +496,14 @@ pub enum UnitOrigin {
     SquaredRadius,
     /// A plane's `|f(0)|`: the value at the ray's origin.
     RayOrigin,
-    /// A plane's `|f(1)|`, if the plane contains the ray's origin.
+    /// A plane's `|f(1)|`, its value at t = 1, if the plane contains the ray's origin.
     OneStep,
     /// The number 1, if the unit would otherwise be 0, subnormal or out of range.
     One,
 }
 
 impl ImplicitUnit {
-    /// Returns the unit for an object and its implicit function along a ray.
+    /// Returns the unit for plotting an object's implicit function along a ray, which is `along`.
     pub fn new(object: &Object, along: &AlongRay) -> ImplicitUnit {
         let (value, origin) = match object {
             Object::Sphere(sphere) => (sphere.radius * sphere.radius, UnitOrigin::SquaredRadius),

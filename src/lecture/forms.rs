@@ -4,11 +4,12 @@ use std::fmt;
 
 use pinhole_core::DVec3;
 
-/// A number in terms of whole numbers and at most one root: `n sqrt k / m`, or `n / sqrt k`.
+/// A number written with integers and at most one square root: `n sqrt k / m`, or `n / sqrt k`.
 ///
-/// Each number has only one form. n and m have no common divisor, and k has no square divisor. If the
-/// number times `sqrt k` is whole, the root is in the denominator, as in the lecture's bases
-/// (`1/sqrt 2`, `5/sqrt 2`, `2/sqrt 14`). Whole multiples of a root are the exception (`5 sqrt 2`).
+/// Each number has only one form. n and m have no common divisor, and k is square-free (has no square
+/// divisor). If the number times `sqrt k` is an integer, the root is in the denominator, as in the
+/// lecture's bases (`1/sqrt 2`, `5/sqrt 2`, `2/sqrt 14`), unless the number is an integer multiple of
+/// the root (`5 sqrt 2`).
 ///
 /// ```
 /// use pinhole_lecture::NumberForm;
@@ -31,17 +32,19 @@ pub struct NumberForm {
     pub is_root_below: bool,
 }
 
-/// Maximum relative difference between a number and its form. It allows an error of 4 ulps, each at
-/// most the spacing of `f64` at 1, and the rounding errors of the comparison.
+/// Maximum relative difference between a number and a form that counts as its form. It allows for an
+/// error of 4 ulps in the number, each at most the spacing of `f64` at 1, and for rounding errors of
+/// the comparison.
 const NOISE: f64 = 6.0 * f64::EPSILON;
 
-/// Maximum product of numerator and denominator of a recognised number, or of its square: 2^20.
+/// Maximum product P of numerator and denominator of a recognised fraction. A number is recognised if
+/// it or its square is such a fraction.
 ///
-/// About `0.3 * 2^20` of the fractions N/M lie between a number and e times that number: for each
-/// factor of e, there are `P / 2` pairs with `N M <= P`, where P is this maximum, and a fraction
-/// `6 / pi^2` of them have no common divisor. Each N/M matches the numbers within a relative difference
-/// of [`NOISE`], and the numbers whose square is within twice that. Together, a number with random
-/// digits is mistaken for a form with a probability below 3e-9.
+/// P is small enough for chance matches to be rare. Between a number and e times that number, there are
+/// about `P / 2` pairs with `N M <= P`, and a fraction `6 / pi^2` of them have no common divisor, which
+/// makes about `0.3 P` fractions N/M. Each matches the numbers within a relative difference of
+/// [`NOISE`], and the numbers whose square is within twice that. In total, a number with random digits
+/// is mistaken for a form with a probability below 3e-9.
 const LIMIT: u64 = 1 << 20;
 
 /// Maximum whole number, and maximum number under a root, in a form that [is
@@ -55,8 +58,8 @@ impl NumberForm {
         NumberForm { numerator: 0, root: 1, denominator: 1, is_root_below: false };
 
     /// Returns the form of a number that is within 4 ulps of a fraction n/m with `n m <= 2^20`, or of
-    /// the root of such a fraction. Returns `None` for any other number. By chance, a number with
-    /// random digits has a form once in 3e8.
+    /// the square root of such a fraction. Returns `None` for any other number. A number with random
+    /// digits has a form with a probability of 1 in 3e8.
     ///
     /// The method is that of continued fractions: a fraction so close to a number is one of the
     /// number's convergents (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th
@@ -65,8 +68,8 @@ impl NumberForm {
         NumberForm::within(x, NOISE, LIMIT)
     }
 
-    /// Returns the form of a number whose relative error is at most `noise`, from fractions n/m with
-    /// `n m <= limit`.
+    /// Does the same as [`NumberForm::recognise`] with other limits: the form may differ from the
+    /// number by a relative difference of `noise`, and is made from a fraction n/m with `n m <= limit`.
     fn within(x: f64, noise: f64, limit: u64) -> Option<NumberForm> {
         if x == 0.0 {
             return Some(NumberForm::ZERO);
@@ -111,7 +114,7 @@ impl NumberForm {
         NumberForm { numerator: -self.numerator, ..self }
     }
 
-    /// Returns a whole multiple of the number, in its unique form.
+    /// Returns the number times the integer `factor`, in its unique form.
     fn times(self, factor: i64) -> NumberForm {
         let NumberForm { numerator, root, denominator, is_root_below } = self;
         let n = numerator * factor;
@@ -138,8 +141,8 @@ impl NumberForm {
             && root <= LARGEST_SHORT_ROOT
     }
 
-    /// Returns the number of decimals that represent the number exactly: 0 for a whole number, 2 for
-    /// 1/4. Returns `None` if there is a root, or if more than 9 decimals or infinitely many are
+    /// Returns the number of decimals with which the number can be written exactly: 0 for an integer, 2
+    /// for 1/4. Returns `None` if there is a root, or if more than 9 decimals or infinitely many are
     /// needed.
     pub fn decimals(self) -> Option<u32> {
         let ends = |places: &u32| 10_u64.pow(*places).is_multiple_of(self.denominator);
@@ -215,7 +218,7 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// A vector in terms of whole numbers and roots.
+/// A vector whose coordinates are written with integers and square roots, such as `(5, 0, -7)/√74`.
 ///
 /// ```
 /// use pinhole_core::DVec3;
@@ -226,8 +229,8 @@ fn gcd(a: u64, b: u64) -> u64 {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorForm {
-    /// A form for each coordinate. This is used if the coordinates are whole, if all nonzero ones have
-    /// the same form, or if they have no common factor.
+    /// A separate form for each coordinate. This is used if all coordinates are integers, if all
+    /// nonzero ones have the same form, or if they have no common factor.
     Entries([NumberForm; 3]),
     /// Whole numbers times one factor.
     Common {
@@ -238,25 +241,27 @@ pub enum VectorForm {
     },
 }
 
-/// Bound on the relative error of the quotient of two coordinates: 4 ulps of each, and rounding.
+/// Maximum relative error of the quotient of two coordinates: 4 ulps of each, and rounding.
 const RATIO_NOISE: f64 = 10.0 * f64::EPSILON;
 
-/// Maximum magnitude of the whole numbers before they are multiplied by the factor's numerator.
+/// Maximum magnitude of the integers that remain when a common factor is taken out of a vector, before
+/// they are multiplied by the factor's numerator.
 const LARGEST_WHOLE: u64 = 1 << 10;
 
-/// The limit for the factor. It is larger than the limit for single numbers: the quotients of the
-/// coordinates must be fractions, too, which makes a match by chance unlikely enough. The factor of a
-/// unit vector is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
+/// The limit that replaces [`LIMIT`] for a vector's common factor. It is larger, because the quotients
+/// of the coordinates must be fractions, too, which makes a match by chance unlikely enough. The factor
+/// of a unit vector with the integers n1, n2, n3 is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
 const FACTOR_LIMIT: u64 = 1 << 22;
 
 impl VectorForm {
-    /// Returns the form of a vector whose coordinates are within 4 ulps of it. The form consists of
-    /// whole numbers up to 1024 times a factor that is a small fraction or the root of one; without a
-    /// common factor, it consists of three [`NumberForm`]s. Returns `None` for any other vector.
+    /// Returns the form of a vector whose coordinates are within 4 ulps of that form. It consists of
+    /// three integers up to 1024 and their common factor, which is a small fraction or the square root
+    /// of one. If there is no common factor, it consists of three [`NumberForm`]s. Returns `None` for
+    /// any other vector.
     ///
-    /// By chance, a vector of random digits has a form less than once in 1e15. If a coordinate is
-    /// exactly 0, fewer digits are random: a unit vector with one zero coordinate has a form by chance
-    /// once in 1e9, and a vector along an axis once in 3e8.
+    /// A vector with random digits has a form with a probability below 1 in 1e15. If a coordinate is
+    /// exactly 0, fewer digits are random: the probability is 1 in 1e9 for a unit vector with one zero
+    /// coordinate, and 1 in 3e8 for a vector along an axis.
     pub fn recognise(v: DVec3) -> Option<VectorForm> {
         if !v.is_finite() {
             return None;
@@ -278,9 +283,9 @@ impl VectorForm {
         }
     }
 
-    /// Returns true if the form is easier to read than decimals. Then either each coordinate's form [is
-    /// short](NumberForm::is_short), or the whole numbers have at most two digits and the form of their
-    /// factor is short.
+    /// Returns true if the form is easier to read than decimals: either each coordinate's form [is
+    /// short](NumberForm::is_short), or the integers have at most two digits and the form of their
+    /// common factor is short.
     pub fn is_short(self) -> bool {
         match self {
             VectorForm::Entries(entries) => entries.into_iter().all(NumberForm::is_short),
@@ -291,8 +296,8 @@ impl VectorForm {
     }
 }
 
-/// Returns the form with a common factor for all coordinates, or `Entries` if that is simpler. Returns
-/// `None` if there is no common factor.
+/// Returns the form with a common factor for all coordinates, or [`VectorForm::Entries`] if that is
+/// simpler. Returns `None` if there is no common factor.
 fn common(v: DVec3) -> Option<VectorForm> {
     let largest = v.abs().max_element();
     if largest == 0.0 {

@@ -1,6 +1,6 @@
-//! The lecture's calculations: every step with its numbers, the classic mistakes, exercises, and the
-//! grading of students' answers. It depends neither on windows nor on files; [`pinhole_core`] computes
-//! the exact answers.
+//! The calculations of a lecture on cameras and ray tracing: every step with its numbers, the classic
+//! mistakes, exercises, and the grading of students' answers. The crate has no user interface and reads
+//! no files; [`pinhole_core`] computes the exact answers.
 //!
 //! # What is where
 //!
@@ -21,10 +21,10 @@
 //!
 //! # What stays
 //!
-//! The stability rules are those in pinhole-core's changelog. [`Mistake`],
-//! [`Check`](mistakes::Check) and the derivations may be extended, and the texts of errors may change.
-//! The [`exercises`] and their verdicts are exhaustive, so that the compiler reports a new one to code
-//! that must show them all.
+//! The stability rules are those in pinhole-core's changelog. [`Mistake`], [`Check`](mistakes::Check)
+//! and the derivations may be extended, and the texts of errors may change. The enums of [`exercises`]
+//! and verdicts are exhaustive, so that the compiler reports a new variant to code that must show them
+//! all.
 
 mod derivation;
 pub mod exercises;

@@ -42,18 +42,18 @@ pub struct Substitution {
     pub line: ImplicitLine,
     /// The parametric line.
     pub ray: ParametricLine,
-    /// `a dx + b dy`, rounded once: the change of f when t grows by 1.
+    /// `a dx + b dy`, rounded once: the change of `f = a x + b y + c` when t grows by 1.
     pub rate: f64,
     /// `a px + b py + c`, rounded once: f at `t = 0`.
     pub offset: f64,
-    /// The t at which both lines meet, if there is one.
+    /// Whether and where the two lines meet.
     pub meeting: Meeting,
 }
 
 /// How a parametric line meets an implicit one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting {
-    /// The lines do not meet: f is the same nonzero number at every t.
+    /// The lines do not meet: `a x + b y + c` is the same nonzero number at every t.
     Parallel,
     /// The lines meet at every t: they are the same line.
     Coincident,
@@ -78,8 +78,9 @@ pub struct Crossing {
 }
 
 impl ImplicitLine {
-    /// Returns the line through two points. It is directed from the first to the second, so f is
-    /// positive on its left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
+    /// Returns the line through two points, directed from the first to the second, so that
+    /// [`f`](ImplicitLine::f) is positive on its left: `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2
+    /// y1`, each rounded once.
     ///
     /// # Errors
     /// Returns an error if a coordinate is not finite or both points are the same.
@@ -98,8 +99,8 @@ impl ImplicitLine {
         line.check().map(|()| line)
     }
 
-    /// Returns `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. Returns `None` for a vertical
-    /// line, which has no such form, and if a quotient is outside the range of `f64`.
+    /// Returns the slope m and the intercept q of `y = m x + q`: `m = -a / b`, `q = -c / b`. Returns
+    /// `None` for a vertical line, which has no such form, and if m or q is outside the range of `f64`.
     pub fn slope_form(&self) -> Option<(f64, f64)> {
         let (m, q) = (-self.a / self.b, -self.c / self.b);
         (m.is_finite() && q.is_finite()).then_some((m + 0.0, q + 0.0))
@@ -128,7 +129,8 @@ impl ImplicitLine {
         self.exact_f(point).rounded_times(0)
     }
 
-    /// Returns the sign of f at a point, decided exactly. The numbers must be finite.
+    /// Returns the exact sign of [`f`](ImplicitLine::f) at a point: `Greater` on the left of
+    /// [`direction`](ImplicitLine::direction). The numbers must be finite.
     pub fn side(&self, point: DVec2) -> Ordering {
         self.exact_f(point).sign()
     }
@@ -142,13 +144,14 @@ impl ImplicitLine {
         [self.a, self.b, self.c].map(Dyadic::from)
     }
 
-    /// Returns `(b, -a)`, the direction along the line with positive f on the left.
+    /// Returns `(b, -a)`, the direction along the line for which [`f`](ImplicitLine::f) is positive on
+    /// the left.
     pub fn direction(&self) -> DVec2 {
         DVec2::new(self.b, -self.a)
     }
 
-    /// Returns the line in this [direction](ImplicitLine::direction) through a point. a and b are
-    /// exact, and c is rounded once.
+    /// Returns the line through a point that has this [direction](ImplicitLine::direction). Its a and b
+    /// are exact, and c is rounded once.
     pub fn along(direction: DVec2, point: DVec2) -> ImplicitLine {
         let line = ImplicitLine { a: -direction.y + 0.0, b: direction.x, c: 0.0 };
         ImplicitLine { c: -line.f(point) + 0.0, ..line }
@@ -193,8 +196,8 @@ impl ParametricLine {
         (point - self.p).dot(d) / d.length_squared() / size
     }
 
-    /// Returns points at equal steps of t between `first` and `last`, each with its t. The values of t
-    /// are the multiples of `step` in this range, but at most `most` of them.
+    /// Returns points of the line, each with its t, which is a multiple of `step` between `first` and
+    /// `last`. At most `most` points are returned.
     pub fn generated(
         &self,
         step: f64,
@@ -240,7 +243,7 @@ impl Substitution {
         })
     }
 
-    /// Returns `f(p + t d)`, rounded once, and its exact sign.
+    /// Returns the value of `a x + b y + c` at the point `p + t d`, rounded once, and its exact sign.
     pub fn f(&self, t: f64) -> (f64, Ordering) {
         let (rate, offset) = terms(&self.line, &self.ray);
         let f = &(&rate * &Dyadic::from(t)) + &offset;
@@ -269,7 +272,7 @@ impl Meeting {
     }
 }
 
-/// Returns `(a dx + b dy, a px + b py + c)`.
+/// Returns the exact terms of [`Substitution`]: `(a dx + b dy, a px + b py + c)`.
 fn terms(line: &ImplicitLine, ray: &ParametricLine) -> (Dyadic, Dyadic) {
     let [a, b, _] = line.exact();
     let [x, y] = ray.d.to_array().map(Dyadic::from);

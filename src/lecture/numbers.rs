@@ -1,6 +1,6 @@
 //! Formats numbers for display: with few significant digits, without rounding noise, with a typographic
-//! minus sign (−), and without separators between groups of digits. Numbers that are typed, copied or
-//! saved have an ASCII minus (-).
+//! minus sign (−), and without thousands separators. Numbers that are typed, copied or saved have an
+//! ASCII minus (-).
 
 use pinhole_core::shortest;
 
@@ -19,8 +19,8 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
-/// Formats a number with this many significant digits, without trailing zeros; never as `NaN` or `inf`.
-/// Uses fewer digits if they identify the number uniquely: 0.1 with 17 digits is `0.1`.
+/// Formats a number with this many significant digits, without trailing zeros, or with fewer digits if
+/// they identify the number uniquely: 0.1 with 17 digits is `0.1`. The result is never `NaN` or `inf`.
 pub fn significant(value: f64, digits: usize) -> String {
     // Different decimals of at most 15 digits are always different as `f64`.
     let fewer = (15..digits).map(|digits| rounded(value, digits));
@@ -67,7 +67,8 @@ pub fn written_whole(x: f64) -> String {
 
 /// Maximum number of decimals with which a number is displayed exactly, as in −0.00125.
 const WHOLE: usize = 5;
-/// Number of significant digits to which a calculated number shows no rounding error.
+/// Number of significant digits with which a calculated number is displayed without visible rounding
+/// errors.
 const TELLING: usize = 12;
 
 /// How displayed numbers are rounded.
@@ -75,8 +76,8 @@ const TELLING: usize = 12;
 pub enum Rounding {
     /// To this many significant digits.
     Significant(usize),
-    /// To this many decimals. A small number is given two significant digits, which may need more
-    /// decimals. A number with at most five decimals keeps them all.
+    /// To this many decimals. Small numbers get more, for two significant digits, and a number that has
+    /// at most five decimals keeps them all.
     Decimals(usize),
 }
 
@@ -104,7 +105,7 @@ pub fn short(x: f64) -> String {
     short_plain(x).replace('-', "−")
 }
 
-/// Does the same as [`short`] with an ASCII minus, for the command line and its files.
+/// Formats a number as [`short`] does, but with an ASCII minus, for the command line and its files.
 pub fn short_plain(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -122,7 +123,7 @@ pub fn short_plain(x: f64) -> String {
     trimmed(&format!("{x:.decimals$}")).to_owned()
 }
 
-/// Formats a power of ten, for example as `10⁻⁶`; but `1` and `10`.
+/// Formats a power of ten, for example `10⁻⁶`. The powers 0 and 1 become `1` and `10`.
 pub fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0 => "1".to_owned(),
@@ -137,7 +138,7 @@ pub fn power_of_ten(exponent: i32) -> String {
 /// The digits as superscripts.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// Formats the fraction `count` / `all` in per cent: `33 %`, `0.4 %`. A fraction other than 0 and 1 is
+/// Formats the fraction `count / all` in per cent: `33 %`, `0.4 %`. A fraction other than 0 and 1 is
 /// never written as 0 % or 100 %.
 pub fn percent(count: usize, all: usize) -> String {
     let percent = 100.0 * count as f64 / all.max(1) as f64;
@@ -154,7 +155,8 @@ pub fn percent(count: usize, all: usize) -> String {
 /// Maximum whole number in a fraction or under a root that is still easy to read.
 const SHORT: u64 = 100;
 
-/// Formats a number for use in a sentence, in its exact form if that is short.
+/// Formats a number for use in a sentence: in its exact form, such as `√3/2`, if that is short,
+/// otherwise in decimals.
 pub(crate) fn exact_if_short(x: f64) -> String {
     let is_short = |form: &NumberForm| match form.decimals() {
         Some(decimals) => decimals <= 5,

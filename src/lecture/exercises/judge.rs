@@ -1,4 +1,4 @@
-//! Judges answers, and defines the conditions that an answer must meet.
+//! Judges answers to exercises, and defines the conditions that a right answer meets.
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere, shortest};
 
@@ -31,10 +31,11 @@ pub enum Verdict {
         /// The positive factor by which the right answer is multiplied.
         times: f64,
     },
-    /// Each of these mistakes leads to the answer, and is consistent with the answers to the other
-    /// parts.
+    /// The answer is wrong, and each of these mistakes leads to it and is consistent with the answers
+    /// to the question's other parts.
     Mistakes(Vec<Mistake>),
-    /// No known mistake leads to it. The phrases say what is wrong, without a full stop at the end.
+    /// The answer is wrong, but no known mistake leads to it. The phrases say what is wrong, without a
+    /// full stop at the end.
     Wrong(Vec<String>),
 }
 
@@ -53,9 +54,10 @@ impl Verdict {
     }
 }
 
-/// Judges all answers together. A mistake that would have spoilt a part whose answer is right was not
-/// made. Of the mistakes that lead to an answer, the verdict names those that explain the most wrong
-/// parts. If one of them includes another, only the smaller one is named.
+/// Judges the answers to all parts of a question together. A mistake that would have led to a wrong
+/// answer where the student's is right was not made. Of the other mistakes that lead to a wrong answer,
+/// the verdict names those that explain the most wrong answers. If one of them includes another, only
+/// the smaller one is named.
 pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
@@ -95,19 +97,20 @@ pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<O
         .collect()
 }
 
-/// Returns true if the verdict shows that the part was understood: the answer is right or a rounded
-/// right answer.
+/// Returns true if the verdict shows that the student understood this part: the answer is right, or the
+/// right one rounded to any number of digits.
 fn is_the_truth(verdict: &Verdict) -> bool {
     verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
 }
 
-/// Returns true if there is no need to look for a mistake that leads to the answer.
+/// Returns true if the verdict already says what is right or wrong, so that no mistake need be looked
+/// for that leads to the answer.
 fn is_settled(verdict: &Verdict, part: &QuestionPart) -> bool {
     // If multiples are allowed, only the sign can be wrong, and the verdict already says so.
     is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
 }
 
-/// Returns the verdict if no known mistake leads to the answer.
+/// Returns the verdict on an answer without looking for mistakes that lead to it.
 fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
         return if part.truth == *answer { Verdict::Right } else { Verdict::Wrong(another(part)) };
@@ -132,8 +135,9 @@ fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     }
 }
 
-/// Returns the mistakes that lead to the answer and are consistent with the parts that are right. If
-/// there are none, returns the mistakes that lead to the answer and are about this part itself.
+/// Returns the mistakes that lead to the answer and would not have changed the answers to the parts
+/// `right`, which are right. If there are none, returns those mistakes that lead to the answer and are
+/// [about](Asked::is_about_mistake) this part itself.
 fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec<Mistake> {
     let all = giving(part, answer);
     let spoils = |mistake: &Mistake, part: &&QuestionPart| {
@@ -147,7 +151,7 @@ fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec
     agreeing
 }
 
-/// Returns the mistakes that lead to the answer, each by itself.
+/// Returns the mistakes each of which, made alone, leads to the answer.
 fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
@@ -168,7 +172,7 @@ fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     mistakes
 }
 
-/// Returns the finding that every number of the answer is wrong.
+/// Returns the phrase that says that every number of the answer is wrong.
 fn another(part: &QuestionPart) -> Vec<String> {
     let what = if part.count() == 1 { "it" } else { "every coordinate" };
     vec![format!("{what} should be another number")]
@@ -212,8 +216,8 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String
         let dot = short(dot);
         is_off.then(|| format!("it is not perpendicular to {to}: the dot product is {dot}"))
     }));
-    // If the vector is not perpendicular to another one, the finding says so. Otherwise, give at least
-    // the size of the error.
+    // If the vector is not perpendicular to another one, a finding already says so. Otherwise, give at
+    // least the size of the error.
     if findings.len() == count {
         let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
         let from = match part.asked {
@@ -227,7 +231,7 @@ fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String
     findings
 }
 
-/// Returns the factor by which a vector is a nonzero multiple of the right one; `None` if it is not.
+/// Returns the factor if a vector is a nonzero multiple of the right one; `None` if it is not.
 fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     if given.len() < 2 {
         return None;
@@ -239,9 +243,9 @@ fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     (near && times.is_finite() && times != 0.0).then_some(times)
 }
 
-/// Returns the number of significant digits, at least two, to which `given` is the right answer,
-/// rounded or truncated. If `may_be_scaled` is true, any positive multiple of the right answer is
-/// accepted. Returns `None` for any other answer.
+/// Returns the number of significant digits of `given`, if it is the right answer rounded or truncated
+/// to at least two of them; otherwise `None`. If `may_be_scaled` is true, a positive multiple of the
+/// right answer may be rounded instead.
 fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     let largest = (0..truth.len()).max_by(|a, b| truth[*a].abs().total_cmp(&truth[*b].abs()))?;
     let times = if may_be_scaled { given[largest] / truth[largest] } else { 1.0 };
@@ -271,8 +275,8 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// Returns the number of significant digits with which a number is written, and the power of ten of its
-/// last digit.
+/// Returns the number of significant digits in the shortest decimal form of a number, and the power of
+/// ten of the last one.
 fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
@@ -286,8 +290,8 @@ fn unit(place: i32) -> f64 {
     10f64.powi(place)
 }
 
-/// Returns |y| truncated at a decimal place. It works on decimal digits: in binary, 4 - 3.99 is less
-/// than 0.01 because of rounding, although 4 truncated is never 3.99.
+/// Returns |y| truncated after the digit with this power of ten. It works on decimal digits, because in
+/// binary 4 - 3.99 is less than 0.01 due to rounding, and 3.99 would pass for 4 truncated.
 fn cut_off(y: f64, place: i32) -> Option<f64> {
     // Round to as many digits as are reliable: a value that should be 6 may be 5.999999999999999.
     let text = format!("{:.11e}", y.abs());
@@ -336,7 +340,7 @@ pub(super) enum Surface {
 }
 
 impl Condition {
-    /// Returns a phrase that says how an answer of one, two or three numbers fails the condition;
+    /// Returns a phrase that says how an answer of one, two or three numbers violates the condition;
     /// `None` if it meets the condition.
     fn missed_by(&self, given: &[f64]) -> Option<String> {
         let point = |given: &[f64]| match *given {
@@ -378,8 +382,8 @@ impl Condition {
 }
 
 impl Surface {
-    /// Returns a phrase that says how far the point is from the surface; `None` if it is on the
-    /// surface. `is_of_ray` is true if the point is that of a ray at the answered t.
+    /// Returns a phrase that says by how much a point misses the surface; `None` if it is on the
+    /// surface. `is_of_ray` is true if the answer is a t, and the point is the ray's point at that t.
     fn missed_by(self, point: DVec3, is_of_ray: bool) -> Option<String> {
         let it = if is_of_ray { "the point at this 𝑡" } else { "it" };
         let (off, finding) = match self {
@@ -412,7 +416,8 @@ impl Surface {
     }
 }
 
-/// Returns true if a difference between numbers of this size is more than rounding error.
+/// Returns true if a difference between numbers of magnitude `size` is larger than rounding errors can
+/// explain.
 fn is_off(difference: f64, size: f64) -> bool {
     difference.abs() > TOLERANCE * size.max(1.0)
 }
@@ -423,7 +428,7 @@ fn size(numbers: &[f64]) -> f64 {
     if size == 0.0 { 1.0 } else { size }
 }
 
-/// Returns true if these are the right numbers up to rounding error.
+/// Returns true if the given numbers are the right ones, up to rounding errors.
 pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
     let size = size(truth);
     given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)

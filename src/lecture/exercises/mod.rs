@@ -1,5 +1,5 @@
-//! The lecture's exercises, and similar ones: the given numbers, the right answers, the answers to
-//! which classic mistakes lead, and the verdict on an answer.
+//! The lecture's exercises, and similar ones with random numbers: the given numbers, the right answers,
+//! the wrong answers to which classic mistakes lead, and the verdict on a student's answer.
 
 mod judge;
 mod pick;
@@ -25,15 +25,16 @@ impl Question {
         Question { exercise, given, parts: solve::parts(&given).unwrap_or_default() }
     }
 
-    /// Judges the answers to all parts. The answer to a part, and the verdict on it, is `None` if the
-    /// part was not answered.
+    /// Judges the answers to all parts of the question, which are given in order, and returns a verdict
+    /// on each. A part without an answer has `None` in place of an answer and of a verdict.
     pub fn judge(&self, answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
         judge::judge(&self.parts, answers)
     }
 
-    /// Returns the part whose answer explains the verdict on part `k`. Its verdict names every mistake
-    /// that is named for part `k`, and all of these mistakes are about its answer. Returns `None` if
-    /// there is no such part, or if any of the mistakes is about part `k` itself.
+    /// Returns the quantity of the part from which the wrong answer to part `k` follows: the verdict on
+    /// it names all mistakes that the verdict on part `k` names, and they are
+    /// [about](Asked::is_about_mistake) that quantity. Returns `None` if there is no such part, or if
+    /// any of the mistakes is about part `k` itself.
     pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
         let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
         if mistakes.iter().any(|mistake| self.parts[k].asked.is_about_mistake(*mistake)) {
@@ -49,7 +50,7 @@ impl Question {
         parts.find(|(part, verdict)| explains(part.asked, verdict)).map(|(part, _)| part.asked)
     }
 
-    /// Returns the camera of the question; `None` if it has none.
+    /// Returns the camera that the question describes; `None` if it has none.
     pub fn camera(&self) -> Option<Camera> {
         solve::camera(&self.given)
     }

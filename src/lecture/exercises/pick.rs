@@ -1,5 +1,5 @@
-//! Chooses the numbers of the questions: the lecture's own, and others whose answers are as easy to
-//! recognise.
+//! Chooses the given numbers of the questions: the lecture's own, and random ones whose answers are as
+//! simple.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -8,8 +8,8 @@ use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 use super::question::{Exercise, Given};
 use crate::mistakes::SplitMix64;
 
-/// Returns the lecture's numbers, except that view and up are twice as long. This changes no answer,
-/// but reveals who forgets to normalize.
+/// Returns the numbers of the lecture's own question. Only in the question on view and up, these
+/// vectors are twice as long, which changes no right answer, but reveals who forgets to normalize.
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
@@ -38,7 +38,7 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
     }
 }
 
-/// Returns random numbers. The same seed gives the same numbers.
+/// Returns random given numbers for a question. The same seed gives the same numbers.
 pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     // In different exercises, the same seed gives unrelated numbers.
     let mut dice = Dice(SplitMix64(seed ^ ((exercise as u64) << 56)));
@@ -60,7 +60,8 @@ pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     }
 }
 
-/// Returns the unit vector midway between the x and z axes, whose signs are given.
+/// Returns the unit vector midway between the x axis and the z axis; each axis is reversed if its
+/// argument is -1 rather than 1.
 fn midway(x: f64, z: f64) -> DVec3 {
     FRAC_1_SQRT_2 * DVec3::new(x, 0.0, z)
 }
@@ -127,8 +128,8 @@ impl Dice {
         Given::EyeAtUp { eye: at + back, at, up: DVec3::Y }
     }
 
-    /// Returns a ray and a sphere. The distance of the line from the centre, half the chord, and the
-    /// radius are the sides of a right triangle, which are whole numbers.
+    /// Returns a ray and a sphere. The ray's distance from the centre, half the chord, and the radius
+    /// are the sides of a right triangle, and all three are integers.
     fn sphere(&mut self) -> Given {
         const TRIANGLES: [(f64, f64, f64); 6] = [
             (3.0, 4.0, 5.0),

@@ -1,4 +1,4 @@
-//! The parts of a question: the given numbers, the quantities to find, and the answers.
+//! What a question consists of: the given numbers, the quantities to find, and the answers.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -12,9 +12,9 @@ pub enum Exercise {
     WarmUpRay,
     /// Warm-up 1b: the intersection of that ray with a wall.
     WarmUpPlane,
-    /// A ray and a wall, with a viewport whose distance is not 1.
+    /// A view ray and a wall, for a viewport whose distance is not 1.
     Distance,
-    /// A basis that is turned in the xz plane, and one of the camera's rays.
+    /// A basis that is turned about the y axis, and one of the camera's rays.
     Turned,
     /// A basis from view and up.
     ViewUp,
@@ -47,8 +47,8 @@ pub enum Given {
         /// The wall's z.
         z: f64,
     },
-    /// A camera at the origin that is turned about y, so that its right vector is midway between two
-    /// axes.
+    /// A camera at the origin that is turned about y, so that its right vector, u, is midway between
+    /// two axes.
     Turned {
         /// The right vector, midway between +x or -x and +z or -z.
         right: DVec3,
@@ -110,7 +110,7 @@ pub enum Asked {
     Point,
     /// The outward unit normal at the hit point.
     Normal,
-    /// Whether the ray itself hits, and not only its line.
+    /// Whether the ray itself hits (t > 0), and not only the line on which it lies.
     Hits,
 }
 
@@ -135,13 +135,13 @@ pub struct QuestionPart {
     pub may_be_scaled: bool,
     /// The wrong answers to which known mistakes lead.
     pub mistakes: Vec<(Mistake, Answer)>,
-    /// The vectors to which the answer must be perpendicular, with their names.
+    /// The vectors to which the answer must be perpendicular, each with its name for the verdict.
     pub(super) orthogonal_to: Vec<(&'static str, DVec3)>,
     /// Further conditions that the answer must meet.
     pub(super) conditions: Vec<Condition>,
 }
 
-/// A question with its given numbers, right answers and mistakes.
+/// A question with its given numbers, the right answers, and the wrong answers to which mistakes lead.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Question {
@@ -212,7 +212,7 @@ impl Asked {
         self.names().0
     }
 
-    /// Returns the quantity's symbol, for the label in front of its fields.
+    /// Returns the quantity's symbol, for the label in front of the text fields of its answer.
     pub fn symbol(self) -> &'static str {
         self.names().1
     }
@@ -222,8 +222,8 @@ impl Asked {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
     }
 
-    /// Returns true if a mistake is about this quantity itself, rather than about one from which this
-    /// one is calculated.
+    /// Returns true if a mistake is made in calculating this quantity itself, rather than one from
+    /// which it is calculated.
     pub fn is_about_mistake(self, mistake: Mistake) -> bool {
         match mistake {
             Mistake::WAsPrinted
@@ -259,8 +259,8 @@ impl Asked {
         }
     }
 
-    /// Returns true for a direction, whose length and sign can be wrong separately. A point is not a
-    /// direction.
+    /// Returns true if the quantity is a direction, so that its length or its sign alone can be wrong;
+    /// false for points and numbers.
     pub fn is_vector(self) -> bool {
         self.is_unit() || self == Asked::Direction
     }

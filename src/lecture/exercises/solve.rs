@@ -6,8 +6,9 @@ use crate::exercises::judge::{Condition, Surface, is_near};
 use crate::exercises::question::{Answer, Asked, Given, QuestionPart};
 use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
-/// Returns the parts of a question; `None` if a basis does not exist or a sphere is missed. A mistake
-/// that does not change the numbers adds no wrong answer.
+/// Returns the parts of a question, each with its right answer and the wrong ones to which mistakes
+/// lead; `None` if a basis does not exist or the ray misses the sphere. A mistake that gives the right
+/// answer is left out.
 pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
     let (mut parts, wrongs) = match *given {
         Given::Uv(uv) => ray_through(uv),
@@ -36,14 +37,14 @@ fn is_another(truth: &Answer, answer: &Answer) -> bool {
     }
 }
 
-/// A mistake, a quantity, and the wrong answer for that quantity to which the mistake leads.
+/// A mistake, a quantity, and the wrong answer for that quantity that results from the mistake.
 type Wrong = (Mistake, Asked, Answer);
 
-/// The parts of a question, and the wrong answers to which mistakes lead.
+/// The parts of a question, and the wrong answers that result from mistakes.
 type Parts = (Vec<QuestionPart>, Vec<Wrong>);
 
-/// Returns the camera of a question; `None` if it has none. The ray of the question is the camera's ray
-/// through the question's (u, v).
+/// Returns the camera of a question; `None` if it has none. The question's ray is this camera's ray
+/// through the question's (u, v), or through the viewport's centre.
 pub(super) fn camera(given: &Given) -> Option<Camera> {
     let looking = |view| Orientation::View { view, up: DVec3::Y };
     Some(match *given {
@@ -109,12 +110,13 @@ fn t_of_wall(ray: &Ray, z: f64) -> f64 {
     z / ray.direction.z
 }
 
-/// Returns a wrong t, and the wrong point that is calculated from it.
+/// Returns the two wrong answers of a mistake in t: t itself, and the point that is calculated from it.
 fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> [Wrong; 2] {
     [(mistake, Asked::T, number(t)), (mistake, Asked::Point, point)]
 }
 
-/// Returns a wrong direction, and the t at which its ray meets the wall with this z.
+/// Returns the two wrong answers of a mistake in the direction: the direction itself, and the t at
+/// which the ray in this direction meets the wall with this z.
 fn wrong_direction(mistake: Mistake, d: DVec3, z: f64) -> [Wrong; 2] {
     [(mistake, Asked::Direction, vector(d)), (mistake, Asked::T, number(z / d.z))]
 }
@@ -125,7 +127,8 @@ fn camera_at(eye: DVec3, orientation: Orientation, distance: f64) -> Camera {
     Camera { eye, orientation, viewport, ..Camera::CANONICAL }
 }
 
-/// Returns a basis that is turned about y: v is the y axis, and w is calculated from `right`.
+/// Returns a basis that is turned about the y axis: u is `right`, v is the y axis, and w is their cross
+/// product.
 fn turned(right: DVec3) -> Basis {
     Basis { u: right, v: DVec3::Y, w: right.cross(DVec3::Y) }
 }
@@ -386,8 +389,8 @@ fn ray_and_sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-/// Returns wrong solutions of `a t^2 + 2 b t + c = 0`, each with the mistake that leads to it. A
-/// solution is NaN if D is below 0.
+/// Returns wrong values of t for a ray and a sphere, each with the mistake in solving `a t^2 + 2 b t +
+/// c = 0` that leads to it. A value is NaN if its discriminant is negative.
 fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
     let oc = ray.origin - sphere.center;
     let (a, b) = (ray.direction.length_squared(), ray.direction.dot(oc));

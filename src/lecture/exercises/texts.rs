@@ -1,5 +1,5 @@
-//! Writes questions and verdicts in words. `**p**` denotes a vector, and `*t*` a scalar. A number is
-//! written in exact form if the form is recognised.
+//! Writes questions and verdicts in words. In these texts, `**p**` denotes a vector, and `*t*` a
+//! scalar. Numbers are written in exact form, such as `1/√2`, where one is recognised.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
@@ -105,7 +105,7 @@ fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
     vec![given, asked.to_owned()]
 }
 
-/// Formats the left side of a line's equation, for example `2*x* − *y* + 1`.
+/// Formats the left-hand side of a line's equation `a x + b y + c = 0`, for example `2*x* − *y* + 1`.
 fn implicit(line: DVec3) -> String {
     let mut text = String::new();
     for (factor, name) in [(line.x, "*x*"), (line.y, "*y*"), (line.z, "")] {
@@ -184,7 +184,8 @@ impl Verdict {
     }
 }
 
-/// Returns the verdict on a part whose mistake results from the answer to another part, `source`.
+/// Returns the verdict, in words, on an answer that is wrong only because it was calculated from a
+/// wrong answer to another part, which asks for `source`.
 pub fn follows(source: Asked) -> String {
     format!("Wrong: it follows from {}.", source.symbol())
 }

@@ -1,11 +1,11 @@
-//! Students' answers, and the number of digits with which they are written.
+//! Students' answers to be graded, and the number of digits with which they are written.
 
 use pinhole_core::{DVec3, Pixel, Rgb};
 
 /// A student's answers, all of one kind.
 ///
-/// Rows and columns are counted from 0 here. Row H and column W lie outside the image. They occur if a
-/// student counts from 1 without saying so.
+/// Rows and columns are counted from 0 here. Row H and column W, which lie outside an image of H rows
+/// and W columns, occur if a student counts from 1 without saying so.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answers {
     /// u, v and w.
@@ -36,8 +36,8 @@ pub enum AnswerKind {
 pub struct Written<T> {
     /// The value that was read.
     pub value: T,
-    /// Maximum error of each coordinate due to rounding: half a unit in the last digit. It is 0 for
-    /// numbers with all their digits.
+    /// Maximum error of each coordinate due to rounding: half a unit in the last written digit. It is 0
+    /// for numbers written with all their digits.
     pub rounding: f64,
 }
 
@@ -55,7 +55,7 @@ pub struct RayAnswer {
     pub direction: WrittenVector,
 }
 
-/// The answer for the first hit of a pixel's view ray.
+/// The answer to the question what a pixel's view ray hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HitAnswer {
     /// The pixel.
@@ -76,7 +76,7 @@ pub struct GivenHit {
 }
 
 impl<T> Written<T> {
-    /// Creates a value that was written with all its digits.
+    /// Creates a number or vector that was written with all its digits, so that it is not rounded.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
     }
@@ -120,8 +120,8 @@ impl Answers {
         self.len() == 0
     }
 
-    /// Returns true if the answers may come from a program that computes in `f32`. Each examined number
-    /// is then an `f32`, to as many digits as it was written with.
+    /// Returns true if the answers may come from a program that computes in `f32`: each examined number
+    /// equals an `f32` to the digits with which it was written.
     pub(super) fn may_be_single(&self) -> bool {
         /// Maximum number of answers that are examined, spread evenly. One number in full double
         /// precision is enough to rule out `f32`.
@@ -143,8 +143,8 @@ fn is_single(value: f64, rounding: f64) -> bool {
     off <= rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(value)
 }
 
-/// The number of digits with which the answers are written. Since trailing zeros are often omitted, the
-/// longest numbers determine it for all answers.
+/// The number of digits with which all of a student's answers are taken to be written. Since programs
+/// often omit trailing zeros, the numbers with the most digits determine it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
     /// The number of significant digits.
@@ -154,7 +154,8 @@ pub(super) struct Precision {
 }
 
 impl Precision {
-    /// Returns the precision of these answers; `None` if they have all digits or contain no numbers.
+    /// Returns the precision of these answers; `None` if they are written with all their digits, or
+    /// contain no numbers.
     pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
         /// A number with more significant digits than this counts as having all its digits.
         const MANY: i32 = 12;
@@ -165,7 +166,7 @@ impl Precision {
                 let (digits, decimals) = (before.digits.max(digits), before.decimals.max(decimals));
                 longest = Some(Precision { digits, decimals });
             }
-            // The first number with all its digits decides, so the search stops there.
+            // The first number that is written with all its digits decides, so the search stops there.
             longest.is_none_or(|longest| longest.digits <= MANY)
         });
         longest.filter(|longest| longest.digits <= MANY)
@@ -179,8 +180,8 @@ impl Precision {
         (0.5 + 1e-9) * of_decimals.max(of_digits)
     }
 
-    /// Returns the answers with a rounding of half a unit in their last digit, and the number of digits
-    /// of the answer with the fewest.
+    /// Returns the answers with [`Written::rounding`] set to half a unit in their last digit, and the
+    /// number of significant digits of the answer that has the fewest.
     pub(super) fn allowed(self, answers: &Answers) -> (Answers, i32) {
         let mut fewest = self.digits;
         let mut allowed = answers.clone();
@@ -212,8 +213,9 @@ fn written(size: f64) -> Option<(i32, i32)> {
     Some((digits, digits - 1 - exponent.parse::<i32>().ok()?))
 }
 
-/// Calls `each` for every `step`th answer until it returns false. Its arguments are a number or the
-/// coordinates of a vector, and their rounding. Returns true if it never returns false.
+/// Calls `each` for the numbers of every `step`th answer, until it returns false. Its arguments are a
+/// number or the coordinates of a vector, and their [`Written::rounding`], which it may change. Returns
+/// true if `each` never returns false.
 fn for_each(
     answers: &mut Answers,
     step: usize,

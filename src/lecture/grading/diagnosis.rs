@@ -1,4 +1,4 @@
-//! Finds the mistakes that explain the answers.
+//! Finds the mistakes that explain a student's wrong answers.
 
 use rayon::prelude::*;
 
@@ -11,20 +11,21 @@ use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers, including
     /// the right ones. It contains one mistake, or two of [`Mistake::GRADED`]. It is empty if there is
-    /// no such set, and if nothing is wrong.
+    /// no such set, or if all answers are right.
     ///
     /// Of several such sets, it is the first in the order of [`Mistake::GRADED`] and
-    /// [`Mistake::ALONE`]. Unless a basis is answered, `v = u x w` counts as the last of the graded
-    /// mistakes, because rays cannot distinguish it from rows that are counted from the bottom.
+    /// [`Mistake::ALONE`]. Unless the answers are a basis, `v = u x w` comes last in
+    /// [`Mistake::GRADED`], because it gives the same rays as counting rows from the bottom.
     pub mistakes: Vec<Mistake>,
-    /// Other sets of the same size that lead to the same answers, in the same order.
+    /// Other sets with as many mistakes that lead to the same answers, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
     /// [`Mistake::RayReversed`] or [`Mistake::DistanceAdded`], if it leads to these answers and no other
     /// single mistake does.
     pub other: Option<Mistake>,
     /// True if all answers are right when rows and columns are counted from 1.
     pub counted_from_one: bool,
-    /// True if the answers were read as counted from 1, and all are right when counted from 0.
+    /// True if rows and columns were read as counted from 1, but all answers are right when they are
+    /// counted from 0.
     pub counted_from_zero: bool,
     /// True if objects are counted from 1.
     pub objects_from_one: bool,
@@ -32,25 +33,27 @@ pub struct Diagnosis {
     /// right one. Such answers may also come from a program that, for any reason, does not see the
     /// nearer object.
     pub may_be_unseen: bool,
-    /// The step between the answers that were compared with the named pipeline. It is 1 if all were
-    /// compared, and larger if there are so many answers and spheres that comparing all would take
-    /// minutes. It is 0 if nothing was compared.
+    /// Says that one in this many answers was compared with those of a program that makes the named
+    /// mistakes. It is 1 if all were compared, and larger if there are so many answers and spheres that
+    /// comparing all would take minutes. It is 0 if no mistakes are named.
     pub of_every: usize,
 }
 
-/// The data with which answers are compared, and the required precision.
+/// The camera with which answers are compared, and the allowed errors.
 #[derive(Clone, Copy)]
 pub(super) struct GradingContext<'a> {
     pub(super) given: &'a GivenCamera,
     /// The camera without any mistake.
     pub(super) right: PipelineCamera,
-    /// Maximum error: relative or, for a picture, in levels of 255.
+    /// Maximum error of an answer: relative or, for a picture, in levels (steps of an 8-bit channel).
     pub(super) tolerance: f64,
-    /// The fraction of the rounding error of the written digits that is allowed.
+    /// The fraction, 0 to 1, of [`Written::rounding`](super::Written::rounding) that is allowed as an
+    /// additional error.
     pub(super) digits: f64,
 }
 
-/// Answers of one kind, which are compared with the truth and with pipelines.
+/// Answers of one kind, which can be compared with the right ones and with those of a pipeline (a
+/// program that may make mistakes).
 pub(super) trait Fits: Sync {
     /// Returns the number of answers.
     fn len(&self) -> usize;
@@ -60,34 +63,39 @@ pub(super) trait Fits: Sync {
         false
     }
 
-    /// Computes the values of the camera that are needed before the first comparison.
+    /// Completes a pipeline's camera with values that depend on the answers, before the first
+    /// comparison.
     fn prepare(&self, _camera: &mut PipelineCamera) {}
 
-    /// Returns the approximate number of spheres against which each answer is tested.
+    /// Returns the approximate number of spheres that must be tested to compare one answer with this
+    /// pipeline.
     fn work(&self, _pipeline: &Pipeline) -> usize {
         1
     }
 
-    /// Returns true if a program with this pipeline may have given the answer.
+    /// Returns true if a program with this camera and its pipeline may have given the answer with this
+    /// index.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 
-    /// Returns true if a program that does not see the object of the first hit may have given the
-    /// answer.
+    /// Returns true if the answer may come from a program that does not see the object that the ray
+    /// hits first: it is a miss, or a hit of an object behind.
     fn may_be_unseen(&self, _index: usize) -> bool {
         false
     }
 
-    /// Returns the error of an answer, in the units of the tolerance.
+    /// Returns the error of an answer, to be compared with [`GradingContext::tolerance`].
     fn error(&self, index: usize) -> f64;
 
     /// Returns the right answer.
     fn right(&self, index: usize) -> AnswerValue;
 }
 
-/// Maximum number of wrong answers, and of right ones, that are compared first.
+/// Maximum number of wrong answers, and of right ones, that are compared with a pipeline first, because
+/// they rule out most pipelines quickly.
 const FIRST_LOOKS: usize = 64;
 
-/// Maximum number of sphere tests for the rays of a pipeline, which take some seconds.
+/// Maximum number of sphere tests for comparing all answers with one pipeline, which takes some
+/// seconds. If more are needed, the answers are sampled.
 const MOST_WORK: usize = 50_000_000;
 
 /// Finds the smallest set of mistakes that explains the answers. `is_right` is true for each right
@@ -109,7 +117,8 @@ pub(super) fn diagnose(
     let mut known = Mistake::GRADED.to_vec();
     known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
     if !answers.shows_basis() {
-        // Both mistakes turn the picture upside down. Rays cannot distinguish them, but a basis can.
+        // `v = u x w` and rows counted from the bottom both turn the picture upside down. Rays cannot
+        // distinguish them, but a basis can.
         known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
     }
     let alone = known.iter().chain(Mistake::ALONE);
@@ -156,8 +165,8 @@ impl Diagnosis {
     }
 }
 
-/// Returns the sets of mistakes for which some pipeline gives all the answers, each with the step
-/// between the compared answers.
+/// Returns those sets of mistakes for which some pipeline gives all the answers, each with the step
+/// between the answers that were compared.
 fn explaining(
     given: &GivenCamera,
     answers: &dyn Fits,
@@ -181,13 +190,14 @@ fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], pipeline: 
         && (0..answers.len()).into_par_iter().step_by(stride).all(|k| answers.fits(&camera, k))
 }
 
-/// Returns the step between the answers that are compared with a pipeline.
+/// Returns the step between the answers that are compared with a pipeline: 1 if all are, more if there
+/// are too many.
 fn stride(answers: &dyn Fits, pipeline: &Pipeline) -> usize {
     answers.len().saturating_mul(answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
 }
 
-/// Returns the indices of some wrong and some right answers, spread evenly. They quickly rule out most
-/// pipelines.
+/// Returns the indices of some wrong and some right answers, spread evenly. Comparing these first
+/// quickly rules out most pipelines.
 fn first_looks(is_right: &[bool]) -> Vec<usize> {
     let some = |wanted: bool| {
         let all: Vec<usize> =

@@ -1,26 +1,27 @@
-//! Finds the acceptable first hits of a pipeline's ray, given the error bounds of its numbers.
+//! Finds all first hits that are acceptable as the answer of a pipeline (a program that may make
+//! mistakes) for a ray, given the tolerance and the rounding errors of its numbers.
 //!
 //! An answer is right if it is the exact answer for objects whose size is changed by no more than the
-//! tolerance allows at that distance. At a sphere's edge, where the slightest change decides between
-//! hit and miss, both are right, and so is the object behind. If a ray grazes an object, the error of t
-//! may be larger than for a head-on hit. With these rules, a right program is never called wrong
-//! because of rounding, however it rounds.
+//! tolerance times their distance. At a sphere's edge, where the slightest change decides between hit
+//! and miss, a hit and a miss are therefore both right, and so is a hit of the object behind. If a ray
+//! grazes an object, the error of t may be larger than for a head-on hit. With these rules, a program
+//! without mistakes is never called wrong because of rounding, however it rounds.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
 use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, WhichRoot};
 
-/// A point at which an answer may place the first hit of an object.
+/// A range of t in which an answer may place the first hit, on one object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PossibleHit {
     pub(super) object: u32,
-    /// The t that the pipeline calculates for the point.
+    /// The t that the pipeline calculates, without rounding errors.
     pub(super) t: f64,
     /// The smallest and the largest acceptable t.
     pub(super) least: f64,
     pub(super) most: f64,
-    /// True if a program that misses the object is wrong.
+    /// True if the object must be hit, because a miss cannot be due to rounding.
     is_sure: bool,
 }
 
@@ -32,14 +33,15 @@ pub(super) struct FirstHits {
     pub(super) may_miss: bool,
 }
 
-/// Returns true if a pipeline's rays may hit spheres that are far from them, so that each ray must be
-/// tested against every sphere. This is the case for wrong discriminants, and for numbers in `f32`.
+/// Returns true if the pipeline may report hits of spheres that are far from the ray, so that each ray
+/// must be tested against every sphere. This is the case if its discriminant is wrong, or if it
+/// computes in `f32`.
 fn meets_far_off(pipeline: &Pipeline) -> bool {
     !pipeline.quadratic.meets_what_is_met() || pipeline.single
 }
 
-/// Returns the approximate number of spheres against which a pipeline's ray is tested. It is small if
-/// the scene's index finds the spheres near the ray.
+/// Returns the approximate number of spheres against which each ray of a pipeline is tested: all
+/// spheres or, if the scene's spatial index can find those near the ray, a small number.
 pub(super) fn work(scene: &Scene, pipeline: &Pipeline) -> usize {
     if meets_far_off(pipeline) { scene.spheres().len() } else { 1 }
 }
@@ -67,7 +69,7 @@ impl FirstHits {
     }
 }
 
-/// Finds the acceptable hits of the ray in this direction with each object by itself.
+/// Finds the acceptable hits of the ray in this direction with each object, as if it were the only one.
 pub(super) fn hits_of_each(
     scene: &Scene,
     camera: &PipelineCamera,
@@ -79,7 +81,8 @@ pub(super) fn hits_of_each(
 }
 
 impl<'a> Sight<'a> {
-    /// Creates the ray; returns `None` if the numbers do not form one.
+    /// Creates the ray from the camera's eye in this direction; returns `None` if a number is not
+    /// finite or the direction is 0.
     fn new(camera: &'a PipelineCamera, direction: DVec3, tolerance: f64) -> Option<Sight<'a>> {
         let length = length(direction);
         let is_ray = direction.is_finite() && length > 0.0 && camera.eye.is_finite();
@@ -95,7 +98,8 @@ impl<'a> Sight<'a> {
         all
     }
 
-    /// Calls `each` for every sphere that the ray's line may hit within the tolerance.
+    /// Calls `each` for every sphere that the ray's line may hit within the tolerance, and possibly for
+    /// others.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
         match ExactRay::from_ray(&ray) {
@@ -109,7 +113,8 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Returns the maximum change of an object's size that is allowed at this distance, in world units.
+    /// Returns the maximum change of an object's size, in world units, that is allowed at the distance
+    /// `reach` from the eye.
     fn slack(&self, reach: f64) -> f64 {
         (self.tolerance + self.camera.off) * reach
     }
@@ -184,7 +189,8 @@ impl<'a> Sight<'a> {
         }
     }
 
-    /// Returns the hits up to the nearest one that the program certainly finds.
+    /// Returns those hits that may be the first one: all up to the nearest one that the program
+    /// certainly finds.
     fn first_of(&self, mut all: Vec<PossibleHit>) -> FirstHits {
         let pipeline = &self.camera.pipeline;
         // The interval in which a hit lies, in the order by which the program chooses.
@@ -207,7 +213,8 @@ impl<'a> Sight<'a> {
 }
 
 impl PossibleHit {
-    /// Returns the part of the hit in front of the eye; `None` if there is none.
+    /// Returns the hit if a part of its range of t is in front of the eye (`t > 0`); otherwise `None`.
+    /// If a part is not, the object need not be hit.
     fn in_front(self) -> Option<PossibleHit> {
         let is_sure = self.is_sure && self.least > 0.0;
         (self.most > 0.0).then_some(PossibleHit { is_sure, ..self })

@@ -1,19 +1,20 @@
-//! Grades: which answers are right, how large the greatest error is, and which mistakes explain the
-//! wrong ones.
+//! The grade of a student's answers: which answers are right, how large the greatest error is, and
+//! which mistakes explain the wrong ones.
 
 use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
 
-/// Default maximum relative error of a number. It is twice the maximum rounding error of a number with
-/// six significant digits, which is what `%g` and C++ streams print. It is also 80 times the spacing of
-/// `f32`, of which a ray tracer loses about ten. The smallest error due to a known mistake, half a
-/// pixel of 1000, is fifty times as large.
+/// Default maximum relative error of a number in an answer. It is twice the maximum rounding error of a
+/// number with six significant digits, which is what `%g` and C++ streams print. It is about 80 times
+/// the relative spacing of `f32`, while the errors of a ray tracer in `f32` are about ten times that
+/// spacing. The smallest error due to a known mistake, half a pixel of 1000, is fifty times as large.
 pub const RELATIVE_TOLERANCE: f64 = 1e-5;
 
-/// Default maximum error of a picture's channels, in levels of 255. One level allows for truncation
-/// instead of rounding, and one for light that is computed in a different order.
+/// Default maximum error of each channel of a picture, in levels (steps of an 8-bit channel). One level
+/// allows for truncation instead of rounding, and one for shading that is computed in a different
+/// order.
 pub const LEVELS_TOLERANCE: f64 = 2.0;
 
 /// The camera and the scene for which answers are graded.
@@ -33,7 +34,8 @@ pub struct Truth<'a> {
 pub struct Grade {
     /// The kind of answers.
     pub kind: AnswerKind,
-    /// The tolerance: a relative error or, for a picture, levels of 255.
+    /// The tolerance: a maximum relative error or, for a picture, a maximum error in levels (steps of
+    /// an 8-bit channel).
     pub tolerance: f64,
     /// For each answer, in order, true if it is right.
     pub is_right: Vec<bool>,
@@ -44,24 +46,24 @@ pub struct Grade {
     /// The mistakes that explain the wrong answers.
     pub diagnosis: Diagnosis,
     /// The number of digits with which the answers are written, if it is below [`Grade::digits_wanted`]
-    /// and the answers are right to these digits. If a mistake is named, they are right apart from this
-    /// mistake.
+    /// and the answers are right to these digits. If a mistake is named, they are what a program that
+    /// makes this mistake gives, to these digits.
     pub right_digits: Option<u32>,
-    /// The t that most answers have where a miss would be right, if no hit has it. The diagnosis then
-    /// treats this t as a miss.
+    /// A number, such as -1, that the student seems to write as t for a miss; `None` if there is none.
+    /// The diagnosis then treats this t as a miss.
     pub sentinel: Option<f64>,
     /// The number of pixels without an answer, if these count as wrong; otherwise 0.
     pub unanswered: usize,
 }
 
-/// The answer with the largest error. If any answer is wrong, it is one of the wrong ones.
+/// The answer with the largest error: of the wrong answers if there are any, otherwise of all answers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Worst {
     /// The answer's index, counted from 0.
     pub index: usize,
-    /// The error, in the units of the tolerance. It is infinite if only one of the given and the right
-    /// answer is a hit, or if they hit different objects.
+    /// The error, relative or in levels, as the tolerance. It is infinite if one of the given and the
+    /// right answer is a hit and the other is a miss, or if they hit different objects.
     pub error: f64,
     /// The right answer.
     pub right: AnswerValue,
@@ -141,8 +143,9 @@ impl Grade {
         digits_wanted(self.tolerance)
     }
 
-    /// Returns the advice for the student. It has a sentence for each mistake. Otherwise it says that
-    /// there are too few digits, that no known mistake explains the answers, or that all of them agree.
+    /// Returns the advice for the student: a sentence for each mistake that was found or, if none was,
+    /// a sentence that says that all answers agree, that they have too few digits, or that no known
+    /// mistake explains them.
     pub fn advice(&self) -> String {
         let all_given_agree = self.agree() == self.is_right.len();
         match (self.right_digits, &self.diagnosis.mistakes[..]) {
@@ -204,8 +207,8 @@ impl Grade {
     }
 }
 
-/// Returns the smallest number of digits for which half a unit in the last digit is within the
-/// tolerance.
+/// Returns the number of significant digits that an answer should have for this relative tolerance:
+/// enough for half a unit in the last digit to be within it, but at least six and at most 17.
 pub(super) fn digits_wanted(tolerance: f64) -> u32 {
     let digits = (1.0 - tolerance.max(f64::EPSILON).log10() - 1e-9).ceil();
     digits.clamp(6.0, 17.0) as u32

@@ -1,4 +1,5 @@
-//! Presents grades in words and as a map, for the command line and the window.
+//! Presents a grade in words, and as a map that shows for each pixel whether its answer is right, for
+//! the command line and the window.
 
 use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel, Ray, Rgb};
 
@@ -21,7 +22,8 @@ pub struct Graded {
     pub count_from: u32,
 }
 
-/// The result for a pixel on the map. If a pixel has several answers, the greatest value is shown.
+/// Whether a pixel's answer is right, for the map of all pixels. If the map is shown smaller than the
+/// image, each dot shows the greatest value of its pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
     /// The pixel has no answer.
@@ -33,7 +35,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// Returns the colour on the map. The colours also differ in lightness.
+    /// Returns the colour of such a pixel on the map. The three colours also differ in lightness.
     pub fn color(self) -> Rgb {
         match self {
             Cell::Unanswered => [0x8a, 0x8f, 0x98],
@@ -43,8 +45,8 @@ impl Cell {
     }
 }
 
-/// Numbers of digits for display. A larger number is used if the given and the right value would
-/// otherwise look the same.
+/// The numbers of significant digits with which a given and a right value are displayed: the first with
+/// which they do not look the same.
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
 /// The advice for answers that were read as counted from 1, but are right when counted from 0.
@@ -56,8 +58,8 @@ const READ_FROM_ONE: &str = "Look at where counting begins: they were read as co
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
 impl Graded {
-    /// Returns the result for each pixel, row by row from the top; `None` for a basis, whose vectors do
-    /// not belong to pixels.
+    /// Returns the map: whether each pixel's answer is right, row by row from the top. Returns `None`
+    /// for a basis, whose vectors do not belong to pixels.
     pub fn map(&self) -> Option<Vec<Cell>> {
         if self.grade.kind == AnswerKind::Basis {
             return None;
@@ -74,7 +76,8 @@ impl Graded {
         Some(cells)
     }
 
-    /// Returns the pixel of an answer, counted from 0; `None` for a vector of a basis.
+    /// Returns the pixel to which the answer with this index belongs, counted from 0; `None` for a
+    /// vector of a basis.
     pub fn pixel(&self, index: usize) -> Option<Pixel> {
         match &self.answers {
             Answers::Basis(_) => None,
@@ -87,7 +90,8 @@ impl Graded {
         }
     }
 
-    /// Returns the pixel of the worst answer; `None` if it has none in the image.
+    /// Returns the pixel of the answer with the largest error; `None` if there is no such answer, or if
+    /// its pixel is outside the image.
     pub fn worst_pixel(&self) -> Option<Pixel> {
         let worst = self.grade.worst.as_ref()?;
         self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
@@ -139,8 +143,8 @@ impl Graded {
         }
     }
 
-    /// Describes the worst answer, for example `row 3, column 4: hits object 0 at t = 5; right: t = 4`.
-    /// Returns `None` if there is no answer.
+    /// Describes the answer with the largest error and the right one, for example `row 3, column 4:
+    /// hits object 0 at t = 5; right: t = 4`. Returns `None` if there is no answer.
     pub fn worst(&self) -> Option<String> {
         let worst = self.grade.worst.as_ref()?;
         let pixel_label = match (self.pixel(worst.index), worst.index) {
@@ -159,7 +163,8 @@ impl Graded {
         ))
     }
 
-    /// Describes a pixel as `row 3, column 4`, counted from the same number as in the answers.
+    /// Describes a pixel as `row 3, column 4`, where rows and columns are counted from 0 or 1 as in the
+    /// student's file.
     pub fn pixel_label(&self, pixel: Pixel) -> String {
         let (row, column) = (pixel.row + self.count_from, pixel.column + self.count_from);
         format!("row {row}, column {column}")
@@ -181,8 +186,8 @@ impl Graded {
         }
     }
 
-    /// Returns the right answer, with only the parts that the student gave. If the student gave a miss,
-    /// the parts are t and the object.
+    /// Returns the right answer in place of the answer `worst`, with only those of t, point and object
+    /// that the student gave. If the student gave a miss, it has t and the object.
     fn right(&self, worst: &Worst) -> AnswerValue {
         let AnswerValue::Hit { t, point, object } = worst.right else { return worst.right };
         match self.given(worst.index) {
@@ -231,7 +236,8 @@ impl Graded {
         ids(&self.grade.diagnosis.mistakes, ", ")
     }
 
-    /// Returns the advice, and remarks on how certain it is.
+    /// Returns the advice for the student, followed by remarks on how certain it is, and by the number
+    /// of unanswered pixels.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let counting = Mistake::CountedFromOne;
@@ -251,7 +257,7 @@ impl Graded {
         }
     }
 
-    /// Returns remarks in addition to the sentence for each mistake.
+    /// Returns remarks that supplement the sentences of advice, such as other explanations or a caveat.
     pub fn remarks(&self) -> Vec<String> {
         self.grade.remarks().into_iter().chain(self.further_remarks()).collect()
     }
@@ -265,8 +271,8 @@ impl Graded {
         said.chain(self.alternatives())
     }
 
-    /// Returns a caveat on the diagnosis, if there is one: wrong misses, and hits of objects behind the
-    /// right one, look the same whatever their cause.
+    /// Returns a caveat if the diagnosis is a guess. It is one if all wrong answers are misses or hits
+    /// of objects behind the right one, since such answers can have many causes.
     fn caveat(&self) -> Option<&'static str> {
         let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
         let is_miss = |index: usize| match &self.answers {
@@ -289,8 +295,8 @@ impl Graded {
         }
     }
 
-    /// Returns a sentence with the other sets of mistakes that explain the answers as well, such as
-    /// `negative-t; far-root + negative-t`. Returns `None` if there are none.
+    /// Returns a sentence that lists other sets of mistakes that explain the answers as well, such as
+    /// `negative-t; far-root + negative-t`; `None` if there are none.
     fn alternatives(&self) -> Option<String> {
         let sets = &self.grade.diagnosis.alternatives;
         let words: Vec<String> = sets.iter().map(|set| ids(set, " + ")).collect();
@@ -301,7 +307,8 @@ impl Graded {
     }
 }
 
-/// Describes the size of an error; empty if it is 0 or not finite.
+/// Describes the size of an error in brackets, such as ` (off by 0.01)`; empty if it is 0 or not
+/// finite.
 fn off_by(error: f64, kind: AnswerKind) -> String {
     match kind {
         _ if !error.is_finite() || error == 0.0 => String::new(),

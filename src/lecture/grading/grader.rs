@@ -14,8 +14,8 @@ use super::hits::{Hits, Rays, Vectors, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera};
 
-/// If the answers have fewer digits than wanted, a single mistake is diagnosed only if they have at
-/// least this many.
+/// Minimum number of digits with which a mistake is diagnosed in answers that have fewer digits than
+/// they should.
 const ENOUGH_FOR_MISTAKES: u32 = 3;
 
 /// The answers, and everything needed to grade them.
@@ -24,7 +24,8 @@ pub(super) struct Grader<'a> {
     answers: &'a Answers,
     given: GivenCamera,
     tolerance: f64,
-    /// The fraction of the rounding error of the written digits that is allowed.
+    /// The fraction, 0 to 1, of [`Written::rounding`](super::Written::rounding) that is allowed as an
+    /// additional error.
     digits: f64,
     /// True if the answers may come from a program that computes in `f32`.
     may_be_single: bool,
@@ -84,8 +85,8 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// Returns the grade. If one number stands for a miss in the answers, the diagnosis treats that
-    /// number as a miss.
+    /// Returns the grade, with a new diagnosis if the student seems to write a certain number, such as
+    /// -1, as t for a miss. That number is then treated as a miss.
     fn with_sentinel(&self, hits: &[HitAnswer], grade: Grade) -> Grade {
         let Some(sentinel) = sentinel(hits, &self.first_of(hits)) else { return grade };
         let taken = hits.iter().map(|answer| {
@@ -121,7 +122,7 @@ impl<'a> Grader<'a> {
             return Grade { right_digits, diagnosis: Diagnosis::default(), ..grade };
         }
         if digits >= ENOUGH_FOR_MISTAKES {
-            // Missing digits are not attributed to `f32`.
+            // Computation in `f32` is not considered as the reason for missing digits.
             let diagnosis = diagnose(&self.given, &*held, &grade.is_right, false);
             if diagnosis.mistakes.len() == 1 {
                 return Grade { right_digits, diagnosis, ..grade };
@@ -130,18 +131,19 @@ impl<'a> Grader<'a> {
         grade
     }
 
-    /// Returns the answers with the rounding errors of their digits, and the number of digits; `None`
-    /// if they have as many digits as wanted.
+    /// Returns the answers, each with its rounding error according to the digits with which it is
+    /// written, and the number of digits; `None` if they have as many digits as they should.
     fn few_digits(&self) -> Option<(Answers, u32)> {
         let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// Returns the answers together with the data with which they are compared.
+    /// Returns the answers together with the data that is needed to compare them.
     ///
     /// # Errors
-    /// If the answers are a picture, whose shading is not known, returns its pixels.
+    /// If the answers are a picture, returns its pixels as an error, because its shading must be found
+    /// first.
     fn held<'b>(
         &'b self,
         answers: &'b Answers,
@@ -170,8 +172,9 @@ impl<'a> Grader<'a> {
         truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
-    /// Grades a picture with the shading that fits best: the one with which most pixels agree. If no
-    /// single mistake explains the picture with that shading, it is the one with the fewest mistakes.
+    /// Grades a picture, whose shading is not known, with the shading that fits best. This is the one
+    /// with which most pixels agree or, if no single mistake explains the picture so, the one with
+    /// which the fewest mistakes explain it.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
         let (pictures, right) = right_pictures(self.truth, &self.given);
         let context = self.context(right, self.digits);
@@ -208,8 +211,8 @@ impl<'a> Grader<'a> {
         best
     }
 
-    /// Returns the verdict on each answer. An answer is right if its error is within the tolerance, or
-    /// if a program without mistakes may have given it.
+    /// Returns, for each answer, its error and whether it is right: within the tolerance, or such that
+    /// a program without mistakes may have given it.
     fn judged(&self, answers: &dyn Fits, right: &PipelineCamera) -> Vec<Judged> {
         let judged = |index| {
             let error = answers.error(index);
@@ -242,9 +245,9 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// Returns the number that stands for a miss; `None` if there is none. It is at most 0 or larger than
-/// the t of all hits. Of the answers with such a number where a miss would be right, more than half
-/// have this one.
+/// Returns the number, such as -1, that the student writes as t for a miss; `None` if there is none.
+/// Only numbers of at most 0 and numbers larger than the true t of all hits are considered. The number
+/// must be the t of more than half of the answers that have such a t where a miss would be right.
 fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
     let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
@@ -257,8 +260,8 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
 }
 
 /// Returns the index and the error of the wrong answer with the largest error or, if no answer is
-/// wrong, of the right answer with the largest error. Of equal ones, it is the first. Returns `None` if
-/// there are no answers.
+/// wrong, of the right answer with the largest error. If several errors are equal, the first answer is
+/// returned. Returns `None` if there are no answers.
 fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
     let candidates = judged.iter().enumerate().filter(|(_, judged)| judged.is_right != any_wrong);

@@ -1,4 +1,4 @@
-//! Compares a student's bases, rays and hits with those of pipelines.
+//! Compares a student's basis, rays and hits with those of pipelines (programs that may make mistakes).
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
@@ -74,7 +74,8 @@ impl GradingContext<'_> {
 }
 
 impl Hits<'_> {
-    /// Returns true if the student's hit is acceptable as this one.
+    /// Returns true if the student's hit `given` is within the range of the acceptable `hit`, on the
+    /// same object.
     fn is(
         &self,
         camera: &PipelineCamera,
@@ -122,8 +123,9 @@ impl Hits<'_> {
     }
 }
 
-/// Returns the distance between the given hit and the true one, relative to the true one's distance
-/// from the eye. It is infinite if only one of them is a hit, or if they hit different objects.
+/// Returns the distance between the given hit and the true one, relative to the distance of the true
+/// one from the eye. It is 0 for two misses, and infinite if one is a hit and the other is a miss, or
+/// if they are on different objects.
 fn error_of(given: Option<GivenHit>, truth: Option<Hit>, eye: DVec3) -> f64 {
     let (given, truth) = match (given, truth) {
         (None, None) => return 0.0,
@@ -147,7 +149,7 @@ pub(super) fn truth_of(
     resolved: &ResolvedCamera,
     pixels: &[Pixel],
 ) -> Vec<Option<Hit>> {
-    /// Number of rows that are traced at a time, because a large image would not fit into memory.
+    /// Number of rows that are traced at a time, to limit the memory for large images.
     const ROWS: usize = 256;
     let image = resolved.image();
     let in_image = |pixel: &&Pixel| image.contains(**pixel);
@@ -269,8 +271,9 @@ impl Rays<'_> {
     }
 }
 
-/// Returns the difference of two directions, regardless of their lengths. It is the largest coordinate
-/// of the difference of their unit vectors, because digits are written for each coordinate.
+/// Returns the difference of two directions, regardless of their lengths: the largest coordinate of the
+/// difference of their unit vectors. Coordinates are compared because each is rounded separately when
+/// it is written.
 fn turned(a: DVec3, b: DVec3) -> f64 {
     (unit(a) - unit(b)).abs().max_element()
 }

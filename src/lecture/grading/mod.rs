@@ -16,17 +16,17 @@
 //! - a ray: its direction *up to a positive factor*, as each coordinate of the unit vector; its
 //!   origin, relative to the eye's distance from the world's origin or, if that is larger, to the
 //!   viewport's distance;
-//! - a hit: it must be the right one for objects that are larger or smaller by the tolerance times
-//!   their distance from the eye. For a head-on hit, this is the tolerance relative to t. If a ray
-//!   grazes an object, the error of t may be larger; at the very edge of a sphere, a hit, a miss, and
-//!   the object behind are all right. The rounding errors of the textbook's formulas in `f64` are also
-//!   allowed, so that no right program is called wrong, even at large distances;
-//! - a pixel of a picture: each channel within [`LEVELS_TOLERANCE`] levels of 255, compared with the
-//!   shading that fits best; at an edge, the colours of both sides are right.
+//! - a hit: it must be the exact hit for objects that are larger or smaller by at most the tolerance
+//!   times their distance from the eye. For a head-on hit, this is the tolerance relative to t. If a
+//!   ray grazes an object, the error of t may be larger; at the very edge of a sphere, a hit, a miss,
+//!   and the object behind are all right. The rounding errors of the textbook's formulas in `f64` are
+//!   also allowed, so that no right program is called wrong, even at large distances;
+//! - a pixel of a picture: each channel within [`LEVELS_TOLERANCE`] levels (steps of an 8-bit channel)
+//!   of the picture in the shading that fits best; at an edge, the colours of both sides are right.
 //!
 //! Numbers written with fewer digits are allowed an additional error of half a unit in their last digit
 //! ([`Written::rounding`]). With a tolerance below the default, this allowance shrinks in proportion,
-//! because whoever asks for more precision expects more digits.
+//! because a stricter tolerance requires more digits.
 
 mod answers;
 mod diagnosis;
@@ -45,8 +45,8 @@ pub use self::grade::{AnswerValue, Grade, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, 
 pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 
-/// Grades answers within a tolerance, which is a relative error or, for a picture, levels of 255. If it
-/// is `None`, the default for the kind of answers is used.
+/// Grades answers. `tolerance` is the maximum relative error or, for a picture, the maximum error in
+/// levels (steps of an 8-bit channel). If it is `None`, the default for the kind of answers is used.
 ///
 /// ```
 /// use pinhole_lecture::grading::*;
@@ -65,9 +65,9 @@ use self::grader::Grader;
 /// ```
 ///
 /// # Errors
-/// Returns the reason if the camera sees nothing, if there is no answer, or if the tolerance is
-/// negative or NaN. Also returns a reason if a picture does not have as many pixels as the camera's
-/// image, or if the t of a true hit is too large or too small to have all digits of an `f64`.
+/// Returns the reason, as a sentence, if the camera is invalid, if there is no answer, or if the
+/// tolerance is negative or NaN. Also returns a reason if a picture does not have as many pixels as the
+/// camera's image, or if the t of a true hit is too large or too small to have all digits of an `f64`.
 pub fn grade(truth: &Truth, answers: &Answers, tolerance: Option<f64>) -> Result<Grade, String> {
     Ok(Grader::new(truth, answers, tolerance)?.grade())
 }

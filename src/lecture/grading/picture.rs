@@ -12,20 +12,22 @@ use super::first_hits::{FirstHits, normal_at, work};
 use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
-/// A picture that is assumed to have a certain shading.
+/// A student's picture that is compared under the assumption that it has a certain shading.
 pub(super) struct Picture<'a> {
     pub(super) pixels: &'a [Rgb],
     pub(super) scene: &'a Scene,
     pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     pub(super) shade: Shade,
-    /// Index of the brightest grey pixel, which shows the nearest hit in a picture shaded by t.
+    /// Index of the brightest grey pixel, which is the pixel of the nearest hit if the picture is
+    /// shaded by t; `None` if no pixel is grey.
     pub(super) brightest: Option<usize>,
     /// The right picture.
     pub(super) right: &'a [Rgb],
     pub(super) context: GradingContext<'a>,
 }
 
-/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the right camera.
+/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the camera of a
+/// program without mistakes.
 pub(super) fn right_pictures(
     truth: &Truth,
     given: &GivenCamera,
@@ -39,7 +41,7 @@ pub(super) fn right_pictures(
     (pictures, camera)
 }
 
-/// Returns the index of the brightest grey pixel, the first one of equals; `None` if no pixel is grey.
+/// Returns the index of the brightest grey pixel (the first of several); `None` if no pixel is grey.
 pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
     let greys = pixels.iter().enumerate().filter(|(_, [r, g, b])| r == g && g == b);
     greys.rev().max_by_key(|(_, color)| color[0]).map(|(index, _)| index)
@@ -70,7 +72,7 @@ impl Fits for Picture<'_> {
         }
         first.hits.iter().any(|hit| {
             let color = |t: f64| self.color(camera, direction, hit.object, t);
-            // Beyond the eye, the colour would be a different one.
+            // A t of the opposite sign, on the other side of the eye, would have a different colour.
             let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
             let around = [same_side(hit.least), hit.t, same_side(hit.most)];
             let [a, b, c] = around.map(color);

@@ -1,12 +1,12 @@
-//! Checks that every right camera passes, and their results for a wrong camera.
+//! Checks that every camera without mistakes passes, and their results for a wrong camera.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
 
 use super::wrong_camera::WrongCamera;
 
-/// Defines the checks. Each has the quantity that it examines, as a formula, and the meaning of passing
-/// it.
+/// Defines the checks. Each has a formula for the quantity that it examines, and a text that says which
+/// property a camera has that passes the check.
 macro_rules! checks {
     ($($(#[$doc:meta])* $name:ident: $formula:literal, $meaning:literal;)*) => {
         /// A property that every right camera has.
@@ -20,7 +20,7 @@ macro_rules! checks {
             /// All checks.
             pub const ALL: &'static [Check] = &[$(Check::$name,)*];
 
-            /// Returns the quantity that the check examines, as a formula.
+            /// Returns a formula for the quantity that the check examines.
             pub fn formula(self) -> &'static str {
                 match self {
                     $(Check::$name => $formula,)*
@@ -65,7 +65,8 @@ checks! {
     /// `v . up / |up| > 0`.
     UpIsUp: "𝐯 · up / |up|",
         "𝐯 is on up's side, so up is up in the image";
-    /// `-direction . w = distance` for the middle ray, so that the viewport is at t = 1.
+    /// `-direction . w = distance` for the ray through the middle of the image, so that the viewport is
+    /// at t = 1.
     ViewportAtDistance: "−𝐝 · 𝐰, middle ray",
         "t = 1 is the viewport, at its distance";
     /// (u, v) of pixel (0, 0) is to the left of the middle and above it.
@@ -77,7 +78,7 @@ checks! {
     /// From one row to the next, (u, v) changes by `(0, -height/H)`.
     StepDown: "next row, step of (𝑢, 𝑣)",
         "rows go down, by height/𝐻";
-    /// The mean (u, v) of the four corner pixels is (0, 0): they lie evenly around the middle.
+    /// The mean (u, v) of the four corner pixels is (0, 0): they lie symmetrically around the middle.
     CornersBalance: "four corners, mean (𝑢, 𝑣)",
         "pixels lie evenly around the middle: their centres are taken";
 }
@@ -110,7 +111,8 @@ pub enum Wanted {
 pub struct Checked {
     /// The check.
     pub check: Check,
-    /// The camera's value; exactly 0 if it differs from 0 only by rounding errors.
+    /// The value of the checked quantity for this camera; exactly 0 if it differs from 0 only by
+    /// rounding errors.
     pub value: Value,
     /// The values with which the check passes.
     pub wanted: Wanted,
@@ -188,7 +190,8 @@ fn equal(x: f64) -> Wanted {
     Wanted::Equal(Value::Number(x))
 }
 
-/// Returns `a . b`, or 0 if it is only a rounding error, whatever the lengths of the vectors.
+/// Returns `a . b`, or exactly 0 if the vectors are perpendicular up to rounding errors, whatever their
+/// lengths.
 fn dot(a: DVec3, b: DVec3) -> f64 {
     let cosine = unit(a).dot(unit(b));
     if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }

@@ -1,5 +1,6 @@
-//! The classic mistakes: the wrong camera and picture that result from each, and the checks that
-//! find it. A mistake is a change to the pipeline of a student's program. The right pipeline is
+//! The classic mistakes: the wrong camera and picture that result from each, and the checks that find
+//! it. A mistake is a change to the pipeline of a student's program, the sequence of its calculations.
+//! The right pipeline is
 //!
 //! ```text
 //! w = -view/|view|    u = up x w / |up x w|    v = w x u

@@ -1,25 +1,28 @@
-//! A student's program as a set of choices, and the rays that it generates. A mistake changes one or
-//! more of the choices.
+//! A model of a student's program (its pipeline), and the rays that it generates. The model consists of
+//! choices, such as the vector that is used as w; a mistake changes one or more of them.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
-/// The choices between the numbers of a camera and a hit. [`Pipeline::RIGHT`] is the lecture's own
-/// pipeline.
+/// The choices that a program makes on the way from a camera's numbers to a hit. [`Pipeline::RIGHT`]
+/// makes the right ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pipeline {
     pub(crate) basis: BasisChoices,
     pub(crate) distance: Distance,
     /// True if the direction leads from the viewport back to the eye.
     pub(crate) reversed: bool,
-    /// True if the viewport's point itself is used as the direction, so that it contains the eye.
+    /// True if the position of the viewport's point is used as the direction, without subtracting the
+    /// eye.
     pub(crate) eye_added: bool,
-    /// The offsets that are added to column and row. 0.5 leads to the pixel's centre.
+    /// The offsets that are added to the column and the row for the point through which a pixel's ray
+    /// passes; 0.5 for the pixel's centre.
     pub(crate) in_pixel: [f64; 2],
     /// True if columns and rows are divided by `W - 1` and `H - 1`, so that the first pixel's ray
     /// passes through one edge of the viewport and the last pixel's through the other.
     pub(crate) edge_to_edge: bool,
-    /// True if rows and columns are counted from 1, so that the last ones are H and W.
+    /// True if rows and columns are counted from 1, so that the last row is H and the last column W,
+    /// the image's size.
     pub(crate) from_one: bool,
     pub(crate) rows: Rows,
     pub(crate) swap: Swap,
@@ -89,11 +92,11 @@ pub(crate) enum Rows {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Swap {
     No,
-    /// `i / W` is used for u, and `j / H` for v.
+    /// Row i and column j are exchanged: `i / W` is used for u, and `j / H` for v.
     Indices,
-    /// `i / H` is used for u, and `j / W` for v.
+    /// The fractions of row i and column j are exchanged: `i / H` is used for u, and `j / W` for v.
     Shares,
-    /// `j / H` is used for u, and `i / W` for v.
+    /// The image's height and width are exchanged: `j / H` is used for u, and `i / W` for v.
     Counts,
 }
 
@@ -103,11 +106,11 @@ pub(crate) enum Extent {
     Right,
     WidthForHeight,
     HeightForWidth,
-    /// Both are 1, if the width and the height differ.
+    /// 1 is used for both, if the width and the height differ.
     Ones,
-    /// The width is calculated from the height and the image's W / H.
+    /// The width is calculated from the height and the image's aspect ratio, W / H.
     WidthByImage,
-    /// The height is calculated from the width and the image's H / W.
+    /// The height is calculated from the width and the image's aspect ratio, W / H.
     HeightByImage,
     /// The height is used as the width, and the width as the height.
     Swapped,
@@ -115,8 +118,9 @@ pub(crate) enum Extent {
     Twice,
 }
 
-/// The solution `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with `b = d .
-/// (p - center)` and `c = |p - center|^2 - r^2`.
+/// A right or wrong formula for the t at which a ray `p + t d` meets a sphere, `t = (-numerator b -+
+/// sqrt(square b^2 - product a c)) / (denominator a)`, with `a = d . d`, `b = d . (p - center)` and `c
+/// = |p - center|^2 - r^2`. It is right if all four factors are 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quadratic {
     numerator: f64,
@@ -141,7 +145,7 @@ pub(crate) enum Offset {
     OriginLeftOut,
 }
 
-/// The number that is used as the root of the discriminant.
+/// The number that is used as the square root of the discriminant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SquareRoot {
     Right,
@@ -158,7 +162,7 @@ pub(crate) enum WhichRoot {
     Far,
     /// The largest root of all objects.
     Farthest,
-    /// A root of the last object in the scene that is hit at all.
+    /// The root of that object, of those that the ray hits, that comes last in the scene.
     Last,
     /// The root of the object whose hit is farthest away.
     FarthestObject,
@@ -168,9 +172,9 @@ pub(crate) enum WhichRoot {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Sign {
     Positive,
-    /// All; the smallest is the first hit.
+    /// All values; the smallest one counts as the first hit.
     Any,
-    /// All; the one with the smallest magnitude is the first hit.
+    /// All values; the one with the smallest magnitude counts as the first hit.
     Nearest,
 }
 
@@ -198,13 +202,14 @@ impl BasisChoices {
         up_as_v: UpAsV::No,
     };
 
-    /// Omits the normalization of w, of u, or of both. v is calculated from them and, if `v_unit` is
-    /// true, normalized.
+    /// Omits the normalization of w if `w` is true, and that of u if `u` is true. v is calculated from
+    /// these vectors and, if `v_unit` is true, normalized.
     pub(crate) fn set_raw(&mut self, w: bool, u: bool, v_unit: bool) {
         (self.w_raw, self.u_raw, self.v_unit) = (w, u, v_unit);
     }
 
-    /// Exchanges the factors of both cross products. Doing so twice restores them.
+    /// Exchanges the factors of both cross products, those for u and for v. A second call restores
+    /// them.
     pub(crate) fn swap_both(&mut self) {
         self.u_swapped ^= true;
         self.v_swapped ^= true;
@@ -244,8 +249,8 @@ impl Quadratic {
         *self == Quadratic::RIGHT
     }
 
-    /// Returns true if the discriminant is the right one or a multiple of it, so that exactly those
-    /// spheres are hit that the line meets.
+    /// Returns true if the discriminant is the right one or a multiple of it, so that the formula has
+    /// roots exactly for those spheres that the ray's line meets.
     pub(crate) fn meets_what_is_met(&self) -> bool {
         let Quadratic { square, product, a_left_out, offset, radius_unsquared, .. } = *self;
         square == product && !a_left_out && offset == Offset::Right && !radius_unsquared
@@ -270,7 +275,8 @@ impl Quadratic {
         if self.a_left_out { 1.0 } else { a }
     }
 
-    /// Returns the t at which both roots would coincide. `a` is the result of [`Quadratic::a`].
+    /// Returns the t of both roots for a discriminant of 0, which is midway between them otherwise. `a`
+    /// is the result of [`Quadratic::a`].
     pub(crate) fn vertex(&self, a: f64, b: f64) -> f64 {
         -self.numerator * b / (self.denominator * a)
     }
@@ -311,8 +317,8 @@ impl Pipeline {
         objects_from_one: false,
     };
 
-    /// Returns the direction through a point (u, v) of the viewport at this distance, for these vectors
-    /// u, v and w.
+    /// Returns the direction of the ray through the point `uv` of the viewport, for these vectors u, v
+    /// and w, and this distance of the viewport.
     pub(crate) fn direction(&self, [u, v, w]: [DVec3; 3], distance: f64, uv: DVec2) -> DVec3 {
         let direction = uv.x * u + uv.y * v - self.distance.taken_for(distance) * w;
         if self.reversed { -direction } else { direction }
@@ -324,13 +330,15 @@ impl Pipeline {
         self
     }
 
-    /// Moves the point at which the rays pass through a pixel, in pixels to the right and down.
+    /// Moves the point at which each ray passes through its pixel by this many pixels to the right and
+    /// down.
     pub(crate) fn move_in_pixel(&mut self, across: f64, down: f64) {
         self.in_pixel[0] += across;
         self.in_pixel[1] += down;
     }
 
-    /// Uses `j - 0.5`, with rows and columns counted from 1, so that the last ones are H and W.
+    /// Counts rows and columns from 1, up to H and W, and uses `j - 0.5` for column j, so that the
+    /// pixels' centres are right.
     pub(crate) fn count_pixels_from_one(&mut self) {
         self.move_in_pixel(-1.0, -1.0);
         self.from_one = true;
@@ -348,22 +356,23 @@ impl Pipeline {
     }
 }
 
-/// A right camera, with the values from which wrong pipelines calculate their cameras.
+/// A camera without mistakes, with the values from which pipelines with mistakes calculate theirs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GivenCamera {
     pub(crate) resolved: ResolvedCamera,
     pub(crate) view: DVec3,
     pub(crate) up: DVec3,
-    /// `|up/|up| x w|` for the right w, which does not depend on the length of up.
+    /// `|up/|up| x w|` for the right w: the sine of the angle between up and w.
     sine: f64,
     /// True if u, v and w are set by hand, so that no mistake is possible in calculating them.
     pub(crate) by_hand: bool,
-    /// Bound on the relative error of a direction, as a number of roundings.
+    /// Bound on the relative error of a ray's direction, as a multiple of the rounding error of one
+    /// operation.
     roundings: f64,
 }
 
-/// A number far above that of the roundings between the numbers of a camera and those of a ray, each of
-/// which is at most one unit in the last place.
+/// Upper bound, with a large margin, of the number of roundings on the way from a camera's numbers to a
+/// ray's direction. Each rounding changes a number by at most one unit in the last place.
 const ROUNDINGS: f64 = 16.0;
 
 impl GivenCamera {
@@ -413,8 +422,8 @@ impl GivenCamera {
         }
     }
 
-    /// Returns the factors by which u, v and w are multiples of the right vectors. Calculated in this
-    /// way, no digits are lost if up is close to the view.
+    /// Returns the factors by which the pipeline's u, v and w are multiples of the right vectors.
+    /// Multiplying the right vectors by them loses no digits, even if up is close to the view.
     fn factors(&self, pipeline: &Pipeline) -> DVec3 {
         if self.by_hand {
             return DVec3::ONE;
@@ -466,9 +475,9 @@ pub(crate) struct PipelineCamera {
     count: [f64; 2],
     /// The spacing of the pipeline's number format at 1.
     pub(crate) epsilon: f64,
-    /// Bound on the relative error of a direction that is due to rounding.
+    /// Bound on the relative error of a ray's direction that is due to rounding.
     pub(crate) off: f64,
-    /// The t that is white in a picture shaded by t, if it is known.
+    /// The t of the nearest hit, which is white in a picture shaded by t; `None` if it is not known.
     pub(crate) nearest: Option<f64>,
 }
 

@@ -1,4 +1,5 @@
-//! The table of mistakes: the name of each, the texts about it, and its variants.
+//! The table of mistakes: each mistake's name, the texts about it, and its variants (the different ways
+//! in which students make it).
 
 use std::fmt;
 
@@ -7,8 +8,8 @@ use super::pipeline::{
     WhichRoot,
 };
 
-/// Defines the structure of an entry in the table, with the texts about a mistake. A text that is not
-/// needed is empty.
+/// Defines the structure of an entry in the table, and a method of [`Mistake`] for each of its texts. A
+/// text that is not needed is empty.
 macro_rules! entry {
     ($($(#[$doc:meta])* $field:ident,)*) => {
         struct Entry {
@@ -35,16 +36,18 @@ macro_rules! entry {
 entry! {
     /// A few words for the gallery's list.
     name,
-    /// The wrong formula and the right one, for the gallery.
+    /// The wrong formula and the right one, for the gallery (the window's list of mistakes whose
+    /// pictures can be shown).
     formula,
     /// The effect of the mistake on the picture, for the gallery.
     shows,
-    /// A change to the scene that makes the mistake visible, for the gallery to suggest when it is not.
+    /// A change to the scene that makes the mistake visible, which the gallery suggests if the mistake
+    /// does not show.
     hint,
-    /// One sentence that says where to look in a program that makes the mistake.
+    /// One sentence of advice for the author of a program that makes the mistake: where to look.
     advice,
-    /// One sentence that says what is wrong with an exercise's answer due to the mistake, and where to
-    /// look.
+    /// One sentence of feedback on an exercise's answer to which the mistake leads: what is wrong with
+    /// it, and where to look.
     exercise_feedback,
 }
 
@@ -56,10 +59,9 @@ macro_rules! mistakes {
         {$($(#[$doc:meta])* $name:ident $id:literal { $($field:ident: $value:expr,)* })*}
         {$($answer_name:ident $answer_id:literal: $feedback:literal,)*}
     ) => {
-        /// A classic mistake in the calculation of a ray, at any stage from the camera's basis to the
-        /// hit.
+        /// A classic mistake in ray tracing, at any stage from the camera's basis to the hit.
         ///
-        /// The order is that in which a graded program is checked for the mistakes.
+        /// The variants are in the order in which a student's answers are checked for the mistakes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Mistake {
@@ -73,8 +75,8 @@ macro_rules! mistakes {
             pub const ALL: &'static [Mistake] =
                 &[$(Mistake::$graded,)* $(Mistake::$name,)* $(Mistake::$answer_name,)*];
 
-            /// The mistakes for which a graded program is checked, alone and in pairs, in the order in
-            /// which they are checked and named.
+            /// The mistakes for which a student's answers are checked both alone and in pairs, in the
+            /// order in which they are checked and named.
             pub const GRADED: &'static [Mistake] = &[$(Mistake::$graded,)*];
 
             #[expect(clippy::needless_update, reason = "one mistake has all of an entry")]
@@ -98,7 +100,8 @@ macro_rules! mistakes {
 mistakes! {
 // A graded program is checked for these mistakes.
 {
-    /// `w = normalize(view)`, as the lecture prints it, or `normalize(at - eye)`.
+    /// w points forwards: `w = normalize(view)`, as the lecture's slide has it, or `normalize(at -
+    /// eye)`.
     WAsPrinted "w-as-printed" {
         name: "𝐰 without the minus",
         formula: "𝐰 ← normalize(view). Right: 𝐰 ← −normalize(view).",
@@ -169,8 +172,8 @@ mistakes! {
         ways: &[|p| p.distance = Distance::One, |p| p.distance = Distance::LeftOut],
     }
 
-    /// The ray passes through the pixel's corner instead of its centre, or the centres are spread from
-    /// edge to edge.
+    /// The ray passes through the pixel's corner instead of its centre, or columns and rows are divided
+    /// by `W - 1` and `H - 1`, so that the outermost rays pass through the viewport's edges.
     PixelCorner "pixel-corner" {
         name: "corner instead of centre",
         formula: "𝑢 ← width (𝑗/𝑊 − ½), 𝑣 ← height (½ − 𝑖/𝐻). Right: 𝑗 + ½ and 𝑖 + ½.",
@@ -267,7 +270,8 @@ mistakes! {
         ways: &[|p| p.single = true],
     }
 
-    /// `b = 2 d . (p - center)` and half of it are confused in the quadratic formula.
+    /// `b = 2 d . (p - center)` is used in a quadratic formula that expects half of it, or half of it
+    /// in one that expects b.
     BForHalfB "b-for-half-b" {
         advice: "Look at b in the quadratic formula: with b = d . (p - center) it is (-b - \
                  sqrt(b^2 - ac))/a, with twice that (-b - sqrt(b^2 - 4ac))/(2a).",
@@ -298,7 +302,8 @@ mistakes! {
         ways: &[|p| p.sign = Sign::Any, |p| p.sign = Sign::Nearest],
     }
 
-    /// The distance along the ray is reported as t, or t is used as a distance.
+    /// The distance in the world is reported as t (a multiple of the direction's length), or t is used
+    /// as a distance.
     TForDistance "t-for-distance" {
         advice: "Look at what t counts: t is in lengths of d, which is not normalized, and the \
                  distance along the ray is t |d|.",
@@ -323,7 +328,8 @@ mistakes! {
 // These mistakes occur in the gallery or in an answer. A graded program is checked for some of them,
 // each alone.
 {
-    /// `w = normalize(at - eye)`: the same as [`Mistake::WAsPrinted`], for a camera given by points.
+    /// `w = normalize(at - eye)`: the same as [`Mistake::WAsPrinted`], for a camera that is given by
+    /// eye and at.
     WIsAtMinusEye "w-is-at-minus-eye" {
         name: "𝐰 from at − eye",
         formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
@@ -333,7 +339,7 @@ mistakes! {
         ways: &[|p| p.basis.w_forwards = true],
     }
 
-    /// `w = -view` is not normalized; therefore v is not either.
+    /// `w = -view` is not normalized, so that v does not have length 1 either.
     WNotNormalized "w-not-normalized" {
         name: "𝐰 not normalized",
         formula: "𝐰 ← −view, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐰 ← −normalize(view).",
@@ -447,7 +453,7 @@ mistakes! {
         ways: &[|p| p.quadratic.radius_unsquared = true],
     }
 
-    /// `-b/a` is used as t, or the discriminant is used instead of its root.
+    /// `-b/a` is used as t, or the discriminant is used in place of its square root.
     RootLeftOut "root-left-out" {
         advice: "Look for a square root that is missing: t = (-b - sqrt(D))/a, with D = b^2 - ac.",
         exercise_feedback: "The root of 𝐷 is left out: this is where the ray is closest to the \
@@ -472,7 +478,7 @@ mistakes! {
         ways: &[|p| p.extent = Extent::Half, |p| p.extent = Extent::Twice],
     }
 
-    /// `direction = point`, so that the direction contains the eye.
+    /// The direction is the position of the viewport's point, from which the eye was not subtracted.
     EyeInDirection "eye-in-direction" {
         advice: "Look at the direction: it leads from the eye to the point on the viewport, d = \
                  point - eye, and here the eye is in it.",
@@ -542,7 +548,8 @@ mistakes! {
 }
 
 impl Mistake {
-    /// The mistakes whose wrong camera can be shown, in the order of the gallery.
+    /// The mistakes in the window's gallery, those whose wrong camera can be shown, in the order of its
+    /// list.
     pub const GALLERY: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::WIsAtMinusEye,
@@ -560,8 +567,8 @@ impl Mistake {
         Mistake::AspectDropped,
     ];
 
-    /// The mistakes for which a graded program is checked after those of [`Mistake::GRADED`], each
-    /// alone.
+    /// The mistakes for which a student's answers are checked after those of [`Mistake::GRADED`], but
+    /// only alone, not in pairs.
     pub const ALONE: &'static [Mistake] = &[
         Mistake::SignOfB,
         Mistake::CenterLeftOut,
@@ -584,23 +591,25 @@ impl Mistake {
         Mistake::GALLERY.contains(&self)
     }
 
-    /// Returns the right pipeline with the most common variant of this mistake.
+    /// Returns the pipeline whose only mistake is this one, in its most common variant.
     pub(crate) fn usual(self) -> Pipeline {
         self.pipelines().next().unwrap_or(Pipeline::RIGHT)
     }
 
-    /// Returns the right pipeline with each variant of this mistake, the most common first.
+    /// Returns pipelines whose only mistake is this one, one for each of its variants, the most common
+    /// first.
     pub(crate) fn pipelines(self) -> impl Iterator<Item = Pipeline> {
         self.pipelines_from(Pipeline::RIGHT)
     }
 
-    /// Returns a given pipeline with each variant of this mistake, the most common first.
+    /// Returns copies of a pipeline, each with one variant of this mistake added, the most common
+    /// first.
     pub(crate) fn pipelines_from(self, pipeline: Pipeline) -> impl Iterator<Item = Pipeline> {
         self.entry().ways.iter().map(move |way| pipeline.with(*way))
     }
 
-    /// Returns true if the text about `other` covers this mistake: either `other` includes it, or
-    /// `other` is an effect of it.
+    /// Returns true if `other` includes this mistake or is an effect of it, so that `other` need not be
+    /// named next to it.
     pub fn is_part_of(self, other: Mistake) -> bool {
         matches!(
             (self, other),

@@ -15,19 +15,18 @@ pub struct WrongCamera {
     pub(super) made: PipelineCamera,
 }
 
-/// Minimum relative difference between the numbers of a wrong camera and the right ones. A mistake in a
-/// sign or an order changes the numbers by about their own size. A length that differs from 1 only by
-/// rounding does so by at most 1e-15, and a difference below this minimum changes no pixel of any
-/// image.
+/// Relative difference from which the numbers of a camera count as wrong. A mistake in a sign or an
+/// order of factors changes the numbers by about their own size. A length that differs from 1 only by
+/// rounding does so by at most 1e-15, and a difference below this limit changes no pixel of any image.
 const DIFFERENT: f64 = 1e-12;
 
 impl WrongCamera {
-    /// Creates a copy of `camera` that makes `mistake`, one of [`Mistake::GALLERY`], in its most common
-    /// variant.
+    /// Creates the wrong camera that a program calculates from `camera` if it makes `mistake`, one of
+    /// [`Mistake::GALLERY`], in its most common variant.
     ///
     /// # Errors
-    /// Returns the reason, as a sentence, if the camera sees nothing, or if the mistake does not apply
-    /// to it or has no effect.
+    /// Returns the reason, as a sentence, if the camera is invalid, or if the mistake does not apply to
+    /// it or has no effect.
     pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, String> {
         let right = WrongCamera::right(camera).map_err(|error| error.to_string())?;
         let pipeline = mistake.usual();
@@ -51,10 +50,11 @@ impl WrongCamera {
         Ok(wrong)
     }
 
-    /// Creates a camera without mistakes, so that it can be checked in the same way as a wrong one.
+    /// Creates the camera that a program without mistakes calculates, which can be checked in the same
+    /// way as a wrong one.
     ///
     /// # Errors
-    /// Returns an error if the camera sees nothing.
+    /// Returns an error if the camera is invalid.
     pub fn right(camera: &Camera) -> Result<WrongCamera, CameraError> {
         let given = GivenCamera::new(camera)?;
         Ok(WrongCamera { made: given.camera_of(Pipeline::RIGHT), given })
@@ -150,8 +150,8 @@ fn is_near(a: DVec3, b: DVec3) -> bool {
     (a - b).length() <= DIFFERENT * length(b)
 }
 
-/// Returns the corner pixels. Since directions are linear in row and column, they determine the
-/// directions of all pixels.
+/// Returns the image's four corner pixels. If a camera's directions are right there, they are right
+/// everywhere, because they are linear in row and column.
 fn corners(image: ImageSize) -> [Pixel; 4] {
     let (last_row, last_column) = (image.height() - 1, image.width() - 1);
     [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]

@@ -1,8 +1,10 @@
-//! The pictures of wrong cameras, and votes on which mistake was made in a picture.
+//! The pictures of wrong cameras, and votes (quiz questions for an audience) on which mistake was made
+//! in a picture.
 //!
-//! The rays of a wrong camera are also those of a right camera whose viewport is mirrored, scaled,
-//! shifted by a fraction of a pixel, or facing backwards. With this stand-in camera, the tracer draws
-//! the picture as fast as any other. If up is used as v, each row has its own stand-in.
+//! The rays of a wrong camera are also those of a valid camera whose viewport is mirrored, scaled,
+//! shifted by a fraction of a pixel, or facing backwards. The tracer draws this stand-in camera as fast
+//! as any other, and its pixels are then moved to where the wrong camera shows them. If up is used as
+//! v, each row has a stand-in camera of its own.
 
 use pinhole_core::{
     BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageSize, NO_OBJECT,
@@ -29,12 +31,13 @@ pub struct WrongPicture {
     pub object: Vec<u32>,
 }
 
-/// The positions of a wrong camera's columns (or rows) in the image of the stand-in camera.
+/// The positions of a wrong camera's columns (or rows) in the image of its stand-in, the valid camera
+/// that has the same rays.
 struct StandInAxis {
-    /// Number of the stand-in's pixels along this axis, chosen so that it contains all positions. If
-    /// rows are used as columns, it can be almost three times the image's number.
+    /// Number of the stand-in's pixels along this axis, large enough to contain all positions. If rows
+    /// are used as columns, it can be almost three times that of the image.
     count: u32,
-    /// Size of the stand-in's viewport along this axis, with pixels of the same size.
+    /// Size of the stand-in's viewport along this axis; its pixels are as large as the wrong camera's.
     extent: f64,
     /// The positions, ascending and without repetition.
     sorted: Vec<u32>,
@@ -42,9 +45,9 @@ struct StandInAxis {
 }
 
 impl StandInAxis {
-    /// Creates the axis. `indices` are the wrong camera's pixels, ascending. `pixels` is the number of
-    /// pixels into which the right camera divides `extent`. `half` is the offset that is added to an
-    /// index.
+    /// Creates the axis. `indices` are the columns (or rows) of the wrong camera, in ascending order,
+    /// and `pixels` is the number of pixels into which it divides `extent`. `half` is the offset that
+    /// it adds to an index: 0.5 for the pixel's centre, 0 for its edge.
     fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> StandInAxis {
         // The shift is one pixel for an offset of zero. `beyond` leaves space for indices beyond the
         // last pixel.
@@ -61,14 +64,15 @@ impl StandInAxis {
         StandInAxis { count, extent, sorted, is_reversed }
     }
 
-    /// Returns the position of the index number `k` in `sorted`.
+    /// Returns the index in `sorted` of the position of the wrong camera's `k`th column (or row).
     fn at(&self, k: usize) -> usize {
         if self.is_reversed { self.sorted.len() - 1 - k } else { k }
     }
 }
 
 impl WrongPicture {
-    /// Traces the pixels of `raster`, which must be a raster of the camera's image.
+    /// Traces the wrong camera's picture, only in the pixels of `raster`, which must be a raster of the
+    /// camera's image.
     ///
     /// # Errors
     /// Returns an error if the wrong camera's numbers do not form a camera.
@@ -119,8 +123,9 @@ impl WrongPicture {
         Ok(picture)
     }
 
-    /// Copies the pixels of a frame to their positions in the wrong camera's picture, for the lines
-    /// `ks` along v. Line k is row `row_of(k)` of the frame.
+    /// Copies the pixels of the stand-in's frame to their positions in the wrong camera's picture, for
+    /// the lines of pixels `ks`. Line k is row `row_of(k)` of the frame; it is a row of the picture or,
+    /// if rows and columns are exchanged, a column.
     fn take(
         &mut self,
         frame: &Frame<f32>,
@@ -140,7 +145,8 @@ impl WrongPicture {
         }
     }
 
-    /// Returns the colours, row by row, calculated in the same way as for a right camera.
+    /// Returns the picture's colours, row by row, calculated in the same way as for a camera without
+    /// mistakes.
     pub fn shaded<P: Clone + Send + Sync>(
         &self,
         scene: &Scene,
@@ -169,7 +175,8 @@ impl WrongPicture {
 }
 
 impl WrongCamera {
-    /// Returns the right camera whose rays are those of this camera, but in other pixels.
+    /// Returns the stand-in: the valid camera that has the same rays as this wrong one, but in other
+    /// pixels.
     fn stand_in(
         &self,
         columns: &StandInAxis,
@@ -186,8 +193,8 @@ impl WrongCamera {
         self.resolve(basis, viewport, [columns.count, rows.count])
     }
 
-    /// Returns the right camera whose rays are those of one row of this camera. `upward` is `v*V` of
-    /// that row.
+    /// Returns the stand-in for one row: the valid camera whose only row has the same rays as that row
+    /// of this wrong camera. `upward` is the row's term `v*V` in the direction.
     fn row_camera(
         &self,
         upward: DVec3,
@@ -225,12 +232,12 @@ pub(super) fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &R
     trace_as::<f32>(scene, resolved, raster, outputs).object
 }
 
-/// A wrong camera and its comparison with the right one.
+/// A wrong camera, and the results of comparing it with the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedCamera {
     /// The mistake that was made.
     pub mistake: Mistake,
-    /// The camera that results from the mistake, or the reason why there is none.
+    /// The camera that results from the mistake, or the reason why there is none, as a sentence.
     pub camera: Result<WrongCamera, String>,
     /// The results of all checks for the right camera.
     pub right_checks: Vec<Checked>,
@@ -247,12 +254,12 @@ pub struct ComparedCamera {
 pub struct ComparedPixels {
     /// The number of pixels that are compared.
     pub pixels: usize,
-    /// The number of pixels that show different objects, including those where only one camera sees an
-    /// object.
+    /// The number of pixels in which the two pictures show different objects, including those in which
+    /// only one picture shows an object.
     pub differing: usize,
 }
 
-/// A wrong camera's picture, and the objects that the two cameras see in each pixel.
+/// A wrong camera's picture, and the objects that the wrong and the right camera see in each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedPicture<P> {
     /// The colours of the wrong picture, row by row.
@@ -264,7 +271,8 @@ pub struct ComparedPicture<P> {
 }
 
 impl ComparedCamera {
-    /// Compares a wrong camera with the right one: its numbers and, if it has a picture, its picture.
+    /// Makes a mistake in a camera, and compares the resulting camera with the right one: its numbers
+    /// and, if it has a picture, the picture.
     pub fn new<P: Clone + Send + Sync>(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -310,7 +318,8 @@ const DIFFERS_FROM: usize = 100;
 /// Maximum number of options in a vote.
 const OPTIONS: usize = 4;
 
-/// A question that shows a wrong picture and asks which mistake was made.
+/// A multiple-choice question for an audience, which shows a wrong picture and asks which mistake was
+/// made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Vote {
     /// The mistakes to choose from: at least two, whose pictures all differ from each other.
@@ -320,9 +329,9 @@ pub struct Vote {
 }
 
 impl Vote {
-    /// Creates the vote for this seed. The same camera, scene and seed give the same vote, and
-    /// consecutive seeds give different mistakes. Returns `None` if the scene does not show two
-    /// mistakes that can be distinguished.
+    /// Creates the question for this seed. The same camera, scene and seed give the same question, and
+    /// consecutive seeds give different mistakes. Returns `None` if there are no two mistakes that can
+    /// be distinguished by their pictures of this scene.
     pub fn new(
         camera: &Camera,
         resolved: &ResolvedCamera,
@@ -384,7 +393,7 @@ fn count_differing(a: &[u32], b: &[u32]) -> usize {
     a.iter().zip(b).filter(|(a, b)| a != b).count()
 }
 
-/// The random number generator SplitMix64, which consists of its state: Steele, Lea, Flood, "Fast
+/// The random number generator SplitMix64, stored as its 64-bit state: Steele, Lea, Flood, "Fast
 /// splittable pseudorandom number generators", OOPSLA 2014.
 pub(crate) struct SplitMix64(pub(crate) u64);
 
@@ -398,7 +407,8 @@ impl SplitMix64 {
     }
 }
 
-/// Shuffles the items (Fisher and Yates). The order depends only on the seed.
+/// Shuffles the items by the algorithm of Fisher and Yates. The resulting order depends only on the
+/// seed.
 fn shuffle<T>(items: &mut [T], seed: u64) {
     let mut random = SplitMix64(seed);
     for k in (1..items.len()).rev() {

@@ -85,7 +85,8 @@ fn its_parts_for_typesetting() {
     assert_eq!([1.0 / 3.0, 0.5_f64.sqrt()].map(decimals), [None; 2]);
 }
 
-/// Tests every number of the lecture's scenes, with 4 ulps of noise in both directions.
+/// Tests that the numbers of the lecture's scenes are recognised even if they are off by 4 ulps in
+/// either direction.
 #[test]
 fn the_lecture_s_numbers_are_recognised_through_noise() {
     let (s, root) = (0.5_f64.sqrt(), f64::sqrt);
@@ -111,7 +112,8 @@ fn the_lecture_s_numbers_are_recognised_through_noise() {
 proptest! {
     #![proptest_config(config(2000))]
 
-    /// Tests n sqrt k / m for all small n, k and m.
+    /// Tests that numbers `n sqrt k / m` with small n, k and m are recognised even if they are off by a
+    /// few ulps.
     #[test]
     fn small_forms_are_recognised_through_noise(
         n in 1..40_i64, k in 1..25_u64, m in 1..25_u64, noise in -4..=4_i64, negative in any::<bool>(),
@@ -132,7 +134,7 @@ proptest! {
         prop_assert!(!form.is_root_below || m == 1);
     }
 
-    /// Tests vectors of whole numbers scaled to length 1, as in a basis.
+    /// Tests vectors with integer coordinates, scaled to length 1 as in a basis.
     #[test]
     fn unit_vectors_of_whole_directions_are_recognised(
         x in -60..=60_i64, y in -60..=60_i64, z in -60..=60_i64, noise in prop::array::uniform3(-4..=4_i64),
@@ -153,7 +155,8 @@ proptest! {
     }
 }
 
-/// Numbers with random digits have no form. The probability of a form is 3e-9 per number.
+/// Numbers with random digits are not recognised. Each one would be by chance with a probability of
+/// 3e-9.
 #[test]
 fn random_numbers_are_not_recognised() {
     let mut numbers = Numbers(2024);
@@ -207,7 +210,8 @@ fn vectors_of_the_lecture() {
     assert_eq!(form.entries().map(|entry| entry.to_string()), ["5/√74", "0", "−7/√74"]);
 }
 
-/// Tests the way from a camera to the forms, with the rounding errors that occur on it.
+/// Tests the forms of vectors that are derived from a camera, with the rounding errors that occur on
+/// the way.
 #[test]
 fn derived_vectors_have_their_forms() {
     let BasisDerivation::FromUp(derived) = BasisDerivation::new(&EXERCISE) else {

@@ -1,4 +1,4 @@
-//! Tests of everything that is taught, against the lecture's own numbers, the reference, and
+//! Tests of the lecture's calculations, against the lecture's own numbers, the exact reference, and
 //! students' programs.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -1,5 +1,5 @@
-//! Tests of the classic wrong cameras against numbers found by hand, and of the checks that find
-//! them.
+//! Tests of the cameras that result from classic mistakes, against numbers calculated by hand, and of
+//! the checks that find the mistakes.
 
 use std::f64::consts::FRAC_1_SQRT_2 as S;
 
@@ -16,8 +16,8 @@ fn assert_near(a: DVec3, b: DVec3) {
     assert!((a - b).length() <= 1e-14 * b.length().max(1.0), "{a} is not {b}");
 }
 
-/// Returns the camera with eye (20, 4, 10), at (-1, 0, -5), up (0, 1, 0): u = (5, 0, -7)/sqrt 74, w
-/// = (21, 4, 15)/sqrt 682.
+/// Returns the camera of the lecture's exercise, with eye (20, 4, 10), at (-1, 0, -5), up (0, 1, 0): u
+/// = (5, 0, -7)/sqrt 74, w = (21, 4, 15)/sqrt 682.
 fn exercise() -> Camera {
     let (eye, at) = (vec3(20.0, 4.0, 10.0), vec3(-1.0, 0.0, -5.0));
     Camera { eye, orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL }
@@ -29,7 +29,7 @@ fn exercise_basis() -> Basis {
     Basis { u, v: w.cross(u), w }
 }
 
-/// Returns a camera so general that every mistake shows in it.
+/// Returns a camera without special values, so that every mistake changes its numbers.
 fn general() -> Camera {
     Camera {
         eye: vec3(1.0, 2.0, 3.0),
@@ -203,7 +203,8 @@ fn balls() -> Scene {
     Scene::new(spheres, vec![floor]).unwrap()
 }
 
-/// Compares each pixel of the wrong picture with its own ray.
+/// Checks each pixel of the wrong picture against the first hit of the ray that the wrong camera has
+/// for it.
 fn assert_picture(scene: &Scene, right: &Camera, mistake: Mistake, raster: &Raster) {
     let camera = &wrong(right, mistake);
     let picture = WrongPicture::trace(scene, camera, raster).unwrap();
@@ -241,8 +242,8 @@ fn the_picture_is_what_the_wrong_rays_meet() {
     }
 }
 
-/// Rows are used as columns in a tall image, with one pixel more than the widest one: far outside
-/// of it, and wider than any image may be.
+/// The images are so wide or tall that, where a mistake exchanges rows and columns, a picture is traced
+/// as part of a far larger image, which may exceed the maximum image size.
 #[test]
 fn the_largest_images_have_wrong_pictures_too() {
     let scene = balls();

@@ -72,7 +72,7 @@ fn a_tilted_up_makes_a_parallelogram() {
     assert_eq!(derived.u, Some(DVec3::X));
 }
 
-/// Tests the step at which the derivation stops, and the reason.
+/// Tests at which step the derivation of an impossible basis stops, and with which reason.
 #[test]
 fn a_derivation_goes_as_far_as_it_can() {
     let at = vec3(1.0, 2.0, 3.0);
@@ -110,7 +110,7 @@ fn a_derivation_goes_as_far_as_it_can() {
     assert!(matches!(derived.basis, Err(BasisError::NotFinite { field: "up", .. })));
 }
 
-/// Returns `|x - truth|` in ulps of the truth, which is split into one number and a remainder.
+/// Returns `|x - truth|` in ulps at `truth`.
 fn ulps_off(x: f64, truth: &Big) -> f64 {
     let unit = near(truth).abs().max(f64::MIN_POSITIVE);
     let unit = unit.next_up() - unit;
@@ -160,7 +160,7 @@ proptest! {
         check_against_oracle(&camera, &Big3::from(at).minus(&eye.into()), up)?;
     }
 
-    /// No digits of up x w are lost by cancellation, however close up is to the view.
+    /// No digits of `up x w` are lost by cancellation, even if up is nearly parallel to the view.
     #[test]
     fn an_up_close_to_the_view_costs_no_digits(
         view in vector(-2.0..2.0), aside in vector(-2.0..2.0), power in -15.0..0.0_f64,
@@ -172,7 +172,8 @@ proptest! {
         check_against_oracle(&camera, &view.into(), up)?;
     }
 
-    /// The checks together give the same verdict as [`Basis::by_hand`].
+    /// The checks of a basis that is set by hand, taken together, accept it if and only if
+    /// [`Basis::by_hand`] does.
     #[test]
     fn the_checks_by_hand_decide_as_the_door_does(
         view in vector(-1.0..1.0), up in vector(-1.0..1.0), noise in vector(-14.0..-6.0),
@@ -196,8 +197,8 @@ proptest! {
     }
 }
 
-/// Compares with the reference on difficult bases: eye and at far from the origin, up close to the
-/// view, extreme lengths.
+/// Compares the derived vectors with those of the exact reference for difficult cameras: eye and at far
+/// from the origin, up nearly parallel to the view, extreme lengths.
 #[test]
 fn the_vectors_are_those_of_the_reference() {
     let mut vectors = 0;

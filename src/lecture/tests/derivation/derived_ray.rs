@@ -44,7 +44,8 @@ fn a_pixel_and_its_ray() {
 proptest! {
     #![proptest_config(config(500))]
 
-    /// The direction is the sum of its components: each of them is rounded once, and so is the sum.
+    /// The direction equals the sum of its three components up to rounding, since each component, and
+    /// the direction itself, is rounded once.
     #[test]
     fn the_parts_make_the_direction(
         view in vector(-3.0..3.0), up in vector(-3.0..3.0),

@@ -120,7 +120,8 @@ fn every_way_to_meet_a_plane() {
     assert_eq!(error, Err(ObjectError::NormalIsZero));
 }
 
-/// Its results agree with the tracer, and its roots agree with the reference.
+/// The derivation of an intersection agrees with the tracer, and its roots agree with the exact
+/// reference.
 #[test]
 fn roots_and_hits_are_those_of_the_reference() {
     let mut seen = 0;

@@ -1,5 +1,5 @@
-//! Sheets of answers as students hand them in. The cause of each wrong number was found by hand;
-//! the tests check which mistakes the verdict names, part by part.
+//! Complete sets of answers to exercises, with the mistakes that students make. The wrong numbers were
+//! calculated by hand; the tests check which mistakes the verdict on each part names.
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
@@ -7,7 +7,8 @@ use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
 use pinhole_lecture::exercises::{Answer, Asked, Exercise, Question, Verdict};
 use pinhole_lecture::mistakes::Mistake;
 
-/// A part, its numbers, and the mistakes that are named; no mistakes if the answer is right.
+/// The quantity that a part of a question asks for, the answered numbers, and the mistakes that the
+/// verdict names; none if the answer is right.
 type Line<'a> = (Asked, &'a [f64], &'a [Mistake]);
 
 #[track_caller]
@@ -219,7 +220,8 @@ fn a_turned_basis() {
     of_t(5.0 * SQRT_2 - 1.0, Mistake::FromViewport);
 }
 
-/// Checks the three vectors of a constructed basis, in the order in which they are asked for.
+/// Checks the verdicts on the three vectors of a basis, each given by its numbers and the mistakes to
+/// be named, in the order in which the exercise asks for them.
 #[track_caller]
 fn basis(exercise: Exercise, lines: [([f64; 3], &[Mistake]); 3]) {
     let [(w, of_w), (u, of_u), (v, of_v)] = &lines;
@@ -313,7 +315,8 @@ fn eye_at_and_up() {
     }
 }
 
-/// If nothing else distinguishes them, the verdict does not name a mistake that includes another.
+/// If only one vector is answered, the verdict names the smaller of two mistakes that lead to it, not
+/// one that includes it.
 #[test]
 fn one_vector_alone() {
     let w: Line<'_> = (W, &[21.0, 4.0, 15.0], &[Mistake::WNotNormalized]);

@@ -1,5 +1,5 @@
-//! Wrong numbers that no mistake gives; the verdict states the remainder that they leave in the
-//! equation.
+//! Wrong numbers to which no known mistake leads. The verdict substitutes them into the equation that
+//! they should solve, and states what remains.
 
 use std::f64::consts::FRAC_1_SQRT_2 as S;
 
@@ -8,7 +8,7 @@ use pinhole_lecture::numbers::written;
 
 use super::{alone, judged, numbers, questions};
 
-/// The verdict states the remainder when the answer is substituted.
+/// The verdict states by how much a wrong answer fails the equation into which it is substituted.
 #[test]
 fn a_wrong_number_is_told_by_what_it_leaves_over() {
     let wrong = |exercise, asked, answer: &[f64]| match judged(exercise, asked, numbers(answer)) {
@@ -68,7 +68,8 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
     assert_eq!(findings, ["it is not on the ray, but 2√2 away from it"]);
 }
 
-/// Whatever number is typed, the verdict says more than that it is another number.
+/// Whatever wrong number is typed, the verdict gives a reason, and does not just say that it should be
+/// another number.
 #[test]
 fn every_wrong_number_gets_a_reason() {
     for question in questions() {

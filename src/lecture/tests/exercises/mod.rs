@@ -20,7 +20,7 @@ fn judged(exercise: Exercise, asked: Asked, answer: Answer) -> Verdict {
     alone(&question, part, answer)
 }
 
-/// Returns the verdict on one answer while the other parts are not answered.
+/// Returns the verdict on one answer if the question's other parts are not answered.
 fn alone(question: &Question, part: usize, answer: Answer) -> Verdict {
     let mut answers = vec![None; question.parts.len()];
     answers[part] = Some(answer);
@@ -67,7 +67,7 @@ fn the_lectures_answers_are_right() {
     assert_eq!(no, Verdict::Mistakes(vec![Mistake::LineForRay]));
 }
 
-/// Returns the questions of many seeds, and the lecture's own.
+/// Returns questions with random numbers from many seeds, and the lecture's own questions.
 fn questions() -> impl Iterator<Item = Question> {
     Exercise::ALL.iter().copied().flat_map(|exercise| {
         (0..200).map(Some).chain([None]).map(move |seed| Question::new(exercise, seed))
@@ -113,7 +113,7 @@ fn every_mistake_that_gives_an_answer_is_named() {
     }
 }
 
-/// On a whole sheet with one mistake, no other mistake is named unless it gives all the same
+/// If all parts are answered with the same mistake, no other mistake is named unless it gives the same
 /// answers.
 #[test]
 fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
@@ -241,8 +241,8 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     assert!(matches!(t(7.0), Verdict::Wrong(_)));
 }
 
-/// The truth minus 1 in the last typed place is not the truncated truth, whatever binary
-/// subtraction gives.
+/// The right number minus one unit in the last typed digit does not pass for the right number
+/// truncated, although rounding errors of binary subtraction suggest it.
 #[test]
 fn a_number_just_below_a_short_one_is_wrong() {
     for (exercise, asked, answer) in [

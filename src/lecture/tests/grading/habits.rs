@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// Returns the first set of mistakes that is named for a student's hits, and for its rays.
+/// Returns the mistakes that are named first for the hits, and for the rays, of a student's program
+/// that makes one mistake.
 fn named(exercise: &Exercise, mistake: &str) -> [Vec<&'static str>; 2] {
     let mistakes = [mistake];
     let student = Student { exercise, mistakes: &mistakes };
@@ -23,7 +24,7 @@ fn other_ways_to_make_a_mistake_have_its_name() {
     }
 }
 
-/// Rows 1 to H and columns 1 to W, each with the ray of its own number.
+/// A program loops over rows 1 to H and columns 1 to W, and uses each number as if it counted from 0.
 #[test]
 fn a_loop_from_one_to_the_last_is_counted_from_one() {
     for viewport in [general().viewport, [1.0, 1.0, 1.0]] {
@@ -60,7 +61,7 @@ fn right_answers_that_count_from_one_are_told_to_be() {
     assert!(grade.diagnosis.counted_from_one);
 }
 
-/// Two mistakes are named, and a single other slip gives the same rays.
+/// Two mistakes are named, and a single mistake that gives the same rays is reported, too.
 #[test]
 fn one_mistake_that_looks_like_two_is_told_too() {
     let exercise = general();
@@ -110,7 +111,8 @@ fn only_t(hits: Vec<HitAnswer>, write: impl Fn(f64) -> Written<f64>) -> Answers 
     Answers::Hits(hits.collect())
 }
 
-/// `%.3f` and one mistake: the missing digits are not attributed to `f32`.
+/// If a program makes a mistake and prints with `%.3f`, the few digits are reported next to the
+/// mistake, and not attributed to `f32`.
 #[test]
 fn few_digits_beside_a_mistake_are_told_and_are_no_f32() {
     let exercise = general();
@@ -125,7 +127,8 @@ fn few_digits_beside_a_mistake_are_told_and_are_no_f32() {
     }
 }
 
-/// A number of full precision follows many short ones, such as those of a plane.
+/// Among many numbers with few digits, such as the t of a plane, a single number in full `f64`
+/// precision rules out a program in `f32`.
 #[test]
 fn one_number_of_full_precision_anywhere_is_no_f32() {
     let exercise = general();
@@ -188,7 +191,8 @@ fn objects_from_one_are_told_apart_from_rows() {
     }
 }
 
-/// With so many answers and spheres, comparing all of them would take minutes.
+/// With many answers and spheres, only a sample of the answers is compared, because comparing all of
+/// them would take minutes.
 #[test]
 fn many_answers_and_spheres_are_sampled_and_that_is_told() {
     let ball = |k: u32| ([f64::from(k % 100) - 50.0, f64::from(k / 100) - 50.0, -60.0], 0.4);
@@ -208,7 +212,8 @@ fn many_answers_and_spheres_are_sampled_and_that_is_told() {
     assert!(grade.advice().ends_with("One of 2 answers was looked at."), "{}", grade.advice());
 }
 
-/// `%.4g`: a point is right if each of its coordinates is right to its digits.
+/// A point that is printed with `%.4g` is right if each of its coordinates is right to the digits that
+/// it has.
 #[test]
 fn a_point_is_right_where_each_coordinate_is() {
     let exercise = general();
@@ -226,7 +231,8 @@ fn a_point_is_right_where_each_coordinate_is() {
     assert_eq!(grade.right_digits, Some(4), "{}", grade.advice());
 }
 
-/// A program that has only planes sees the wall behind every ball.
+/// The answers of a program that tests only planes are hits of the wall behind each ball. The diagnosis
+/// of such answers is called a guess.
 #[test]
 fn what_lies_behind_alone_is_a_guess() {
     let exercise = Exercise {

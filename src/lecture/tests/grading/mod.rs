@@ -14,8 +14,8 @@ use proptest::prelude::*;
 use student::double::{Student, exactly};
 use student::{Exercise, single};
 
-/// An exercise so general that every mistake shows in it. Ball 2 is behind the eye; the back wall
-/// is behind everything.
+/// A camera and scene without special values, so that every mistake changes the answers. Ball 2 is
+/// behind the eye; the back wall is behind everything.
 fn general() -> Exercise {
     Exercise {
         eye: [1.0, 2.0, 3.0],
@@ -66,7 +66,8 @@ fn ids(mistakes: &[Mistake]) -> Vec<&'static str> {
     mistakes.iter().map(|mistake| mistake.id()).collect()
 }
 
-/// Returns `right` if all answers agree; otherwise the named explanation and its alternatives.
+/// Returns the diagnosis: the named set of mistakes, followed by its alternatives; only `right` if all
+/// answers agree.
 fn found(exercise: &Exercise, answers: &Answers) -> Vec<Vec<&'static str>> {
     let grade = graded(exercise, answers);
     assert_eq!(grade.worst.is_some_and(|worst| grade.is_right[worst.index]), grade.all_agree());
@@ -85,8 +86,8 @@ fn assert_right(exercise: &Exercise, answers: &Answers) {
     assert_eq!((grade.diagnosis, worst.is_some()), (Diagnosis::default(), true));
 }
 
-/// The mistakes, each with the ways in which the student makes it. `single-precision` is missing,
-/// because it needs a program in `f32`.
+/// The graded mistakes that the student's program can make, each with the variants in which it makes
+/// them. `single-precision` is missing, because it needs a program in `f32`.
 const MISTAKES: [(&str, &[&str]); 15] = [
     ("w-as-printed", &["w-as-printed"]),
     ("v-is-u-cross-w", &["v-is-u-cross-w"]),
@@ -105,8 +106,8 @@ const MISTAKES: [(&str, &[&str]); 15] = [
     ("t-for-distance", &["t-for-distance", "t-for-distance/point"]),
 ];
 
-/// The mistakes that are only looked for alone, and the last object, each with the ways in which
-/// the student makes it.
+/// The mistakes that grading looks for only alone, not in pairs, and `last-object`, each with the
+/// variants in which the student's program makes it.
 const ALONE: [(&str, &[&str]); 9] = [
     ("last-object", &["last-object", "last-object/farthest"]),
     ("sign-of-b", &["sign-of-b"]),
@@ -119,9 +120,9 @@ const ALONE: [(&str, &[&str]); 9] = [
     ("eye-in-direction", &["eye-in-direction"]),
 ];
 
-/// An exercise in which each of [`ALONE`] gives hits that no other mistake gives. Balls overlap,
-/// none of them is in front of a wall, one is behind the eye, and the eye is so near the origin
-/// that no ray is reversed.
+/// A camera and scene in which each mistake of [`ALONE`] gives hits that no other mistake gives. Balls
+/// overlap, there is no wall, one ball is behind the eye, and the eye is so near the origin that adding
+/// it to a direction reverses no ray.
 fn telling() -> Exercise {
     Exercise {
         eye: [0.3, -0.2, -0.5],
@@ -138,7 +139,7 @@ fn telling() -> Exercise {
     }
 }
 
-/// The mistakes that a basis reveals, and those that only hits reveal.
+/// The mistakes that can be recognised in a basis.
 const OF_BASIS: [&str; 5] =
     ["w-as-printed", "v-is-u-cross-w", "not-normalized", "up-as-v", "left-handed"];
 const OF_HITS: [&str; 4] = ["b-for-half-b", "far-root", "negative-t", "t-for-distance"];
@@ -210,7 +211,7 @@ fn each_slip_alone_is_found_by_name() {
     assert_eq!(found(&exercise, &hits_of(&last))[0], ["rows-from-bottom", "last-object"]);
 }
 
-/// Several mistakes give these answers, so the advice does not present the named one as certain.
+/// If several mistakes give the same answers, the advice says that the named mistake is not certain.
 #[test]
 fn what_may_be_another_mistake_says_so() {
     let exercise = general();
@@ -380,7 +381,8 @@ fn a_stricter_tolerance_wants_its_digits() {
     assert!(grade(&truth, &hits_of(&double), Some(1e-10)).unwrap().all_agree());
 }
 
-/// An exercise far from the world's origin, where `f32` has three decimals.
+/// A camera and scene so far from the world's origin that coordinates in `f32` have only three
+/// decimals.
 fn far_out() -> Exercise {
     let by = [8000.25, -3000.5, 5000.125];
     let moved = |v: [f64; 3]| [v[0] + by[0], v[1] + by[1], v[2] + by[2]];

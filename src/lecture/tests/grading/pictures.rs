@@ -1,4 +1,4 @@
-//! Whole pictures, right ones and wrong ones.
+//! Tests of grading whole pictures, with and without mistakes.
 
 use super::*;
 
@@ -91,7 +91,8 @@ fn slips_that_show_in_a_picture_are_found() {
     }
 }
 
-/// Spheres that are not seen at all may be missing for many reasons.
+/// If a picture shows none of the spheres, the diagnosis is called a guess, because there can be many
+/// reasons.
 #[test]
 fn a_picture_of_nothing_is_a_guess() {
     let exercise =

@@ -39,7 +39,7 @@ proptest! {
         ..Default::default()
     })]
 
-    /// No right program is called wrong, whatever the scene and the rounding.
+    /// No program without mistakes is called wrong, whatever the scene and however it rounds.
     #[test]
     fn right_programs_are_right(exercise in exercise(), scale in 0.01..50.0_f64) {
         let student = Student { exercise: &exercise, mistakes: &[] };
@@ -57,8 +57,8 @@ proptest! {
         }
     }
 
-    /// In `f32` the answers are right, or the only mistake named is that `f32` is not precise
-    /// enough.
+    /// Answers computed in `f32` without mistakes are right, or the only mistake that is named is that
+    /// `f32` is not precise enough.
     #[test]
     fn single_precision_is_blamed_for_nothing_else(exercise in exercise()) {
         let student = single::Student { exercise: &exercise, mistakes: &[] };
@@ -69,7 +69,7 @@ proptest! {
         }
     }
 
-    /// A mistake is among those that are found, if it shows at all.
+    /// If a mistake changes any answer, it is among the mistakes that are named.
     #[test]
     fn a_mistake_is_found_in_any_scene(exercise in exercise(), which in 0..24_usize) {
         let all = [&MISTAKES.map(|(id, ways)| (id, &ways[..1]))[..], &ALONE].concat();

@@ -1,6 +1,6 @@
-//! A student's ray tracer, as first written: plain loops and the textbook's formulas, without any
-//! of the program's own code. Each mistake is one wrong line. It exists once in `f64` and once in
-//! `f32`.
+//! A student's ray tracer, as a beginner writes it: plain loops and the textbook's formulas, without
+//! any code of the crate. Each mistake that it can be told to make changes one line. A macro generates
+//! it in `f64` and in `f32`.
 
 /// The exercise as the student reads it.
 #[derive(Clone, Debug)]
@@ -65,8 +65,8 @@ macro_rules! student {
                 mul(1.0 / norm(a), a)
             }
 
-            /// The student, with the ids of the mistakes made. Some ids are followed by a slash and
-            /// the way in which the mistake is made.
+            /// The student's program, with the ids of the mistakes that it makes. An id may be followed
+            /// by a slash and the name of a variant, as in `not-normalized/w`.
             pub(crate) struct Student<'a> {
                 pub(crate) exercise: &'a Exercise,
                 pub(crate) mistakes: &'a [&'a str],
