@@ -37,7 +37,7 @@ pub struct UpAngle {
     pub conditioning: f64,
 }
 
-/// The reason why a camera has no basis, with the invalid numbers.
+/// The reason why a camera has no basis, with the invalid values.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BasisError {

@@ -104,7 +104,7 @@ impl<T: Number> Quadratic<T> {
     }
 
     /// Returns the nearer or, if `far` is true, the farther root, with a bound of its relative error.
-    /// Returns `None` if D may be 0.
+    /// Returns `None` if the discriminant D may be 0.
     ///
     /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z` (Press et
     /// al., *Numerical Recipes*, 3rd ed., section 5.6). If D is off by at most its bound, `sqrt D` is

@@ -17,7 +17,8 @@ use serde::Serialize;
 pub struct Steps {
     /// Decisions made in `f64`.
     pub f64: u64,
-    /// Decisions that were in doubt in `f64` and made in double-double.
+    /// Decisions that were in doubt in `f64` (the value was within its error bound) and made in
+    /// double-double.
     pub double_double: u64,
     /// Decisions that were in doubt in double-double, too, and made in exact arithmetic.
     pub exact: u64,

@@ -124,8 +124,8 @@ fn trace_by_known<M: Intersect<R>, R: Real>(frame: &RoundedFrame<R>, raster: &Ra
     traced
 }
 
-/// The rays of a raster, or a list of rays, to be intersected by one method in one thread, for a caller
-/// that measures the time.
+/// A method applied, in one thread, to the view rays of a raster or to a list of rays, for a caller that
+/// measures the time.
 ///
 /// The ladder for a raster is an exception: it calls [`retrace`], which runs in the current thread pool.
 pub trait MethodKernel: Send + Sync {

@@ -66,7 +66,7 @@ pub struct Frame<T = f64> {
     /// against an object is one decision; a pixel that the ladder decides individually may take several:
     /// whether the object is hit, whether the hit is in front of the eye, and whether it is first.
     pub steps: Steps,
-    /// Counts of the work that was left out, and of the work that remained.
+    /// Numbers of spheres and rows, in all and left out.
     pub counts: Counts,
     /// Number of values of [`Frame::t`] that each step of the ladder computed, for `t` in `f64`.
     /// Rounding `t` correctly takes more digits than `f64` has, so the `f64` step computes none. For `t`
@@ -242,7 +242,7 @@ pub(crate) fn empty_frame<T: Depth>(
     }
 }
 
-/// A thread's own buffers, which replace outputs that were not requested.
+/// A thread's own buffers, which stand in for outputs that were not requested.
 pub(crate) struct OwnBuffers<T> {
     pub(crate) t: Vec<T>,
     pub(crate) object: Vec<u32>,
@@ -276,7 +276,8 @@ pub(crate) fn or_own<'a, T: Copy>(
     &mut own[..len]
 }
 
-/// How much work a frame left out. Rows are those of the traced raster.
+/// Numbers of spheres and rows that a frame had to draw and could leave out. Rows are those of the
+/// traced raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {
@@ -299,8 +300,8 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     const ZERO: Self;
     /// The value of `t` for a pixel where nothing is hit.
     const NONE: Self;
-    /// True for `f32`, the type in which frames are drawn. In `f64`, `t` is computed once the objects
-    /// are known.
+    /// True for `f32`, the type in which frames are drawn. In `f64`, `t` is computed afterwards, when
+    /// each pixel's object is known.
     #[doc(hidden)]
     const IS_DRAWN: bool;
 
@@ -312,8 +313,8 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     #[doc(hidden)]
     fn drawn<'a>(t: &'a mut [Self], own: &'a mut Vec<f32>) -> &'a mut [f32];
 
-    /// Returns the buffer to fill once the objects are known: `t` itself for `f64`, an empty one for
-    /// `f32`.
+    /// Returns the buffer to fill when each pixel's object is known: `t` itself for `f64`, an empty one
+    /// for `f32`.
     #[doc(hidden)]
     fn found(t: &mut [Self]) -> &mut [f64];
 

@@ -259,7 +259,8 @@ pub(crate) fn fill<T: Depth>(
     };
 }
 
-/// The counts of a band: decisions by step, values of `t` by step, spheres left out, and rows untouched.
+/// The counts of a band: decisions by step, values of `t` by step, spheres left out, and rows that no
+/// outline reaches.
 type Counted = (Steps, Steps, u64, u64);
 
 fn sums(a: Counted, b: Counted) -> Counted {

@@ -28,8 +28,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) axes: RasterAxes,
     /// Spheres that are drawn by rows, near to far.
     pub(crate) spans: Vec<Span>,
-    /// For each slice of rows, the spheres visible in it that are not drawn by rows; empty if `visible`
-    /// is not `None`.
+    /// For each slice of [`SLICE_ROWS`] rows, the spheres visible in it that are drawn by polynomials,
+    /// not by rows; empty if `visible` is not `None`.
     others: Vec<Vec<(u32, Extent)>>,
     /// The visible part of the sphere index; `None` if there are few spheres.
     pub(crate) visible: Option<VisibleSpheres<'a>>,
@@ -122,8 +122,8 @@ impl<'a> Plan<'a> {
         bands
     }
 
-    /// Returns the spheres visible in a slice of rows that are neither drawn by rows nor found by the
-    /// sphere index.
+    /// Returns the spheres visible in a slice of [`SLICE_ROWS`] rows that are neither drawn by rows nor
+    /// found by the sphere index.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
         self.others.get(slice).into_iter().flatten().copied()
     }
@@ -146,7 +146,8 @@ pub(crate) const SLICE_ROWS: usize = 32;
 #[derive(Default)]
 pub(crate) struct Classified {
     pub(crate) spans: Vec<Span>,
-    /// For each slice of rows, the spheres visible in it that are not drawn by rows.
+    /// For each slice of [`SLICE_ROWS`] rows, the spheres visible in it that are drawn by polynomials,
+    /// not by rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
     /// Number of spheres that were left out because they cannot be seen.
     pub(crate) left_out: u64,

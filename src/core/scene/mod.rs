@@ -167,8 +167,8 @@ impl Scene {
 
     /// Returns every root of every object along the ray's line, even behind the origin, each with its
     /// rank and its distance. The roots are in ascending order of `t`; roots at equal `t` are in the
-    /// order of the objects. A tangent's double root is listed once. Order and ties are exact for the
-    /// numbers as given.
+    /// order of the objects. A tangent's double root is listed once. Order and ties are decided exactly
+    /// for the given numbers.
     pub fn ranked_roots_of(&self, ray: &ExactRay) -> Vec<RankedRoot> {
         let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
@@ -195,8 +195,8 @@ impl Scene {
     }
 
     /// Returns the first hit: the root with the smallest `t > 0`; if several have this `t`, that of the
-    /// object listed first. Returns `None` if nothing is hit. The decision is exact for the numbers as
-    /// given. A ray that does not pass [`Ray::check`] hits nothing.
+    /// object listed first. Returns `None` if nothing is hit. The decision is exact for the given
+    /// numbers. A ray that does not pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
         self.first_hit_of(&ExactRay::from_ray(ray).ok()?)
     }

@@ -276,8 +276,8 @@ impl Hit<'_> {
 }
 
 impl Sphere {
-    /// Returns the `t` at which the ray's line meets the sphere. The decisions are exact for the numbers
-    /// as given, and each `t` is the exact one, rounded. A ray that does not pass [`Ray::check`], or a
+    /// Returns the `t` at which the ray's line meets the sphere. The decisions are exact for the given
+    /// numbers, and each `t` is the exact value, rounded. A ray that does not pass [`Ray::check`], or a
     /// sphere that does not pass [`Sphere::check`], has no roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Sphere(*self).roots(ray)
@@ -285,9 +285,9 @@ impl Sphere {
 }
 
 impl Plane {
-    /// Returns the `t` at which the ray's line meets the plane: the exact one, rounded. A line parallel
-    /// to the plane has no root, even if it lies in the plane. The decisions are exact for the numbers
-    /// as given. A ray that does not pass [`Ray::check`], or a plane that does not pass
+    /// Returns the `t` at which the ray's line meets the plane: the exact value, rounded. A line
+    /// parallel to the plane has no root, even if it lies in the plane. The decisions are exact for the
+    /// given numbers. A ray that does not pass [`Ray::check`], or a plane that does not pass
     /// [`Plane::check`], has no roots.
     pub fn roots(&self, ray: &Ray) -> Roots {
         Object::Plane(*self).roots(ray)

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::scene::error::ObjectError;
 
-/// All points `q` with `normal . (q - point) = 0`.
+/// A plane: all points `q` with `normal . (q - point) = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     /// Any point of the plane.

@@ -205,9 +205,8 @@ impl PlaneFromOrigin {
 
 impl Plane {
     /// Returns the implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
-    /// that the normal points to; its sign is exact. The unit is the world's, times the normal's length.
-    /// The value is infinite where it overflows, and NaN where a number is not finite or the normal is
-    /// zero.
+    /// that the normal points to; its sign is exact. The value is in world units times the normal's
+    /// length. It is infinite if it overflows, and NaN if a number is not finite or the normal is zero.
     pub fn implicit(&self, q: DVec3) -> f64 {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::scene::error::ObjectError;
 
-/// All points at distance `radius` from `center`.
+/// A sphere: all points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     /// The centre c.

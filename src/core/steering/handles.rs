@@ -166,9 +166,10 @@ pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
 ///    up stays constant if the view turns towards up. If the view turns away, the angle grows as fast as
 ///    it would if up stayed, at the constant rate `-v . heading`. So a camera can get out of the cone
 ///    again.
-/// 2. Outside the cones: up stays. The view at `arc` is at the angle
-///    `acos(a cos(arc) + b sin(arc)) = acos(A cos(arc - arc_0))` to up, which meets the cones' rims at
-///    `arc_0 +- acos(cos(CONE) / A)`, and half a turn on.
+/// 2. Outside the cones: up stays. Let a and b be the components of up along the view and along the
+///    direction in which the view turns, both at the start of this stretch. After `arc` radians, the
+///    view is at the angle `acos(a cos(arc) + b sin(arc)) = acos(A cos(arc - arc_0))` to up. It meets
+///    the cones' rims at `arc_0 +- acos(cos(CONE) / A)`, and half a turn on.
 /// 3. From the point at which the view enters a cone to the end: up is parallel-transported ahead of the
 ///    view.
 pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3, DVec3)> {

@@ -11,12 +11,12 @@
 //! - *Handles*: [`Camera::led_to`], given the camera that [`Camera::with_eye`] or [`Camera::with_at`]
 //!   returns.
 //! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) converts a position in the
-//!   observer's picture to a point of the world.
+//!   picture of an observer, another camera that shows the steered one, to a point of the world.
 //! - *Readable numbers*: [`snapped`], [`nice_step`] and [`rounded_to`], for a pixel of the size
 //!   [`pixel_in_world`].
 //!
-//! A steered camera always has a basis; otherwise the function returns a typed error with the numbers.
-//! No result is NaN.
+//! A steered camera always has a basis; otherwise the function returns a typed error with the invalid
+//! numbers. No result is NaN.
 //!
 //! # At the poles
 //!

@@ -276,9 +276,9 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// Returns the camera with its viewport scaled by [`Camera::scaled_picture`] so that it matches
-    /// `edited` in the width, height or distance in which that differs from `before`. If several of them
-    /// differ, the distance takes precedence, then the width.
+    /// Returns the camera with its viewport scaled by [`Camera::scaled_picture`], so that the width,
+    /// height or distance in which `edited` differs from `before` gets its value in `edited`. If several
+    /// of them differ, the distance takes precedence, then the width.
     ///
     /// # Errors
     /// Returns an error if the old or the new viewport is invalid.

@@ -35,7 +35,7 @@ impl ResolvedCamera {
     /// not have moved since then.
     ///
     /// The pointer keeps its distance from the anchor in the picture: a handle grabbed 3 pixels from its
-    /// middle stays 3 pixels from the pointer. A drag back to the start restores the anchor to the bit.
+    /// middle stays 3 pixels from the pointer. A drag back to the start restores the anchor exactly.
     ///
     /// Let `(x, y, -z)` be the anchor in the observer's coordinates, `p = (x, y) distance / z` its
     /// image, `m = uv - begun_at` the pointer's movement, and `r = (p + m, -distance)` a ray. The result
@@ -55,8 +55,9 @@ impl ResolvedCamera {
     /// s = l z / (|g| z - l a_z)
     /// ```
     ///
-    /// Apart from rounding, the observer sees the result at the pointer's position, minus the pointer's
-    /// distance from the handle; for an axis, at the point of the axis nearest to that.
+    /// Apart from rounding, the observer sees the result at `p + m`, the pointer's position minus its
+    /// offset from the anchor at the start; for an axis, at the point of the axis' image nearest to
+    /// `p + m`.
     ///
     /// # Errors
     /// Returns an error if the anchor is not in front of the observer, or if the point would move to

@@ -24,7 +24,8 @@ pub(crate) struct VisibleBox {
 pub(crate) struct VisibleGroup {
     pub(crate) bounds: VisibleBox,
     pub(crate) blocks: Vec<VisibleBox>,
-    /// True if the group's spheres that are not drawn by rows are listed in [`VisibleSpheres::others`].
+    /// True if those spheres of the group that are drawn by polynomials, not by rows, are listed in
+    /// [`VisibleSpheres::others`].
     pub(crate) has_others: bool,
 }
 
@@ -33,11 +34,12 @@ pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
     pub(crate) groups: Vec<VisibleGroup>,
-    /// True if spheres overlap so much that it pays to test whether each sphere is hidden.
+    /// True if spheres overlap so much in the picture that it pays to test whether each sphere is hidden
+    /// by nearer ones.
     pub(crate) is_crowded: bool,
     /// The spheres that are not drawn by rows, in the groups that may contain such spheres.
     pub(crate) others: Vec<(u32, Extent)>,
-    /// Number of spheres in groups and blocks that cannot be seen.
+    /// Number of spheres that were left out because their group or block cannot be seen.
     pub(crate) left_out: u64,
 }
 
@@ -48,8 +50,8 @@ impl<'a> VisibleSpheres<'a> {
         space: CameraSpace,
         (axes, extents): (&RasterAxes, &Extents),
     ) -> VisibleSpheres<'a> {
-        /// Minimum average number of spheres per pixel for which testing whether a sphere is hidden
-        /// pays.
+        /// Minimum average number of spheres that cover a pixel for which it pays to test whether
+        /// spheres are hidden.
         const CROWDED: f64 = 2.5;
         let mut left_out = 0;
         let mut groups = Vec::new();
@@ -155,7 +157,7 @@ fn may_have_others(groups: &[Bound], bounds: &VisibleBox, space: &CameraSpace) -
 }
 
 /// Finds the part of the raster that a box can cover, and roughly how many pixels its spheres cover
-/// together; returns `None` if no ray can meet the box.
+/// together; returns `None` if no view ray can hit the box.
 ///
 /// Each margin is 1e-9 of the quantity to which it is added: far more than the few roundings that it
 /// covers, and too little to matter otherwise.

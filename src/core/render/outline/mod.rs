@@ -78,9 +78,11 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
     pub(crate) numerator: T,
     /// Error bound of `w^2`.
     pub(crate) square_doubt: T,
-    /// First row with `w^2 >= -square_doubt`, not clipped: a whole number.
+    /// Number of the first row with `w^2 >= -square_doubt`, a whole number. The row may lie outside the
+    /// image.
     pub(crate) first_row: T,
-    /// Last row with `w^2 >= -square_doubt`, not clipped: a whole number.
+    /// Number of the last row with `w^2 >= -square_doubt`, a whole number. The row may lie outside the
+    /// image.
     pub(crate) last_row: T,
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
@@ -316,7 +318,7 @@ impl<S: Simd> Centers<S> {
 /// square, so that the only square root to compute is that of the width, in `f32`, rounded up.
 struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
-    /// Lanes in which the kernel that corrects the root is accurate enough.
+    /// Lanes in which the kernel that corrects the rounding error of the root is accurate enough.
     can_correct_root: <S::f64s as SimdBase<S>>::Mask,
     /// The square root of the `w^2` below which a row is thin.
     thin: S::f64s,
@@ -479,9 +481,11 @@ fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
     ((x * depth - swing) / denominator, (x * depth + swing) / denominator)
 }
 
-/// Returns the cells whose centres can lie between two slopes; `count` cells span the viewport.
+/// Returns the rows or columns whose centres can lie between two slopes; `count` of them span the
+/// viewport.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
-    /// Allowance for the rounding of cell centres, in cells (below 1e-10 with 65536 cells).
+    /// Allowance, in rows or columns, for the rounding errors of their centres (below 1e-10 if there are
+    /// 65536).
     const MARGIN: f64 = 1e-6;
     /// Allowance for the rounding of slopes. If one tangent is steep and the other is not, the rounding
     /// of the steep one affects both slopes.

@@ -184,7 +184,7 @@ pub(crate) struct CameraSpace {
     pub(crate) inverse_ratio_squared: f64,
     pub(crate) middle_column: f64,
     pub(crate) middle_row: f64,
-    /// Upper bounds of `|x|` and `|y|` of any pixel's centre, with a small margin.
+    /// Upper bounds of the slopes `|x|` and `|y|` at any pixel's centre, with a small margin.
     pub(crate) widest: [f64; 2],
     /// `sqrt(1 + widest^2)` for x and for y.
     pub(crate) border_lengths: [f64; 2],

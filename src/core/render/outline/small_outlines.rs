@@ -172,8 +172,8 @@ struct Bounds<S: Simd> {
 }
 
 impl<S: Simd> Bounds<S> {
-    /// Computes the bounds. The factor `UP` exceeds all roundings together. For the error of t, see
-    /// [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
+    /// Computes the bounds. The factor [`UP`] covers the rounding errors of all operations together. For
+    /// the error of t, see [`Runs::t`](crate::render::rows::small_spheres::Runs::t).
     ///
     /// The error bound of `w^2` in [`Outlines::find`](crate::render::outline::Outlines::find) holds
     /// here, too. Each coefficient is the result of at most 64 rounded operations, in none of which

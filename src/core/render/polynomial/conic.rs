@@ -139,8 +139,8 @@ impl Conic {
         }
     }
 
-    /// Finds the thresholds beyond which decisions are not in doubt and the relative error of `t` is at
-    /// most `t_doubt`.
+    /// Finds the thresholds beyond which decisions are certain and the relative error of `t` is at most
+    /// `t_doubt`.
     ///
     /// With `z = |b| + sqrt D`, t is `c / z` or `z / a`. z is at least `sqrt(|c| a)`, since
     /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. If the eye lies on the sphere,

@@ -16,8 +16,8 @@ use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
 use crate::render::polynomial::{DOUBT, MISS, T_SHARE};
 use crate::scene::plane_predicates::PlaneFromOrigin;
 
-/// Returns the factor from the units of the polynomials to those of `t`; `None` if the units are
-/// extreme.
+/// Returns the factor that converts from the units of an object's polynomials to those of `t`; `None` if
+/// lengths are so extreme that `f64` could overflow or lose digits.
 pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     let factor = ldexp(rays.stretch, scale - rays.scale);
     (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
@@ -49,7 +49,8 @@ pub(crate) struct SphereKernel {
 }
 
 impl SphereKernel {
-    /// Makes a sphere's polynomials; returns `None` if the units are extreme.
+    /// Makes a sphere's polynomials; returns `None` if lengths are so extreme that `f64` could overflow
+    /// or lose digits.
     pub(crate) fn new(
         rays: &FrameRays,
         parts: &SphereTerms<f64>,

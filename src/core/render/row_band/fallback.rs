@@ -99,7 +99,7 @@ impl RowBand<'_> {
     }
 }
 
-/// Returns a sphere with the numbers that all rays from the eye share.
+/// Returns a sphere with the values that all rays from the eye share.
 pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
     let sphere = Object::Sphere(plan.scene.spheres()[index as usize]);
     ObjectFromOrigin::new(&sphere, plan.rays.camera.eye())

@@ -66,7 +66,7 @@ const FEW_PIXELS: usize = 64;
 enum Kernel {
     Sphere(SphereKernel),
     Plane(PlaneKernel),
-    /// No polynomials, because the units are extreme: every pixel is in doubt.
+    /// No polynomials, because lengths are extreme: the ladder decides every pixel.
     Unknown,
 }
 
@@ -179,8 +179,8 @@ impl<'a> RowBand<'a> {
         }
     }
 
-    /// Returns the number of decisions at each step, the number of spheres that were left out here, and
-    /// the number of rows that no outline reaches.
+    /// Returns the number of decisions at each step, the number of spheres that were left out while the
+    /// band was drawn, and the number of rows that no outline reaches.
     pub(crate) fn counted(self) -> (Steps, u64, u64) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
         (self.steps, self.drawn.left_out, untouched as u64)

@@ -56,7 +56,7 @@ impl WrittenBlocks {
         WrittenBlocks { is_written: vec![false; rows * per_row], per_row }
     }
 
-    /// Returns the flags of the blocks of a row of the band.
+    /// Returns, for each block of a row of the band, whether it has been written.
     #[inline(always)]
     pub(crate) fn row(&mut self, row: usize) -> &mut [bool] {
         &mut self.is_written[row * self.per_row..(row + 1) * self.per_row]

@@ -1,5 +1,5 @@
-//! A sphere drawn row by row: the columns that it covers in each row, decided once with a margin, and
-//! `t` in these columns.
+//! Draws a sphere row by row: finds the columns that it covers in each row, with a margin for errors at
+//! their ends, and computes `t` in these columns.
 
 use std::ops::Range;
 

@@ -65,7 +65,8 @@ impl Surface<'_> {
         }
     }
 
-    /// Returns `|n.d| / |d|` for the outward normal n where the ray first hits the object.
+    /// Returns `|n.d| / |d|` for the ray's direction d and the outward unit normal n where the ray first
+    /// hits the object.
     pub(crate) fn cosine(&self, ray: &Ray) -> f64 {
         let d = ray.direction;
         match self {

@@ -15,7 +15,8 @@ pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Shade {
-    /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
+    /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|` in linear light, with the
+    /// unit normal n and the ray's direction d.
     #[default]
     Lambert,
     /// The outward normal: its x, y, z from -1..1 become red, green, blue 0..255.
