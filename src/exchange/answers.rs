@@ -1,5 +1,5 @@
-//! A student's answers from a file: a PNG picture, or a CSV file whose header determines the kind of
-//! answers.
+//! Reads a student's answers, which are to be graded, from a file: a PNG picture, or a CSV file whose
+//! header determines the kind of answers.
 //!
 //! ```text
 //! basis   ux,uy,uz,vx,vy,vz,wx,wy,wz           one row
@@ -7,8 +7,8 @@
 //! hits    row,column and t, or x,y,z, or object, or several of them
 //! ```
 //!
-//! For a miss, the cells are empty or contain inf or nan, or the object is -1. Capitals and blanks
-//! in the first line are ignored.
+//! In the row of a ray that hits nothing, the cells are empty or contain inf or nan, or the object is
+//! -1. Case and spaces in the header are ignored.
 
 use std::path::Path;
 
@@ -61,8 +61,8 @@ pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     }
 }
 
-/// Returns true if a dropped file should be treated as answers: it contains answers, or is a table of
-/// something other than spheres.
+/// Returns true if a file that is dropped on the window should be treated as answers: it contains
+/// answers, or is a table of something other than spheres.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
     let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
     let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
@@ -219,7 +219,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
     Ok(Answers::Hits(hits))
 }
 
-/// The rule for a cell of a hit, used in messages.
+/// The rule for a cell in the row of a hit, for messages.
 const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
@@ -264,8 +264,8 @@ fn vector(row: &CsvRow, first: usize) -> Result<WrittenVector, FileError> {
 /// number that begins with 1.
 const ROUNDING_SHARE: f64 = 0.5e-5;
 
-/// Limits the rounding error of a vector to a fraction of its length. Otherwise, a tiny vector written
-/// with six decimals would have no precise direction.
+/// Limits the rounding error of a vector to a fraction of its largest coordinate. Otherwise, a tiny
+/// vector written with six decimals could have nearly any direction.
 fn relative(vector: WrittenVector) -> WrittenVector {
     let most = ROUNDING_SHARE * vector.value.abs().max_element();
     Written { rounding: vector.rounding.min(most), ..vector }
@@ -298,12 +298,12 @@ fn rounding_of(text: &str, value: f64) -> f64 {
 struct AnsweredPixels {
     image: ImageSize,
     count_from: u32,
-    /// One bit for each pixel, including one extra row and column.
+    /// One bit for each pixel, including an extra row and column for pixels that are counted from 1.
     answered_bits: Vec<u64>,
     /// True once a row or column number 0 has been read.
     has_zero: bool,
-    /// The error for the first row equal to H or column equal to W. That is outside the image, unless
-    /// all rows and columns are counted from 1.
+    /// The error for the first answer with row H or column W, which is outside an image of H rows and W
+    /// columns unless all rows and columns are counted from 1.
     beyond: Option<FileError>,
 }
 
@@ -360,7 +360,7 @@ impl AnsweredPixels {
         row.error(column, &right)
     }
 
-    /// Checks that all row and column numbers are counted from the same first number.
+    /// Checks that rows and columns are not counted both from 0 and up to H or W.
     fn finish(self) -> Result<(), FileError> {
         match self.beyond {
             Some(error) if self.has_zero => Err(error),

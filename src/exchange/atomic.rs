@@ -1,7 +1,7 @@
 //! Writes files in such a way that a crash, a signal or a full disk leaves existing files intact.
 //!
-//! A file is written under a temporary name and then renamed. A run removes its temporary files when it
-//! ends; a later run removes those of killed runs.
+//! A file is written under a temporary name and then renamed. A run of the program removes its
+//! temporary files when it ends; a later run removes those of runs that were killed.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
@@ -17,8 +17,8 @@ use crate::FileError;
 /// Writes a file completely or not at all.
 ///
 /// `content` writes to a temporary file in the same directory, which replaces the old file only after
-/// it has reached the disk. An existing file keeps its permissions, and a symbolic link keeps its
-/// target. The finished content is copied to a device or pipe, which cannot be replaced.
+/// it has reached the disk. An existing file keeps its permissions, and a symbolic link is followed,
+/// not replaced. If the path is a device or a pipe, the finished content is copied to it.
 ///
 /// # Errors
 /// Returns an error if `content` or the system fails, or if the file is read-only. Nothing has changed
@@ -41,7 +41,7 @@ pub fn write(
 pub struct Batch {
     /// Files that are complete except for their final names.
     files: Vec<Complete>,
-    /// The contents to be copied to devices and pipes, which cannot be replaced.
+    /// The contents to be copied to devices and pipes, which cannot be replaced by a file.
     through: Vec<(PathBuf, File)>,
 }
 
@@ -108,10 +108,12 @@ impl Batch {
     }
 }
 
-/// Renames the files. If one rename fails, all are undone. Signals are deferred until the end.
+/// Renames the files to their final names. If one rename fails, all are undone. Meanwhile, [`abandon`]
+/// blocks.
 fn place(files: Vec<Complete>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
-    // These remove their names from the list when they are dropped, after the list has been unlocked.
+    // Dropping `_names` removes the names from the list, which must happen after the list has been
+    // unlocked.
     let (_names, files): (Vec<Known>, Vec<_>) = files
         .into_iter()
         .map(|Complete { new, target, is_there, path }| {
@@ -133,7 +135,8 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Restores the old file. If the system has no hard links, the new file stays.
+/// Undoes a rename: restores the old file, or removes the new one if there was none. If the file system
+/// has no hard links, an old file cannot be restored, and the new one stays.
 fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>)) {
     // The error that led here has already been reported.
     match old {
@@ -153,8 +156,8 @@ pub fn check(path: &Path) -> Result<(), FileError> {
     check().map_err(|error| FileError::unwritable(path, &error))
 }
 
-/// Returns the file that will be written, and the metadata of the file that it replaces, if there is
-/// one.
+/// Returns the path of the file that will be written, after following links, and the metadata of the
+/// existing file there, if there is one.
 fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     // The link of a pipe, such as /dev/stdout, does not lead to a file name.
     let is_device = |data: &Metadata| !data.is_file() && !data.is_dir();
@@ -176,7 +179,7 @@ fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     Ok((target, Some(old)))
 }
 
-/// Copies the content to a device or pipe, which can be neither rewound nor replaced.
+/// Copies the content to a device or a pipe, which cannot be replaced by a file.
 fn write_through(target: &Path, mut content: File) -> io::Result<()> {
     content.rewind()?;
     let mut device = File::options().write(true).open(target)?;
@@ -231,17 +234,17 @@ fn identity(path: &Path) -> Option<Identity> {
     }
 }
 
-/// The prefix of the names of temporary files, which no user is likely to choose.
+/// The prefix of the names of temporary files, which users are unlikely to give their own files.
 const PREFIX: &str = ".pinhole-";
 /// The suffix of the names of temporary files.
 const SUFFIX: &str = ".tmp";
 /// The number of random letters and digits between the prefix and the suffix.
 const RANDOM: usize = 12;
 
-/// Age at which a temporary file is considered abandoned: no run will finish it.
+/// Age from which a temporary file is considered abandoned by a run that was killed.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
-/// A temporary file. Its name is listed, so that [`abandon`] removes it.
+/// A temporary file. Its path is in [`LIVE`], so that [`abandon`] removes it.
 #[derive(Debug)]
 pub(crate) struct Temporary {
     pub(crate) file: NamedTempFile,
@@ -269,13 +272,13 @@ pub(crate) fn sync(folder: &Path) {
 /// The paths of this run's temporary files.
 static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Locks the list of temporary files. No temporary file is created, renamed or removed while the
-/// lock is held.
+/// Locks [`LIVE`], the list of temporary files. While the lock is held, no other thread creates,
+/// renames or removes a temporary file.
 pub(crate) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The name of a temporary file, which stays in [`LIVE`] until this value is dropped.
+/// The path of a temporary file, which is removed from [`LIVE`] when this value is dropped.
 #[derive(Debug)]
 pub(crate) struct Known(PathBuf);
 
@@ -285,8 +288,9 @@ impl Drop for Known {
     }
 }
 
-/// Removes the temporary files of this run, which is about to end. Afterwards, no file can be finished,
-/// and all writers block forever. A batch that is being renamed is finished first.
+/// Removes all temporary files of this run, which is about to end. If a [`Batch`] is being renamed,
+/// that is completed first. Afterwards, threads that write files block forever, so that no file can be
+/// created any more.
 pub fn abandon() {
     let live = live();
     for path in live.iter() {
@@ -323,7 +327,8 @@ fn is_ours(name: &std::ffi::OsStr) -> bool {
 pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
-    // The permissions of any new file, before the umask is applied. The crate's own are the owner's alone.
+    // The usual permissions of a new file, before the umask is applied. By default, the crate
+    // `tempfile` gives permissions only to the owner.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     builder

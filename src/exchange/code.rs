@@ -1,5 +1,5 @@
-//! Code for the current camera. In each language, it is a short function from a pixel to its view ray,
-//! with this camera's numbers and the lecture's names, to show on a slide or to run.
+//! Writes the current camera as code. In each language, it is a short function from a pixel to its view
+//! ray, with this camera's numbers and the lecture's names, to be shown on a slide or run.
 //!
 //! All these programs contain the same few lines:
 //!
@@ -10,9 +10,9 @@
 //! ```
 //!
 //! with row i and column j counted from 0, and row 0 at the top. Capital U, V, W are the basis vectors,
-//! as in the lecture's formula. The image's W and H are called columns and rows, because W could be
-//! confused with the vector. The templates of the programs are in the folder `templates`. A language is
-//! a [`Format`] without its own conventions; the lecture's conventions apply.
+//! as in the lecture's formula. The image's size is called columns and rows rather than W and H,
+//! because W is also a vector. The templates of the programs are in the folder `templates`. A language
+//! is a [`Format`] without conventions of its own: it uses the lecture's.
 
 use std::ops::RangeInclusive;
 
@@ -51,7 +51,7 @@ const fn language(
     }
 }
 
-/// The magnitudes at which `f32` has its full precision, with a margin.
+/// The range of magnitudes in which `f32` has its full precision, with a safety margin.
 const SINGLE: RangeInclusive<f64> = 1e-37..=1e38;
 
 /// Checks that all numbers are within the range of `f32`, in which GLSL calculates.

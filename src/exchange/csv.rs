@@ -73,7 +73,8 @@ pub(crate) struct CsvTable<'a> {
     file: &'a Path,
     bytes: &'a [u8],
     reader: csv::Reader<&'a [u8]>,
-    /// For each known column, the index of its field in a row; `None` if the file has no such column.
+    /// For each known column name, the index of the column in the file; `None` if the file has no such
+    /// column.
     fields: Vec<Option<usize>>,
     names: &'static [&'static str],
     width: usize,
@@ -162,7 +163,8 @@ impl<'a> CsvTable<'a> {
         FileError { location, ..FileError::of_file(self.file, problem) }
     }
 
-    /// Returns the location of a field, by searching its row again. This happens only for errors.
+    /// Returns the line and column of a field, by searching its row again. This is only needed for
+    /// errors.
     fn location_of(&self, record: &csv::ByteRecord, field: usize) -> Location {
         let start = record.position().map_or(0, |p| p.byte() as usize).min(self.bytes.len());
         // The reader's position includes the empty lines before the row.
@@ -181,9 +183,9 @@ impl<'a> CsvTable<'a> {
     }
 }
 
-/// Finds where a table can no longer be split into rows, and the reason: an unclosed quote, or a row
-/// that is too long. Returns `None` if there is no such place. Without this check, a CSV reader would
-/// load all remaining bytes into memory.
+/// Returns the byte at which a table can no longer be split into rows, and the reason (an unclosed
+/// quote, or a row that is too long), or `None` if the whole table can be split. Without this check,
+/// the CSV reader would load all remaining bytes into memory.
 fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
     let (mut row, mut quote, mut passed) = (0, None, 0);
     let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
@@ -229,15 +231,15 @@ fn unclosed(quote: usize) -> (usize, String) {
     (quote, "this quote is not closed: a second one must end its cell".to_owned())
 }
 
-/// Returns the error message for a table whose separators are not commas.
+/// Returns the error message for a table whose cells are separated by `separators` instead of commas.
 pub(crate) fn separated_by(separators: &str) -> String {
     format!(
         "the first line has {separators}: commas must stand between cells, and a point in a number"
     )
 }
 
-/// Returns a cell without surrounding blanks and quotes. The reader keeps the quotes if a blank
-/// precedes them.
+/// Returns a cell without surrounding spaces and quotes. The CSV reader does not remove quotes that
+/// follow a space.
 fn plain(cell: &[u8]) -> &[u8] {
     let cell = cell.trim_ascii();
     let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
@@ -276,7 +278,8 @@ impl CsvRow<'_, '_> {
         }
     }
 
-    /// Returns an error such as `column r is "-1": it must be greater than 0`.
+    /// Creates an error such as `column r is "-1": it must be greater than 0`, located at the cell,
+    /// where `right` is the part after the colon.
     pub(crate) fn error(&self, column: usize, right: &str) -> FileError {
         let location = self.table.fields[column].map(|f| self.table.location_of(self.record, f));
         let value = one_line(&String::from_utf8_lossy(self.cell(column)));

@@ -23,8 +23,8 @@ pub struct Document {
     pub planes: SharedList<Item<Plane>>,
 }
 
-/// A list that clones of a document share until one of them changes it. Each step of the history
-/// contains a document.
+/// A copy-on-write list: clones of a document share it until one of them changes it. This keeps the
+/// undo history small, in which each step contains a document.
 #[derive(Clone, Debug)]
 pub struct SharedList<T>(Arc<Vec<T>>);
 
@@ -78,10 +78,11 @@ pub struct Item<S> {
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, which cannot be edited. Clones of the document share them.
+/// The spheres of a CSV file, which can be very many and cannot be edited. Clones of the document share
+/// them.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
-    /// The path as it is written in the scene file, to which it is relative.
+    /// The path as it is written in the scene file, relative to that file's folder.
     pub path: String,
     /// The path from which the file was read.
     pub file: PathBuf,
@@ -104,8 +105,9 @@ impl<S> Item<S> {
     }
 }
 
-/// Okabe and Ito's palette, whose colours colour-blind viewers can distinguish (*Color Universal
-/// Design*, 2008), without black and the yellow that is hardly visible on a projector.
+/// The default colours: Okabe and Ito's palette, whose colours colour-blind viewers can distinguish
+/// (*Color Universal Design*, 2008), without black and without the yellow, which is hardly visible on a
+/// projector.
 const PALETTE: [Rgb; 6] = [
     [0xe6, 0x9f, 0x00],
     [0x56, 0xb4, 0xe9],
@@ -174,7 +176,8 @@ impl Document {
         }
     }
 
-    /// Returns an object's title for lists and readouts: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    /// Returns the title of the object with this index, for lists and readouts: `sphere 0`, `sphere 1
+    /// “ball”`, `plane 2`.
     pub fn title_of(&self, index: usize) -> String {
         let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
         match self.name_of(index as u32) {
@@ -183,7 +186,7 @@ impl Document {
         }
     }
 
-    /// Checks the objects, and returns them without names and colours.
+    /// Checks the objects, and returns them as a [`Scene`], without names and colours.
     ///
     /// # Errors
     /// Returns an error for the first invalid object.

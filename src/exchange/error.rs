@@ -45,7 +45,8 @@ impl Location {
 }
 
 impl FileError {
-    /// Creates an error about the whole file. The problem is made [`legible()`].
+    /// Creates an error about the whole file. Hidden characters in `problem` are escaped, and it is
+    /// shortened (see [`legible()`]).
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         let problem = legible(&problem.into());
         FileError { file: path.display().to_string(), location: None, problem }

@@ -39,7 +39,8 @@ pub(crate) struct ExportObject {
     pub(crate) title: String,
 }
 
-/// Maximum difference from 1 at which a pixel's aspect ratio counts as square: a few rounding errors.
+/// Maximum difference from 1 of the aspect ratio of a pixel that counts as square: a few rounding
+/// errors.
 const SQUARE: f64 = 1e-14;
 
 impl<'a> ExportScene<'a> {
@@ -75,7 +76,8 @@ impl<'a> ExportScene<'a> {
         })
     }
 
-    /// Returns the vectors at and up of the camera, which need not be given by them.
+    /// Returns vectors at and up that describe the camera, even if its orientation is given in another
+    /// way.
     pub(crate) fn look_at(&self) -> Result<[DVec3; 2], String> {
         let camera = self.document.camera.given_by(OrientationKind::At);
         match camera.map(|camera| camera.orientation) {

@@ -1,4 +1,4 @@
-//! The fields of the tables in a TOML file, with their names and positions for messages.
+//! Reads the fields of the tables in a TOML file, with their names and positions for error messages.
 
 use std::ops::{Range, RangeInclusive};
 use std::path::Path;
@@ -75,8 +75,8 @@ impl<'a> Section<'a> {
         if self.name.is_empty() { key } else { format!("{}.{key}", self.name) }
     }
 
-    /// Returns an error for the first field that is not in `known`. `top` lists the fields that belong
-    /// at the top of the file.
+    /// Checks that there are no fields but those in `known`. Returns an error for the first other one.
+    /// `top` lists the fields that belong at the top of the file, for a better message.
     pub fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
         let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
             return Ok(());
@@ -108,7 +108,7 @@ impl<'a> Section<'a> {
         Some(TomlField { source: self.source, name: self.path_of(key), item: entry, span })
     }
 
-    /// Returns a required field. `such_as` is an example of a line with it, for the message.
+    /// Returns a required field. `such_as` is an example of a line that sets it, for the error message.
     pub fn need(&self, key: &str, such_as: &str) -> Result<TomlField<'a>, FileError> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
@@ -131,7 +131,7 @@ impl<'a> TomlField<'a> {
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
 
-    /// Creates an error about the field, for a message that already contains the value.
+    /// Creates an error about the field from a message that already contains the value.
     pub fn fault(&self, problem: impl std::fmt::Display) -> FileError {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
@@ -251,7 +251,7 @@ impl<'a> TomlField<'a> {
         self.sections_named(|k| format!("{}[{k}]", self.name))
     }
 
-    /// Returns the value as a list of tables. Errors count the tables from 1.
+    /// Returns the value as a list of tables. In error messages, the tables are counted from 1.
     ///
     /// # Errors
     /// Returns an error if the value is not an array of tables.

@@ -10,8 +10,8 @@ pub use crate::template::Text;
 use crate::template::{self, BEYOND, TemplateValue, n};
 use crate::{FileError, Location, legible};
 
-/// A format in which Pinhole writes: that of another program, a notation for cameras, or a programming
-/// language.
+/// A format in which Pinhole writes the camera or the scene: that of another program, a notation for
+/// cameras, or code in a programming language.
 #[derive(Debug)]
 pub struct Format {
     /// Name on the command line, after `--to`.
@@ -24,16 +24,16 @@ pub struct Format {
     pub file: &'static str,
     /// The format's conventions; `None` for code, which uses the lecture's conventions.
     pub conventions: Option<Conventions>,
-    /// The text of the file, with names in braces in place of values.
+    /// The text of an exported file, with names in braces in place of values.
     pub(crate) template: &'static str,
     /// The objects that the format omits or replaces, which a note mentions.
     pub(crate) left_out: LeftOut,
-    /// Returns the values that only this format has, and adds notes. Returns an error if the format
-    /// cannot express the scene.
+    /// Returns the template's values that only this format has, and adds notes to the list. Returns an
+    /// error if the format cannot express the scene.
     pub(crate) extra: fn(&ExportScene, &mut Vec<String>) -> Result<ExtraValues, String>,
 }
 
-/// The values that only one format has, with their names in its template.
+/// Values for a template that only one format has, each with its name in the template.
 pub(crate) type ExtraValues = Vec<(&'static str, TemplateValue)>;
 
 /// The objects that a format omits or replaces.
@@ -54,7 +54,7 @@ pub(crate) enum LeftOut {
 pub struct Exported {
     /// The file's text.
     pub text: Text,
-    /// Notes about parts that the format cannot express, or expresses in a different way.
+    /// Notes about parts of the scene that the format cannot express, or expresses in a different way.
     pub notes: Vec<String>,
 }
 
@@ -72,7 +72,8 @@ pub struct Input<'a> {
 pub struct Imported {
     /// The camera.
     pub camera: Camera,
-    /// Notes about parts that could not be imported, or that the text does not specify.
+    /// Notes about parts of the text that could not be imported, and about values that it does not
+    /// specify.
     pub notes: Vec<String>,
 }
 
@@ -82,7 +83,7 @@ impl Format {
         self.file.rsplit('.').next().unwrap_or_default()
     }
 
-    /// Returns no values, for a format whose template needs none.
+    /// Returns no values: the function [`Format::extra`] of a format that has no values of its own.
     pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
         Ok(Vec::new())
     }
@@ -137,7 +138,7 @@ impl Input<'_> {
 pub struct Axis {
     /// The axis's letter with its sign: `u`, `−w`.
     pub name: &'static str,
-    /// The direction in words: `right`, `up`, `backwards`, and their opposites.
+    /// The axis's direction in words: `right`, `up`, `backwards`, or the opposite of one of them.
     pub meaning: &'static str,
     /// The axis's direction in the camera's coordinates (u, v, w).
     pub direction: DVec3,
@@ -146,17 +147,18 @@ pub struct Axis {
 /// How a format counts pixels, and where their centres are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PixelConvention {
-    /// x to the right and y down from the image's corner, with centres at halves: Pinhole's convention.
+    /// x points to the right and y down from the image's corner, with pixel centres at half-integers:
+    /// Pinhole's convention.
     Corner,
-    /// x to the right and y down, with centres at whole numbers.
+    /// x points to the right and y down, with pixel centres at integers.
     AtCentre,
-    /// y up from the lower left corner, with centres at halves.
+    /// y points up from the image's lower left corner, with pixel centres at half-integers.
     FromBottom,
     /// Rows and columns are counted from 1.
     FromOne,
     /// Columns and rows are counted from 0, and the column comes first.
     ColumnFirst,
-    /// From -1 to 1 across the image, with y up.
+    /// Coordinates range from -1 to 1 across the image, with y up.
     Device,
 }
 

@@ -1,4 +1,5 @@
-//! The built-in scenes, and the scene that a command-line argument names: a file or a built-in scene.
+//! The built-in scenes, and the lookup of the scene that a command-line argument names, a file or a
+//! built-in scene.
 
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,4 @@
-//! Templates of texts for other programs and languages, which are filled with the numbers of an
-//! exported scene.
+//! Fills templates of texts for other programs and languages with the numbers of an exported scene.
 //!
 //! In a template, `{eye}` stands for the value with that name, and `{eye:STYLE}` for the value in a
 //! style. In the style `real`, a number has a point or an exponent, so that no language reads it as an
@@ -19,17 +18,17 @@ use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Vi
 use crate::error::is_hidden;
 use crate::export_scene::{ExportObject, ExportScene};
 
-/// A text, and those of its parts whose sign is the opposite of Pinhole's.
+/// An exported text, and the positions of those numbers in it whose sign is the opposite of Pinhole's.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// The text.
     pub text: String,
-    /// Byte ranges of the parts with the opposite sign, in order.
+    /// Byte ranges of the numbers with the opposite sign, in order.
     pub flipped: Vec<Range<usize>>,
 }
 
-/// Characters that mark the start and the end of a flipped part while the text is being written. They
-/// are in Unicode's private use area and never occur in a number.
+/// Characters that mark the start and the end of a number with the opposite sign while the text is
+/// being written. They are in Unicode's private use area and never occur in a number.
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
 
@@ -37,7 +36,7 @@ const CLOSE: char = '\u{e001}';
 pub(crate) const BEYOND: char = '\u{e002}';
 
 impl Text {
-    /// Creates a text from a string with marks around the flipped parts.
+    /// Creates a text from a string in which marks enclose the numbers with the opposite sign.
     pub(crate) fn from_marked(marked: &str) -> Text {
         let mut made = Text::default();
         let mut from = 0;
@@ -127,8 +126,8 @@ impl TemplateValue {
     }
 }
 
-/// Returns the template with its values filled in. `extra` contains the values that only this format
-/// has.
+/// Returns the exported text: the template with the scene's values and the values `extra`, which only
+/// this format has, filled in.
 ///
 /// # Errors
 /// Returns an error if a value does not exist for the scene.
@@ -155,7 +154,8 @@ pub(crate) fn written(
     Ok(text + section(template, "\n@end\n"))
 }
 
-/// Returns the text of the section that begins after `line`; empty if there is no such line.
+/// Returns the section of a template that begins after `line`, up to the next line that begins with
+/// `@`; empty if there is no such line.
 pub(crate) fn section<'t>(template: &'t str, line: &str) -> &'t str {
     template.split_once(line).map_or("", |(_, section)| before_mark(section))
 }
@@ -182,8 +182,8 @@ pub(crate) fn filled(
     Ok(text + rest)
 }
 
-/// Returns the value with this name that every scene has, whatever its objects; `None` if there is
-/// none.
+/// Returns the value with this name in templates that a scene's camera determines; `None` if no such
+/// value has this name.
 pub(crate) fn scene_value(
     subject: &ExportScene,
     name: &str,
@@ -240,9 +240,9 @@ pub(crate) fn scene_value(
     }))
 }
 
-/// Returns the value with this name that an object has; `None` if there is none. The values of a plane
-/// are those of the square that stands for it: rows of the matrix from the unit square to the world,
-/// and corners.
+/// Returns an object's value with this name in templates; `None` if there is none. A plane's values
+/// describe the square that represents it: rows of the matrix from the unit square to the world, and
+/// corners.
 fn object_value(subject: &ExportScene, object: &ExportObject, name: &str) -> Option<TemplateValue> {
     match name {
         "title" => return Some(sanitized(&object.title).into()),

@@ -5,13 +5,14 @@ use std::io::{self, BufWriter, Seek, Write};
 use exr::prelude::*;
 use pinhole_core::{Certificate, DVec3, Frame, Step};
 
-/// Writes a frame that was traced with normals, and one certificate for each of its pixels. The float
-/// channels are `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and `margin`; the uint channels are `object` and
-/// `step`.
+/// Writes a frame that was traced with normals, and for each pixel a certificate, which says how its
+/// hit was decided. The float channels are `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and `margin`; the uint
+/// channels are `object` and `step`.
 ///
 /// (u, v) is the pixel's centre. If nothing is hit, `t` is infinite, the normal is zero, and `object`
 /// is [`pinhole_core::NO_OBJECT`], 4294967295. `step` and `margin` are those of the [`Certificate`].
-/// The step is 0 for `f64`, 1 for double-double and 2 for exact; the margin is in bits.
+/// The step, the arithmetic that was needed to decide the hit, is 0 for `f64`, 1 for double-double and
+/// 2 for exact integers; the margin is in bits.
 ///
 /// # Errors
 /// Returns an error if writing to `out` fails.
@@ -51,7 +52,7 @@ pub fn encode(
     Image::from_layer(layer).write().to_buffered(BufWriter::new(out)).map_err(to_io)
 }
 
-/// Returns the number that stands for a certificate's step in the file.
+/// Returns the number by which the file represents a certificate's step.
 fn number_of(certificate: &Certificate) -> u32 {
     match certificate.step {
         Step::F64 => 0,

@@ -7,11 +7,12 @@ use std::mem;
 use color_quant::NeuQuant;
 use gif::{Encoder, EncodingError, Frame, Repeat};
 
-/// Maximum number of colours in a frame. One more index is reserved for pixels that have not changed.
+/// Maximum number of colours in a frame. The last of the 256 palette indices is reserved for pixels
+/// that have not changed.
 const COLORS: usize = 255;
 
-/// Maximum number of frames per second: players show each frame for at least two hundredths of a
-/// second.
+/// Maximum number of frames per second, because players show each frame for at least two hundredths of
+/// a second.
 pub const MOST_PER_SECOND: u16 = 50;
 
 /// Writes an animated GIF (GIF89a). It is opaque, with a palette of up to 255 colours for each frame.
@@ -75,8 +76,8 @@ impl<W: Write> Animated<W> {
         self.encoder.write_frame(&frame).map_err(to_io)
     }
 
-    /// Returns the duration of the next frame, in hundredths of a second. Rounding errors do not
-    /// accumulate.
+    /// Returns the duration of the next frame, in hundredths of a second. It is rounded so that the
+    /// errors do not accumulate.
     fn delay(&self) -> u16 {
         let end = |frame: u32| u64::from(frame) * 100 / u64::from(self.per_second);
         (end(self.done + 1) - end(self.done)) as u16

@@ -1,5 +1,5 @@
-//! Derives a camera from what a text specifies: a frame of axes, an angle, and the aspect ratio of an
-//! image.
+//! Derives this program's camera from what an imported text specifies: the camera's axes and position,
+//! an angle of view, and the aspect ratio of the image.
 
 use pinhole_core::glam::{DAffine3, DMat4};
 use pinhole_core::{
@@ -13,16 +13,16 @@ use crate::template::n;
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \
                             the picture is the same";
 
-/// Returns the affine map of a matrix of 16 numbers in column-major order. Returns `None` for any other
-/// number of them, or if the last row is not 0 0 0 1.
+/// Returns the affine map of a 4 x 4 matrix in column-major order. Returns `None` if there are not 16
+/// numbers, or if the last row is not 0 0 0 1.
 pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
     let m = DMat4::from_cols_array(columns.try_into().ok()?);
     (m.row(3).to_array() == [0.0, 0.0, 0.0, 1.0]).then(|| DAffine3::from_mat4(m))
 }
 
-/// Returns the orientation and the eye of a camera that looks along its own -z with y up. `frame` is
-/// its frame in the world, whose axes may have any length. If the world is left-handed, every z is
-/// negated, and a note is added.
+/// Returns the orientation and the eye of a camera that looks along its own -z with y up. `frame` maps
+/// the camera's coordinates to the world's; its axes may have any length. If they are left-handed,
+/// every z is negated, and a note is added.
 ///
 /// # Errors
 /// Returns a message about the axes, such as "one of its axes is (0, 0, 0)".
@@ -71,8 +71,8 @@ fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation,
     Ok(Orientation::Basis(basis))
 }
 
-/// Returns the axis with rounding errors removed: a component that is within them of -1, 0 or 1 times
-/// the axis's length is set to that value.
+/// Returns the axis with rounding errors removed: a component that differs only by them from -1, 0 or 1
+/// times the axis's length is replaced by a number with few digits.
 fn without_noise(axis: DVec3) -> DVec3 {
     let roundings = 4.0 * f64::EPSILON;
     let length = axis.length();
@@ -82,7 +82,8 @@ fn without_noise(axis: DVec3) -> DVec3 {
     }))
 }
 
-/// Returns the number near `x` with the fewest digits that satisfies `fits`; `x` if there is none.
+/// Rounds `x` to the fewest digits for which the result satisfies `fits`; returns `x` if there are
+/// none.
 pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
     (0..17)
         .filter_map(|digits| format!("{x:.digits$e}").parse::<f64>().ok())
@@ -90,7 +91,7 @@ pub(super) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
         .unwrap_or(x)
 }
 
-/// Returns the number with the fewest digits that differs from `x` by at most `roundings`.
+/// Rounds `x` to the fewest digits for which the result differs from `x` by at most `roundings`.
 pub(super) fn settled(x: f64, roundings: f64) -> f64 {
     if x.abs() <= roundings {
         return 0.0;
@@ -98,8 +99,9 @@ pub(super) fn settled(x: f64, roundings: f64) -> f64 {
     shortest_where(x, |y| (y - x).abs() <= roundings)
 }
 
-/// Returns a viewport at `distance` whose height spans about this angle in radians and satisfies
-/// `fits`, and which is `aspect` times as wide as high. Its numbers have as few digits as possible.
+/// Returns a viewport at `distance` whose height spans this angle in radians, and whose width is
+/// `aspect` times its height. Both numbers have as few digits as possible; `fits` decides whether a
+/// rounded height is accurate enough.
 fn viewport(fov: f64, aspect: f64, distance: f64, fits: impl Fn(f64) -> bool) -> Viewport {
     let height = shortest_where(extent_of_fov(fov, distance), fits);
     let is_in_ratio = |x: f64| (x / height / aspect - 1.0).abs() <= 2.0 * f64::EPSILON;
@@ -117,7 +119,7 @@ pub(super) fn viewport_of_angle(degrees: f64, aspect: f64, distance: f64) -> Vie
     viewport(degrees.to_radians(), aspect, distance, fits)
 }
 
-/// Does the same as [`viewport_of_angle`], for an angle in radians.
+/// Returns the same viewport as [`viewport_of_angle`] for an angle in radians.
 pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
     viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
 }
@@ -130,9 +132,9 @@ fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
         .then(|| ImageSize::new(width as u32, height).ok())?
 }
 
-/// Returns an image size close to the current one with this aspect ratio, so that pixels are square. It
-/// has the same height or width if possible, otherwise multiples of ten pixels, otherwise any size. The
-/// ratio may have been rounded to `f32`.
+/// Returns an image size with this aspect ratio that is close to the size `at_hand`. It has the same
+/// height or width if possible, otherwise multiples of ten pixels, otherwise any size. The ratio may
+/// have been rounded to `f32`.
 fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     let (w, h) = (at_hand.width(), at_hand.height());
     let by_height = |height: u32, off: f64| {
@@ -153,8 +155,8 @@ fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     })
 }
 
-/// Returns the image size for a format that specifies only the aspect ratio: the current size if it has
-/// this ratio, and otherwise one close to it.
+/// Returns the image size for a format that specifies only the aspect ratio: the current camera's size
+/// if it has this ratio, and otherwise one close to it.
 pub(super) fn image_of_ratio(
     at_hand: ImageSize,
     aspect: f64,
@@ -172,8 +174,8 @@ pub(super) fn image_of_ratio(
     image
 }
 
-/// Returns the note about an image whose size is not specified. `unsaid` says what is missing, and
-/// `taken` why this size is used.
+/// Returns the note that says which size is used for an image whose size the text does not specify.
+/// `unsaid` says what is missing, and `taken` why this size is used.
 pub(super) fn size_note(unsaid: &str, image: ImageSize, taken: &str) -> String {
     format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }

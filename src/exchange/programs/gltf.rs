@@ -32,7 +32,8 @@ pub(super) const FORMAT: Format = Format {
     extra,
 };
 
-/// Returns the nodes of the objects, and the glTF tables to which they refer.
+/// Returns the template's values for the objects: their nodes, and the glTF tables (meshes, materials,
+/// buffers) to which the nodes refer.
 fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, String> {
     let mut nodes = Vec::new();
     let mut tables = String::new();
@@ -55,7 +56,8 @@ fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, 
     ])
 }
 
-/// Number of steps of the sphere's mesh from pole to pole. There are twice as many around the axis.
+/// Number of subdivisions of the sphere's mesh from pole to pole. There are twice as many around the
+/// axis.
 const STEPS: u16 = 32;
 
 /// A mesh of triangles, given by their vertices.
@@ -64,8 +66,8 @@ struct Mesh {
     triangles: Vec<[u16; 3]>,
 }
 
-/// Returns a node for each object, and the distinct colours. The colour with index k has two meshes:
-/// number 2 k is a sphere, and number 2 k + 1 a square.
+/// Returns a glTF node for each object, and the list of the objects' distinct colours. For the colour
+/// with index k, mesh 2 k is a sphere, and mesh 2 k + 1 a square.
 fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec<Rgb>) {
     let mut colors: Vec<Rgb> = Vec::new();
     let mut nodes = Vec::new();
@@ -102,9 +104,9 @@ fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec
     (nodes, colors)
 }
 
-/// Returns the glTF tables for these colours. Each colour has two meshes, with their materials and
-/// vertices. The template contains the number of vertices of each shape, and their position in the
-/// buffer.
+/// Returns the glTF tables for objects in these colours: for each colour a material and two meshes, and
+/// the buffer with the vertices of both shapes. The numbers of vertices, and their positions in the
+/// buffer, are constants in the template.
 fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     let material = |color: &Rgb| {
         format!(
@@ -139,8 +141,8 @@ fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     })
 }
 
-/// Returns the unit sphere, divided by longitude and latitude. Seen from outside, its triangles are
-/// counterclockwise.
+/// Returns a mesh of the unit sphere, divided by longitude and latitude. Its triangles are
+/// counterclockwise as seen from outside.
 fn sphere() -> Mesh {
     let round = 2 * STEPS;
     let mut points = vec![[0.0, 1.0, 0.0], [0.0, -1.0, 0.0]];
@@ -166,7 +168,7 @@ fn sphere() -> Mesh {
     Mesh { points, triangles }
 }
 
-/// Returns the square from -1 to 1 in x and y.
+/// Returns a mesh of the square from -1 to 1 in x and y.
 fn square() -> Mesh {
     let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
     Mesh { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }

@@ -1,5 +1,5 @@
-//! Reads the camera of a glTF file in JSON or binary. All numbers are read as `f64`. The crate `gltf`
-//! would read them as `f32`, which changes the camera from the eighth digit on.
+//! Reads the camera of a glTF file, whether JSON or binary. The crate `gltf` is not used, because it
+//! reads numbers as `f32`, which would change the camera from the eighth digit on.
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{Basis, Camera, DVec3};
@@ -48,7 +48,7 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
 }
 
-/// Reads the camera. Values that the text does not specify are those of `at_hand`.
+/// Reads the camera of a glTF text. Values that it does not specify are those of the camera `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = parse(input)?;
     let root = JsonNode { input, path: String::new(), value: &value };
@@ -91,9 +91,9 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-/// Returns the node whose camera is imported, and its field with that camera's index. The first
-/// perspective camera in the shown scene is chosen, otherwise the first perspective camera in the file,
-/// otherwise the first camera. Returns `None` if no node has a camera.
+/// Returns the node whose camera is imported, and its field with that camera's index. It is the first
+/// node with a perspective camera in the scene that is displayed, otherwise in the file, or otherwise
+/// the first node with any camera. Returns `None` if no node has a camera.
 fn node_of_camera<'a>(
     root: &JsonNode<'a>,
     nodes: &[JsonNode<'a>],
@@ -124,8 +124,9 @@ fn node_of_camera<'a>(
     Ok(Some(taken.clone()))
 }
 
-/// Returns true for each node of the shown scene. That is the scene whose index is the value of
-/// `scene`, or the first one by default. If there are no scenes, all nodes count as shown.
+/// Returns, for each node of the file, whether it belongs to the displayed scene. That is the scene
+/// whose index is the value of `scene`, or the first one by default. If there are no scenes, all nodes
+/// count as displayed.
 fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
     let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
@@ -148,7 +149,8 @@ fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
     Ok(shown)
 }
 
-/// Returns a node's frame in world coordinates, for which the frames of its ancestors are combined.
+/// Returns the map from a node's coordinates to the world's, which combines the transforms of its
+/// ancestors.
 fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
@@ -172,7 +174,7 @@ fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     }
 }
 
-/// Returns a node's frame in the coordinates of its parent.
+/// Returns the map from a node's coordinates to those of its parent.
 fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
     if let Some(matrix) = node.get("matrix") {
         return affine(&matrix.numbers::<16>()?)
@@ -248,8 +250,9 @@ impl<'a> JsonNode<'a> {
         list.filter_map(|index| usize::try_from(index.as_u64()?).ok())
     }
 
-    /// Creates the error `path is value: right`. It is located at the last name of the path if the text
-    /// contains that name only once.
+    /// Creates the error `path is value: right`, where `path` names the value, such as
+    /// `nodes[0].camera`. The error is located at the last name of the path if the text contains that
+    /// name only once.
     fn fault(&self, right: &str) -> FileError {
         let value: String = self.value.to_string().chars().take(60).collect();
         let problem = format!("{} is {value}: {right}", self.path);

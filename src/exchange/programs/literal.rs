@@ -1,5 +1,5 @@
-//! Reads cameras from literal numbers: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`, a look-at, a matrix, or
-//! K, R and t.
+//! Reads cameras that are given by literal numbers, such as `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`:
+//! eye, at and up, a matrix, or OpenCV's K, R and t.
 //!
 //! Variables are not resolved, and no arithmetic is done except for quotients such as 4.0 / 3.0. A text
 //! is either understood completely, so that each statement contributes to the camera, or rejected with
@@ -22,7 +22,8 @@ use crate::template::n;
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
-/// Variable names of OpenCV's matrices, and of the image's width and height.
+/// Variable names of OpenCV's intrinsic matrix K; below, those of R, t, [R|t], and of the image's width
+/// and height.
 const K_NAMES: [&str; 7] = [
     "K",
     "camera_matrix",
@@ -38,7 +39,7 @@ const RT_NAMES: [&str; 3] = ["Rt", "extrinsics", "extrinsic"];
 const SIZE_NAMES: [[&str; 2]; 3] =
     [["image_width", "image_height"], ["imageWidth", "imageHeight"], ["width", "height"]];
 
-/// Functions that only make a list or a vector of their arguments.
+/// Functions that only make a list or a vector of their arguments, so that a call of them is literal.
 const MAKERS: [&str; 10] = [
     "vec3", "dvec3", "Vec3", "Vector3", "point3", "array", "asarray", "Matrix", "Vector", "SVector",
 ];
@@ -47,8 +48,8 @@ const MAKERS: [&str; 10] = [
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
-/// Preprocessor directives that may exclude lines. Whether they do is known only after running the
-/// preprocessor.
+/// Preprocessor directives that may exclude lines, so that a text with them cannot be understood
+/// without running the preprocessor.
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
 
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), a \
@@ -77,8 +78,8 @@ pub(super) fn detect(text: &str) -> bool {
             && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some()
 }
 
-/// Reads the camera. The field of view and the image size are those of `at_hand` if they are not
-/// specified.
+/// Reads the camera of a text. The field of view and the image size are those of the camera `at_hand`
+/// if the text does not specify them.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let plain = without_comments(input)?;
     let source = Statements { input, statements: statements(input, &plain)? };
@@ -164,7 +165,8 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported
     Imported { camera: Camera { eye, orientation, viewport, image: at_hand.image }, notes }
 }
 
-/// Imports a matrix. `vectors` says whether its rows or its columns are right, up, backwards and eye.
+/// Imports a camera-to-world matrix. `vectors` (`rows` or `columns`) says, for the note, which of them
+/// are right, up, backwards and eye.
 fn by_matrix(affine: &DAffine3, vectors: &str, at_hand: &Camera) -> Result<Imported, String> {
     let taken = format!(
         "taken as the matrix from camera to world: its {vectors} are right, up, backwards and eye"
@@ -188,8 +190,8 @@ fn unsaid(at_hand: &Camera) -> String {
     )
 }
 
-/// Returns the affine map of a matrix of 12 or 16 numbers in row-major order. Returns `None` for any
-/// other number of them, or if the last row is not 0 0 0 1.
+/// Returns the affine map of a 3 x 4 or 4 x 4 matrix in row-major order. Returns `None` if there are
+/// neither 12 nor 16 numbers, or if the last row of 4 x 4 is not 0 0 0 1.
 fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     let whole: [f64; 16] = match m.len() {
         12 => [m, &[0.0, 0.0, 0.0, 1.0]].concat().try_into().ok()?,
@@ -198,7 +200,8 @@ fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
     affine(&std::array::from_fn::<f64, 16, _>(|k| whole[4 * (k % 4) + k / 4]))
 }
 
-/// Imports a camera from OpenCV's K, R and t:
+/// Imports a camera from OpenCV's intrinsic matrix K, rotation R and translation t, which map a point q
+/// of the world to the pixel coordinates (x, y):
 ///
 /// ```text
 /// s (x, y, 1) = K (R q + t)        x = j, y = i at the centre of pixel (row i, column j)
@@ -252,7 +255,8 @@ fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
     Ok(Intrinsics { fx: k[0], fy: k[4], cx: k[2] + 0.5, cy: k[5] + 0.5 })
 }
 
-/// Returns the viewport, in as few digits as possible, that has these focal lengths.
+/// Returns the viewport that has these focal lengths, with width and height rounded to as few digits as
+/// possible.
 fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
     let near = k.viewport(image, distance);
     let of = |viewport: Viewport| Intrinsics::from_viewport(&viewport, image);
@@ -300,8 +304,8 @@ fn size(
     Ok(image)
 }
 
-/// Returns the rows of R, and t, given separately or as one 3 × 4 or 4 × 4 matrix. For a calibration
-/// without them, the world's frame is that of the camera.
+/// Returns the three rows of OpenCV's R, followed by t, which are given separately or as one 3 × 4 or 4
+/// × 4 matrix. If neither is given, returns the identity: the camera's coordinates are the world's.
 fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
     let whole = source.given(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = source.given(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
@@ -351,7 +355,8 @@ struct Statement<'s> {
 /// An argument of a call, or a value.
 struct Argument<'s> {
     piece: Piece<'s>,
-    /// The numbers of the argument, regardless of brackets; `None` if it is not literal.
+    /// The numbers in the argument as a flat list, whatever its brackets; `None` if it contains
+    /// anything but literal numbers.
     numbers: Option<Vec<f64>>,
 }
 
@@ -393,7 +398,7 @@ impl Statements<'_> {
     }
 
     /// Returns the statement that assigns to one of `names`, and its numbers; `None` if there is none.
-    /// Returns an error if their number is not one of `counts`.
+    /// Returns an error if there are several, or if it has a count of numbers that is not in `counts`.
     fn given(
         &self,
         names: &[&str],
@@ -417,7 +422,8 @@ impl Statements<'_> {
     }
 }
 
-/// Creates the error `statement: right`, with the statement on one line and without a colon at its end.
+/// Creates the error `statement: right` about a statement, which is quoted on one line and without a
+/// colon at its end.
 fn refused(input: &Input, piece: Piece, right: &str) -> FileError {
     let statement = one_line(piece.text);
     input.error_at(piece.at, format!("{}: {right}", statement.trim_end_matches(':')))
@@ -572,8 +578,9 @@ fn argument(piece: Piece) -> Argument {
     Argument { piece, numbers }
 }
 
-/// Returns the numbers of a text. Apart from them, it may contain only brackets, [`MAKERS`] before
-/// brackets, slashes in quotients of two numbers, commas and blanks. Returns `None` for any other text.
+/// Returns the numbers in a text, if it is literal: apart from numbers, it contains only brackets,
+/// [`MAKERS`] before brackets, slashes in quotients of two numbers, commas and spaces. Returns `None`
+/// for any other text.
 fn literal(text: &str) -> Option<Vec<f64>> {
     let mut spaced = String::with_capacity(text.len());
     for c in text.chars() {
@@ -609,7 +616,8 @@ fn literal(text: &str) -> Option<Vec<f64>> {
     (count > 0 && (commas == 0 || commas == count || commas + 1 == count)).then_some(numbers)
 }
 
-/// Parses a number in the notation of these languages: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
+/// Parses a number in the notation of C, Python and similar languages: `-1`, `.5`, `2.`, `1e-3`,
+/// `4.0f`.
 fn number(cell: &str) -> Option<f64> {
     let is_float = cell.ends_with(['f', 'F']) && cell.contains(['.', 'e', 'E']);
     let digits = if is_float { &cell[..cell.len() - 1] } else { cell };

@@ -1,9 +1,9 @@
 //! Writes the camera and the scene in other programs' formats, and reads a camera from a glTF file or
 //! from literal numbers.
 //!
-//! This module uses neither a window nor the disk. A format is a constant in the list [`FORMATS`]. It
-//! consists of a template and of [`Conventions`](crate::format::Conventions), which describe how the
-//! format's axes, pixels and field of view differ from Pinhole's.
+//! This module works on texts in memory. A format of another program is a constant in the list
+//! [`FORMATS`]. It consists of a template and of [`Conventions`](crate::format::Conventions), which
+//! describe how the format's axes, pixels and field of view differ from Pinhole's.
 //!
 //! World coordinates are never rotated: if another program conventionally has z up or a left-handed
 //! world, the camera is written so that the same coordinates give the same picture. If a format cannot

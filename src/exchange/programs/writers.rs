@@ -16,9 +16,9 @@ pub static FORMATS: [Format; 10] =
 /// of Pinhole's camera.
 ///
 /// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to 1/2
-/// (POV-Ray's reference, *Camera*), so right is width U, up is height V and direction is -distance W.
-/// POV-Ray's world is left-handed by convention only: the vector right determines in which direction
-/// the columns of the picture run.
+/// (POV-Ray's reference, *Camera*), so right is width * U, up is height * V and direction is -distance
+/// * W. POV-Ray's world is left-handed by convention only: the vector right determines in which
+/// direction the columns of the picture run.
 const POVRAY: Format = Format {
     name: "povray",
     label: "POV-Ray",
@@ -97,7 +97,8 @@ const MITSUBA: Format = Format {
 };
 
 /// Blender's Python: a camera object with `matrix_world`, whose camera looks along its own -z with y
-/// up. World coordinates are kept: that z is up is a convention of Blender's views, not of its cameras.
+/// up. World coordinates are exported unchanged: that z is up is a convention of Blender's views, not
+/// of its cameras.
 const BLENDER: Format = Format {
     name: "blender",
     label: "Blender Python",
@@ -118,7 +119,8 @@ const BLENDER: Format = Format {
     extra: pixel_aspect,
 };
 
-/// Returns Blender's two numbers for the shape of a pixel, each of which must be at least 1.
+/// Returns Blender's two numbers for the aspect ratio of a pixel, along x and y, each of which must be
+/// at least 1.
 fn pixel_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let shape = subject.pixel_shape();
     let (x, y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
@@ -166,8 +168,8 @@ fn aspect_ratio(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValue
     Ok(vec![("aspect_ratio", ratio.into())])
 }
 
-/// The course's own camera, a call in Julia: `PerspectiveCamera(eye, view, up, focal, H, W)`. Its
-/// viewport is 1 wide and H / W high.
+/// The camera of the lecture's own Julia code, a call `PerspectiveCamera(eye, view, up, focal, H, W)`.
+/// Its viewport is 1 wide and H / W high.
 const COURSE: Format = Format {
     name: "course",
     label: "PerspectiveCamera of the course",
@@ -226,7 +228,8 @@ const OPENGL: Format = Format {
     },
 };
 
-/// OpenCV's K and [R|t], as JSON.
+/// OpenCV's intrinsic matrix K and pose [R|t], as JSON. They map a point q of the world to the pixel
+/// coordinates (x, y):
 ///
 /// ```text
 /// s (x, y, 1) = K (R q + t)        x = j, y = i at the centre of pixel (row i, column j)
@@ -274,7 +277,8 @@ const THREE: Format = Format {
     extra: stand_ins,
 };
 
-/// Returns the meshes that stand for the objects in three.js, with their geometries and materials.
+/// Returns the template's values for the objects: the meshes that represent them in three.js, with
+/// their geometries and materials.
 fn stand_ins(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
     let uuid = |k: usize| format!("00000000-0000-4000-8000-{k:012x}");
     let matrix = |[a, b, c, at]: [DVec3; 4]| {

@@ -1,4 +1,4 @@
-//! Changes values in the text of a scene file, and leaves everything else unchanged.
+//! Changes values in the text of a scene file, and leaves comments and layout unchanged.
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use super::{note_to_block, read, split_note, write};
 use crate::document::Document;
 
-/// Returns the previous text with its values replaced by those of the document. Returns `None` if the
-/// previous text is not a scene file, or cannot be edited.
+/// Returns the text `previous` with its values replaced by those of the document. Returns `None` if it
+/// is not a scene file, or cannot be edited.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
     let old = read::document(previous, Path::new(""), None).ok()?;
@@ -26,8 +26,8 @@ pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     Some(if has_carriage_returns { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text })
 }
 
-/// Applies the changes between `old` and `new`, which have this program's layout, to `table`, which has
-/// the same values as `old` in the layout of the user's file. Returns `None` if that is impossible.
+/// Changes `table`, a table of the user's file, wherever `new` differs from `old`. Both are written by
+/// this program; `old` has the same values as `table`. Returns `None` if that is impossible.
 fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> Option<()> {
     for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
         table.remove(key);
@@ -59,8 +59,9 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
     Some(())
 }
 
-/// Keeps the equal tables at both ends of the list. In between, tables are edited in order; then
-/// surplus tables are removed, or missing ones inserted.
+/// Changes `tables`, an array of tables of the user's file, wherever `new` differs from `old`. Tables
+/// at both ends that are equal in `old` and `new` are kept. In between, tables are edited in order;
+/// then surplus ones are removed, or missing ones inserted.
 fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTables) -> Option<()> {
     let [old, new] = [old, new].map(|list| list.iter().collect::<Vec<&Table>>());
     let same = |(a, b): &(&&Table, &&Table)| a.to_string() == b.to_string();
@@ -84,7 +85,7 @@ fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTable
     Some(())
 }
 
-/// Returns the tables of a list, whichever of TOML's notations the file uses.
+/// Returns the array of tables with this key, whichever of TOML's notations the file uses.
 fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfTables> {
     if root.get(key).is_none_or(|item| !item.is_array_of_tables()) {
         let tables = match root.remove(key) {
@@ -96,8 +97,8 @@ fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfT
     root.get_mut(key)?.as_array_of_tables_mut()
 }
 
-/// Sets the value of a field, keeping the blanks and the comment of the old value. In a vector, only
-/// the components that differ are replaced.
+/// Sets the value of a field, but keeps the spaces and the comment around the old value. In a vector,
+/// only the components that differ are replaced.
 fn edit_value(
     table: &mut dyn TableLike,
     key: &str,

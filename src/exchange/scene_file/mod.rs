@@ -35,7 +35,8 @@
 //! defaults are those of the canonical camera. A top-level `spheres = "file.csv"`, with a path relative
 //! to the scene file, adds [many spheres](crate::csv::spheres). Unknown fields are errors.
 //!
-//! The comment lines at the beginning of the file are the document's note, which says what to look for.
+//! The comment lines at the beginning of the file are the document's note, a text for the viewer about
+//! the scene.
 //!
 //! A camera without a valid basis (eye = at, up parallel to view, vectors set by hand that are not
 //! orthonormal) is not an error of the file. The file can be loaded, and the reason is given where the
@@ -84,8 +85,8 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
 /// The result of [`save`] or [`prepare`].
 #[derive(Clone, Debug)]
 pub struct Saved {
-    /// The document that will be read from the file. It shares the CSV file's spheres with the original
-    /// document, so that the CSV file need not be read again.
+    /// The document that reading the file would give. It shares the CSV file's spheres with the
+    /// original document, so that the CSV file need not be read again.
     pub document: Document,
     /// The file's text.
     pub text: String,
@@ -128,9 +129,9 @@ pub fn prepare(
     Ok(Saved { document: written, text })
 }
 
-/// Returns the path of `file` as it is written in a scene file in `folder`. This is `written` if it
-/// refers to the same file, otherwise the relative path, otherwise the absolute path. Returns `None` if
-/// the path is not UTF-8.
+/// Returns the path by which a scene file in `folder` refers to `file`: `written`, the path up to now,
+/// if it still refers to that file, otherwise the relative path or, if there is none, the absolute
+/// path. Returns `None` if the path is not UTF-8.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let file = resolved(file)?;
@@ -171,7 +172,7 @@ fn split_note(text: &str) -> (&str, &str) {
     text.split_at(end)
 }
 
-/// Returns the note in a block of comments: the lines without `# `.
+/// Returns the note in a block of comment lines: their text without `# `.
 fn note_of_block(block: &str) -> String {
     let line = |line: &str| -> String {
         let line = line.strip_prefix('#').unwrap_or(line);
@@ -197,8 +198,8 @@ fn note_to_block(note: &str) -> String {
         .collect()
 }
 
-/// Returns the error of a file's camera with the position of the invalid field, such as `room.toml:5:6:
-/// camera.at: eye and at are the same point (1, 2, 3): move one of them`.
+/// Returns the error of a scene file's camera, with the position of the invalid field, such as
+/// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.
 ///
 /// The file is read again, because a document does not store positions. Returns `None` if the file does
 /// not contain the field, because the file has changed or the value is the default.
@@ -215,8 +216,8 @@ pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     Some(section.get(key)?.fault(error))
 }
 
-/// Returns the name of the invalid field with its tables, as in messages; `None` if there is no single
-/// one.
+/// Returns the name of the field that causes a camera's error, with its table, such as `camera.at`;
+/// `None` if no single field does.
 fn field_at_fault(error: &CameraError) -> Option<String> {
     Some(match error {
         CameraError::Basis(error) => match error {

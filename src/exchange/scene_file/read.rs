@@ -42,8 +42,8 @@ pub(super) fn document(
     Ok(document)
 }
 
-/// Reads those of the tables in [`TABLES`] that are present. Each one replaces the corresponding values
-/// of the document.
+/// Reads the tables in [`TABLES`], each of which may be missing. A table that is present replaces the
+/// corresponding values of the document.
 pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
     let camera = &mut document.camera;
     if let Some(section) = root.get("camera") {
@@ -65,8 +65,9 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
-/// Parses a text whose brackets are nested at most [`limits::NESTING`] deep. The parser is recursive
-/// and continues after an error, so its own limit does not protect the stack.
+/// Parses a TOML text, whose brackets must not be nested more than [`limits::NESTING`] deep. This is
+/// checked first, because the parser is recursive and continues after an error, so that its own limit
+/// does not prevent a stack overflow.
 ///
 /// # Errors
 /// Returns an error at the first bracket if they are nested too deep, or the first syntax error.
@@ -81,8 +82,8 @@ pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
     Toml::parse(source.text).map_err(|error| not_toml(source, &error))
 }
 
-/// Returns the position of the first open bracket at the place where the nesting becomes too deep.
-/// Returns `None` if it never does.
+/// Returns the position of the outermost bracket that is open where the nesting becomes too deep;
+/// `None` if it never does.
 fn too_deep(text: &str) -> Option<usize> {
     let mut open = Vec::new();
     for token in toml_parser::Source::new(text).lex() {
