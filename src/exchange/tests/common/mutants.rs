@@ -1,15 +1,15 @@
-//! Texts that nobody would write, made of those that people do: no reader panics, stalls, or says more than
-//! a message should.
+//! Fuzzing: reads mutated copies of valid texts, and checks that no reader panics, takes too long, or
+//! returns an overlong message or one with hidden characters.
 //!
-//! A run takes two seconds with a fixed seed, and two more with that of `PROPTEST_RNG_SEED`, if there is one;
-//! with `PINHOLE_FUZZ_SECONDS=3600` it takes an hour. A text that fails is printed with its seed.
+//! A run takes two seconds with a fixed seed and, if `PROPTEST_RNG_SEED` is set, two more with that
+//! seed; with `PINHOLE_FUZZ_SECONDS=3600` it takes an hour. A text that fails is printed with its seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use pinhole_exchange::is_hidden;
 
-/// A reader by its name; it returns its messages.
+/// A reader: its name, and a function that reads a text and returns the messages for the user.
 pub(crate) type Reader = (&'static str, fn(&[u8]) -> Vec<String>);
 
 /// Reads mutants of the samples with every reader.
@@ -19,8 +19,9 @@ pub(crate) fn fuzz(samples: &[Vec<u8>], readers: &[Reader]) {
     }
 }
 
-/// The seeds to draw from, each with its time: a fixed one and `PROPTEST_RNG_SEED`; by hand that one, or the clock's, for
-/// as many seconds as a variable says.
+/// Returns the seeds to run with, each with its duration: a fixed seed and, if set,
+/// `PROPTEST_RNG_SEED`, for the time `usual`. If the environment variable `seconds` is set, returns
+/// only one seed, `PROPTEST_RNG_SEED` or the clock, for that many seconds.
 pub(crate) fn plays(seconds: &str, usual: Duration) -> Vec<(u64, Duration)> {
     let number = |name: &str| std::env::var(name).ok().and_then(|given| given.parse().ok());
     let fresh = number("PROPTEST_RNG_SEED");
@@ -31,7 +32,7 @@ pub(crate) fn plays(seconds: &str, usual: Duration) -> Vec<(u64, Duration)> {
     [Some(20), fresh].into_iter().flatten().map(|seed| (seed, usual)).collect()
 }
 
-/// What stands where something else should.
+/// Texts that are inserted where they do not belong.
 const STRANGE: [&str; 44] = [
     "\u{a0}",
     "\u{2019}",
@@ -79,8 +80,8 @@ const STRANGE: [&str; 44] = [
     "$x",
 ];
 
-/// Numbers from a seed (splitmix64: G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom
-/// number generators*, OOPSLA 2014).
+/// A generator of pseudorandom numbers (splitmix64: G. L. Steele, D. Lea, C. H. Flood, *Fast splittable
+/// pseudorandom number generators*, OOPSLA 2014).
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -100,13 +101,14 @@ impl Random {
         (self.next() % count.max(1) as u64) as usize
     }
 
-    /// One of these, if there are any.
+    /// Returns a random item, or `None` if there are none.
     pub(crate) fn one_of<'a, T>(&mut self, all: &'a [T]) -> Option<&'a T> {
         all.get(self.below(all.len()))
     }
 }
 
-/// Where the words, numbers and signs of a text begin, and where it ends.
+/// Returns the byte positions at which the tokens of a text (words, numbers, punctuation marks) begin,
+/// followed by its length.
 fn tokens(bytes: &[u8]) -> Vec<usize> {
     let is_of_word =
         |byte: u8| byte.is_ascii_alphanumeric() || b"_.".contains(&byte) || byte >= 0x80;
@@ -116,7 +118,8 @@ fn tokens(bytes: &[u8]) -> Vec<usize> {
     [0].into_iter().chain(starts).chain([bytes.len()]).collect()
 }
 
-/// A sample with some of its tokens gone, doubled, exchanged, or others in their places.
+/// Returns a random sample in which some tokens are deleted, repeated, or replaced by others, or from
+/// which the end is cut off.
 fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     let mut text = random.one_of(samples).unwrap().clone();
     for _ in 0..=random.below(4) {
@@ -151,14 +154,14 @@ fn mutant(samples: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     text
 }
 
-/// Maximum bytes of a text: of what was repeated, some is repeated again, and readers have caps of their own.
+/// Maximum length of a mutated text in bytes, since repetitions may themselves be repeated.
 const LENGTH: usize = 256 << 10;
 
-/// Maximum time for a text of some 100 kB, unoptimised on a busy machine: what takes time with the square
-/// of its length takes minutes.
+/// Maximum time to read a text, generous enough for 100 kB in a debug build on a busy machine. A reader
+/// whose time grows with the square of the length would take minutes.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Maximum length of a message in characters, its file and place among them.
+/// Maximum length of a message in characters, including file name and position.
 const MESSAGE: usize = 1100;
 
 fn run(samples: &[Vec<u8>], readers: &[Reader], seed: u64, time: Duration) {

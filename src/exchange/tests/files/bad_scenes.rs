@@ -1,10 +1,11 @@
-//! Scene files with a fault, each with the message that it gets, to the letter.
+//! Invalid scene files, each with the exact error message.
 
 use std::path::Path;
 
 use pinhole_exchange::scene_file;
 
-/// A text at fault, behind the one that [`check`] puts before it, and the message behind `scene.toml:`.
+/// Pairs of an invalid text, before which [`check`] puts a valid beginning, and the error message after
+/// `scene.toml:`.
 type Cases = &'static [(&'static str, &'static str)];
 
 const WHOLE_FILES: Cases = &[
@@ -274,7 +275,8 @@ fn whole_files() {
     check("", WHOLE_FILES);
 }
 
-/// The parser calls itself for every bracket, and goes on behind a fault: it ended the program here.
+/// The TOML parser recurses for every open bracket, and continues after an error. Without a check, it
+/// would overflow the stack here.
 #[test]
 fn brackets_that_are_nested_too_deep_are_told_before_they_are_parsed() {
     let unclosed = "up = [0, 1, 0]\nbasis = {0]\n".repeat(7200);
@@ -289,7 +291,7 @@ fn brackets_that_are_nested_too_deep_are_told_before_they_are_parsed() {
         let expected = format!("scene.toml:{place}: {problem}");
         assert_eq!(message.to_string(), expected);
     }
-    // Brackets in text are none.
+    // Brackets within a string do not count.
     let text = format!("{CAMERA}[[sphere]]\nname = \"{}\"\n", "[".repeat(100));
     let message = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")).unwrap_err();
     assert!(message.to_string().contains("center is missing"), "{message}");

@@ -1,8 +1,9 @@
-//! Code for the camera at hand: compiled and run, it gives this program's rays.
+//! Tests of exported code: compiled and run, it gives the same rays as this program.
 //!
-//! A language whose tools are not installed is left out, and that is printed;
-//! `PINHOLE_TEST_CODE=required` makes it an error for all but Julia's own program, which no package
-//! registry has; its grammar is in npm's, in the folder `PINHOLE_TEST_NODE_MODULES`.
+//! A language whose tools are not installed is skipped with a message; with
+//! `PINHOLE_TEST_CODE=required`, that is an error. Only the program `julia` may always be missing,
+//! because no package registry has it. A Julia grammar from npm is used, too, in the folder
+//! `PINHOLE_TEST_NODE_MODULES`.
 
 #![allow(clippy::print_stdout, reason = "CI shows which languages ran, and how far they were off")]
 
@@ -17,7 +18,7 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{ExportScene, Include};
 use pinhole_exchange::scenes::SceneSource;
 
-/// The Rust of two cameras, as a part of this program.
+/// The code that was exported to Rust for two cameras, compiled into this test.
 mod glam_look_at {
     #![allow(dead_code, missing_docs, clippy::print_stdout, clippy::excessive_precision)]
     include!("code/look-at.rs");
@@ -59,7 +60,7 @@ fn code(language: &str, camera: &ResolvedCamera) -> Result<String, String> {
     language.write(&subject).map(|written| written.text.text).map_err(|error| error.to_string())
 }
 
-/// The corners and the middle, and some others.
+/// Returns pixels to compare: the corners and some inside the image.
 fn pixels(camera: &ResolvedCamera) -> Vec<Pixel> {
     let (last_row, last_column) = (camera.image().height() - 1, camera.image().width() - 1);
     let corners = [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)];
@@ -67,14 +68,16 @@ fn pixels(camera: &ResolvedCamera) -> Vec<Pixel> {
     corners.into_iter().chain(inside).map(|(row, column)| Pixel { row, column }).collect()
 }
 
-/// Distance of an origin and a direction from the camera's, as a share of their length.
+/// Returns the larger of the relative errors of an origin and a direction, compared with the camera's
+/// ray.
 fn error(camera: &ResolvedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) -> f64 {
     let ray = camera.ray_of_pixel(pixel);
     let apart = |a: DVec3, b: DVec3| a.distance(b) / a.length().max(f64::MIN_POSITIVE);
     apart(ray.origin, origin).max(apart(ray.direction, direction))
 }
 
-/// The largest error of six numbers a pixel.
+/// Returns the largest error over all pixels, for each of which there are six numbers: origin and
+/// direction.
 fn worst_error(camera: &ResolvedCamera, pixels: &[Pixel], numbers: &[f64]) -> f64 {
     assert_eq!(numbers.len(), 6 * pixels.len(), "{numbers:?}");
     let errors = numbers
@@ -88,16 +91,17 @@ fn numbers_of(text: &str) -> Vec<f64> {
     text.split_whitespace().map(|word| word.parse().unwrap()).collect()
 }
 
-/// Names and texts.
+/// The names and contents of files.
 type Files = Vec<(&'static str, String)>;
 
-/// Runs a program on the code of some cameras; what it prints is six numbers a pixel.
+/// How to run the exported code in a language. The run prints six numbers per pixel: origin and
+/// direction.
 struct Runner {
     language: &'static str,
-    /// The program that must be installed, asked for its version.
+    /// A command that succeeds if the required program is installed.
     needs: &'static [&'static str],
     tolerance: f64,
-    /// From the code and the calls of it to a file, and to the command lines that run it.
+    /// Returns the files to write for the exported code and calls of it for these pixels.
     files: fn(&str, &[Pixel]) -> Files,
     run: &'static [&'static [&'static str]],
 }
@@ -165,7 +169,8 @@ const RUNNERS: [Runner; 5] = [
         ],
     },
     Runner {
-        // GLM speaks GLSL: the shader's text, but for its first lines, is C++, in f32 as on a card.
+        // With GLM, the shader's text, except for its first lines, is valid C++, and computes in `f32`,
+        // as on a GPU.
         language: "glsl",
         needs: &["g++", "-fsyntax-only", "-include", "glm/glm.hpp", "-x", "c++", "/dev/null"],
         tolerance: 1e-6,
@@ -211,7 +216,7 @@ fn is_there(program: &[&str]) -> bool {
     command(program[0]).args(&program[1..]).output().is_ok_and(|output| output.status.success())
 }
 
-/// Numbers that the first command that prints the rays prints.
+/// Runs all commands of a language, and returns the numbers that the first one prints.
 fn numbers(runner: &Runner, code: &str, pixels: &[Pixel]) -> Vec<f64> {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in (runner.files)(code, pixels) {
@@ -256,7 +261,8 @@ fn every_language_gives_this_programs_rays() {
     }
 }
 
-/// Julia without Julia: `julia.mjs` works the rays out from the syntax tree.
+/// Tests the Julia code without Julia: `julia.mjs` parses it with a grammar, and evaluates the syntax
+/// tree.
 #[test]
 fn julia_is_read_by_its_grammar() {
     let modules = std::env::var("PINHOLE_TEST_NODE_MODULES").unwrap_or("node_modules".into());

@@ -1,4 +1,5 @@
-//! `spheres = "file.csv"`: good ones, and bad ones with their exact messages.
+//! Tests of tables of spheres (`spheres = "file.csv"`): valid ones, and invalid ones with their exact
+//! messages.
 
 use std::fs;
 use std::path::Path;
@@ -82,7 +83,8 @@ fn bad_files_are_told_line_column_and_value() {
     );
 }
 
-/// A scene may name any file of the machine as its table, and whoever opens it sees the message.
+/// A message about a file that is not a table does not quote it: a scene from somebody else may name
+/// any file of the machine as its table.
 #[test]
 fn what_is_no_table_is_not_shown() {
     for text in ["root:$6$secret:20228:0:::\n", "secret\n", "secret,more\n1,2\n", "a;secret\n"] {

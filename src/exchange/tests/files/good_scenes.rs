@@ -1,4 +1,4 @@
-//! Scene files as people write them, and the built-in ones.
+//! Tests of valid scene files: in the various notations that people use, and the built-in ones.
 
 use std::path::Path;
 

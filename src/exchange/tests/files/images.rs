@@ -1,4 +1,4 @@
-//! Pictures as PNG and GIF: what a viewer is told of them.
+//! Tests of written PNG and GIF files: what an image viewer reads from them.
 
 use pinhole_exchange::images::gif;
 use pinhole_exchange::images::png;
@@ -10,7 +10,7 @@ fn a_picture_says_that_it_is_srgb() {
     assert!(picture.windows(4).any(|bytes| bytes == b"sRGB"));
 }
 
-/// The frames of a GIF as they are shown, and how long each is, in hundredths of a second.
+/// Returns the frames of a GIF as a viewer shows them, and their durations in hundredths of a second.
 fn shown(bytes: &[u8]) -> (Vec<Vec<[u8; 3]>>, Vec<u16>) {
     let mut options = ::gif::DecodeOptions::new();
     options.set_color_output(::gif::ColorOutput::RGBA);
@@ -39,7 +39,7 @@ fn animated(frames: &[Vec<[u8; 4]>], size: [u32; 2], per_second: u16) -> Vec<u8>
 
 #[test]
 fn a_gif_of_few_colours_has_each_of_them_and_keeps_the_pace() {
-    // 240 colours, of which a half changes from frame to frame; the last frame is the one before.
+    // 240 colours, half of which change from frame to frame; the last frame equals the one before it.
     let pixel = |k: u32, frame: u32| [(k % 120) as u8, (k % 60) as u8, frame as u8, 255];
     let frame = |frame: u32| (0..600).map(|k| pixel(k, if k < 300 { frame } else { 9 })).collect();
     let frames: Vec<Vec<[u8; 4]>> = [0, 1, 2, 2].map(frame).to_vec();

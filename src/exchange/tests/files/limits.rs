@@ -1,4 +1,4 @@
-//! What is too large to read, or may never end.
+//! Tests that inputs are rejected that are too large, or may never end.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -13,7 +13,7 @@ fn a_file_is_read_up_to_its_limit() {
     assert_eq!(limits::read(&path, 4).unwrap(), b"four");
     assert_eq!(limits::read_from(&b"four"[..], &path, 4).unwrap(), b"four");
     let refused = format!("{}: it is too large: at most 64 MiB are read", path.display());
-    // It has no blocks on the disk.
+    // The file is sparse, so it takes no space on the disk.
     File::create(&path).unwrap().set_len(limits::TEXT + 1).unwrap();
     assert_eq!(scene_file::load(&path).unwrap_err().to_string(), refused);
     let more = std::io::repeat(b'#');

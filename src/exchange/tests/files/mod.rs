@@ -1,4 +1,4 @@
-//! Scene files, the CSV files beside them, pictures, and code: read, refused, saved.
+//! Tests of reading, rejecting and saving scene files, CSV files, pictures and code.
 
 mod bad_scenes;
 mod code;

@@ -1,4 +1,4 @@
-//! Any document, written and read again, is the same to the last bit.
+//! Tests that any document, written and read again, is the same to the last bit.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -67,7 +67,7 @@ fn text() -> impl Strategy<Value = String> {
     prop_oneof![hard.prop_map(str::to_owned), any::<String>()]
 }
 
-/// Lines that can stand in a comment, without control characters but tabs.
+/// Returns random notes: lines that a comment can contain, without control characters except tabs.
 fn note() -> impl Strategy<Value = String> {
     vec("[^\\p{Cc}]{0,12}|#|\t| x", 0..4).prop_map(|lines| lines.join("\n"))
 }
@@ -117,12 +117,12 @@ fn document() -> impl Strategy<Value = Document> {
     )
 }
 
-/// Debug text, unlike `==`, tells 0 from -0.
+/// Returns a document's debug text, which, unlike `==`, distinguishes 0 from -0.
 fn bits(document: &Document) -> String {
     format!("{document:?}")
 }
 
-/// The document in a text whose CSV file does not exist.
+/// Reads the document from a text without its line `spheres = ...`, since that CSV file does not exist.
 fn read(text: &str) -> Document {
     let without_csv: String =
         text.split_inclusive('\n').filter(|line| !line.starts_with("spheres = ")).collect();

@@ -1,4 +1,4 @@
-//! Saving over a file: what stays, and what happens when it fails.
+//! Tests of saving over an existing file: what is kept, and what happens if saving fails.
 
 use std::fs;
 use std::path::Path;
@@ -43,7 +43,8 @@ fn read(text: &str) -> Document {
     scene_file::parse(text, Path::new("scene.toml"), Path::new("")).unwrap()
 }
 
-/// Saves an edit of [`COMMENTED`]; the text must be the original with `changes` to its text.
+/// Checks that saving an edited document over [`COMMENTED`] changes only the texts in `changes`, each
+/// from the first to the second.
 fn check(edit: impl Fn(&mut Document), changes: &[(&str, &str)]) {
     for original in [COMMENTED.to_owned(), COMMENTED.replace('\n', "\r\n")] {
         let returns = |text: &str| {

@@ -1,4 +1,5 @@
-//! Messages on faults of a text: file, line, field, value, what would be right.
+//! Tests of the error messages for invalid texts: file, line, field, value, and the rule for valid
+//! values.
 
 use std::path::Path;
 
@@ -39,8 +40,8 @@ fn faults_name_place_field_and_what_would_be_right() {
     }
 }
 
-/// A form is known by what is in a text; where that does not tell, glTF by the name. Of what is no longer
-/// or never was read, the message says what is.
+/// The kind of a text is detected from its content or, for glTF, from the file's extension. For texts
+/// of unsupported kinds, the message lists the supported ones.
 #[test]
 fn what_is_no_camera_is_recognised_as_none() {
     for text in [
@@ -74,8 +75,8 @@ fn what_is_no_camera_is_recognised_as_none() {
     assert_eq!(of("a.glb"), Ok(Importer::Gltf));
 }
 
-/// No text makes a reader panic: beginnings of exports, and exports with a byte or a number gone, or
-/// another one in its place.
+/// No damaged text makes a reader panic: exports that are cut off, and exports in which a byte or a
+/// number is missing or replaced.
 #[test]
 fn broken_texts_are_errors() {
     for (_, document) in super::proofs() {

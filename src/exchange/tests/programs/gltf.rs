@@ -1,4 +1,4 @@
-//! The camera that is read of a glTF, in JSON and binary, and trees that no file may have.
+//! Tests of reading cameras from glTF, JSON and binary, and of rejecting invalid trees of nodes.
 
 use std::path::Path;
 
@@ -97,7 +97,8 @@ fn a_ring_of_nodes_and_two_parents_are_refused() {
     }
 }
 
-/// Each took the stack, or time that grows with the square of the nodes.
+/// Tests long chains and a cycle of nodes. A recursive reader would overflow the stack; a naive one
+/// would take time quadratic in the number of nodes.
 #[test]
 fn long_chains_and_rings_end() {
     let many = 100_000;
@@ -139,7 +140,8 @@ fn a_camera_by_rotation_in_a_parent() {
     assert_eq!(notes, ["glTF does not say how many pixels there are: 800 × 400 taken"]);
 }
 
-/// Whatever is written is read back: the pose to the bit, the viewport to a few roundings.
+/// A camera that is written as glTF and read back is the same: its pose to the bit, its viewport up to
+/// a few rounding errors.
 #[test]
 fn what_is_written_is_read_back() {
     for (name, document) in proofs() {
@@ -156,7 +158,7 @@ fn text(bytes: &[u8]) -> Result<String, String> {
     file_text(Path::new("in"), bytes.to_owned()).map_err(|error| error.to_string())
 }
 
-/// A binary glTF of this JSON and a chunk of vertices.
+/// Returns a binary glTF that consists of this JSON and a chunk of vertices.
 fn binary(json: &str) -> Vec<u8> {
     let padded = format!("{json}{}", " ".repeat(json.len().next_multiple_of(4) - json.len()));
     let mut chunks = Vec::new();

@@ -1,4 +1,5 @@
-//! Cameras of pasted text: taken where every number is literal, refused at the line at fault else.
+//! Tests of cameras in pasted text, which are read if every number is literal, and otherwise rejected
+//! with the line of the error.
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
 use pinhole_exchange::FileError;
@@ -80,7 +81,7 @@ fn k_alone_is_a_camera_at_the_origin_and_what_it_leaves_open_is_told() {
     let size =
         "the image's size is not given: 640 × 480, whose middle is the principal point, taken";
     assert_eq!(read(k).unwrap().notes, [size, origin]);
-    // 320 is meant as half of 640, though whole numbers are centres.
+    // A principal point of 320 is meant as half of 640, although integers are pixel centres in OpenCV.
     let notes = read(&k.replace("319.5", "320").replace("239.5", "240")).unwrap().notes;
     assert_eq!(notes[0], "the image's size is not given: 640 × 480, twice cx and cy, taken");
     assert!(notes[1].starts_with("the principal point is 0.5 pixels right"), "{notes:?}");
@@ -128,7 +129,7 @@ fn numbers_alone_are_eye_at_up_or_a_matrix() {
     assert!(notes("0 0 2 7\n0 1 0 8\n-1 0 0 9").contains("its scale is left out"));
 }
 
-/// A name, a calculation, a step of a program: nothing of it is half taken.
+/// A text with a variable, a calculation or a further statement is rejected, and not read in part.
 #[test]
 fn what_is_not_literal_is_refused_at_its_line() {
     let numbers = "it must be given by numbers, without names or calculations";
@@ -204,7 +205,7 @@ fn what_is_not_literal_is_refused_at_its_line() {
     }
 }
 
-/// Brackets in brackets, and statements without end: each ends, and soon.
+/// Reading deeply nested brackets and very long texts ends with an error, and soon.
 #[test]
 fn long_texts_end() {
     let many = 100_000;

@@ -1,5 +1,5 @@
-//! Other programs' cameras: what is written and read, what is wrong with a text, and the other programs
-//! themselves.
+//! Tests of other programs' cameras: of writing and reading them, of messages for invalid texts, and of
+//! the exports with the other programs themselves.
 
 mod faults;
 mod gltf;
@@ -41,8 +41,9 @@ fn sphere(center: [f64; 3], radius: f64, color: [u8; 3]) -> Item<Sphere> {
     Item { name: None, color: Some(color), shape }
 }
 
-/// Three spheres of different sizes and colours that no flip leaves as they are: a large one in the
-/// middle, a middling one to its upper right, a small one to its left, nearer; and one off the axis.
+/// Returns four spheres of different sizes and colours whose picture changes if it is mirrored or
+/// turned: a large one in the middle, a medium one to its upper right, a small one to its left and
+/// nearer, and one to its lower right.
 fn marker() -> Vec<Item<Sphere>> {
     vec![
         sphere([0.0, 0.0, 0.0], 1.0, [255, 0, 0]),
@@ -62,8 +63,8 @@ fn camera(eye: [f64; 3], at: [f64; 3], up: [f64; 3], size: [f64; 3], image: [u32
     }
 }
 
-/// A wide image, a high one, a rolled camera far from the origin's axes, and pixels that are not
-/// square.
+/// Returns scenes to export: with a wide image, with a tall one, with a rolled camera in a general
+/// position, and with pixels that are not square.
 fn proofs() -> Vec<(&'static str, Document)> {
     let cameras = [
         (

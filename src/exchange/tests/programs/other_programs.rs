@@ -1,11 +1,11 @@
-//! The other programs themselves: each reads what was exported, and says which object it has at every
-//! pixel's centre, or where it sees points. Pixels whose centre is within half a pixel of an outline
-//! are left out; none other may differ.
+//! Tests with the other programs themselves: each reads what was exported, and prints which object it
+//! has at every pixel's centre, or where it sees points. Pixels whose centre is within half a pixel of
+//! an outline are not compared; all others must agree.
 //!
-//! A program that is not there is told, and left out. `PINHOLE_TEST_PROGRAMS` makes it an error:
-//! `required` for all of them, or their names, as `povray,numpy`. `PINHOLE_TEST_PYTHON` is the Python
-//! to ask for numpy, mitsuba, cv2 and bpy; `PINHOLE_TEST_NODE_MODULES` the folder that has
-//! three and gltf-validator.
+//! A program that is not installed is skipped with a message, unless `PINHOLE_TEST_PROGRAMS` is
+//! `required` or lists its name, as in `povray,numpy`. `PINHOLE_TEST_PYTHON` is the Python interpreter
+//! that has numpy, mitsuba, cv2 and bpy; `PINHOLE_TEST_NODE_MODULES` is the folder with three and
+//! gltf-validator.
 
 use std::env;
 use std::fs;
@@ -18,7 +18,8 @@ use pinhole_exchange::format::Include;
 
 use super::{proofs, written};
 
-/// Returns true where a program is there; one that must be there and is not is an error.
+/// Returns true if a program is installed, which is so if the command `probe` succeeds. Panics if it is
+/// required but not installed.
 fn there(name: &str, probe: &mut Command) -> bool {
     let found = probe.output().is_ok_and(|output| output.status.success());
     let wanted = env::var("PINHOLE_TEST_PROGRAMS").unwrap_or_default();
@@ -48,7 +49,8 @@ fn output(command: &mut Command) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The object at every pixel's centre, or `None` where it is within half a pixel of an outline.
+/// Returns the object at every pixel's centre (-1 for none), or `None` if the centre is within half a
+/// pixel of an outline.
 fn clear_objects(document: &Document) -> Vec<Vec<Option<i64>>> {
     let camera = document.camera.resolve().unwrap();
     let scene = document.scene().unwrap();
@@ -73,7 +75,8 @@ fn clear_object(camera: &ResolvedCamera, scene: &Scene, pixel: Pixel) -> Option<
     round.map(|offset| object(0.5 * offset)).all(|other| other == own).then_some(own)
 }
 
-/// Holds a table of objects, a line a row, against the picture.
+/// Compares a program's table of objects, with one line per row of the image, with this program's
+/// picture.
 fn assert_agrees(program: &str, scene: &str, document: &Document, table: &str) {
     let theirs: Vec<Vec<i64>> = table
         .lines()
@@ -96,7 +99,8 @@ fn assert_agrees(program: &str, scene: &str, document: &Document, table: &str) {
     println!("{program}: {scene}: {clear} of {} pixels agree", ours.len() * ours[0].len());
 }
 
-/// A folder with the exported files and the spheres, as JSON and as lines.
+/// Returns a temporary folder with the exported file, and with the spheres both as JSON and as lines of
+/// numbers.
 fn folder_of(format: &str, document: &Document, with: Include) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let text = written(format, document, with).text.text;
@@ -126,7 +130,7 @@ fn pov_ray_renders_the_same_picture() {
     }
     for (name, document) in proofs() {
         let folder = folder_of("povray", &document, Include::Objects);
-        // Each object in its own colour, whatever the light.
+        // Each object is drawn in its own colour, regardless of light.
         let file = folder.path().join("scene.pov");
         let text = fs::read_to_string(&file).unwrap();
         let flat = text.replace("ambient 0 diffuse 1", "ambient 1 diffuse 0");
@@ -211,8 +215,8 @@ fn blender_has_the_same_rays() {
     }
 }
 
-/// Points in front of the camera, and where they are in the image: x right and y down from its
-/// corner.
+/// Returns points in front of the camera, and their positions in the image in pixels, with x right and
+/// y down from its corner.
 fn points(document: &Document) -> (String, Vec<DVec2>) {
     let camera = document.camera.resolve().unwrap();
     let (viewport, image) = (*camera.viewport(), camera.image());
@@ -296,7 +300,7 @@ fn three_js_and_gltf_have_the_same_objects() {
     }
 }
 
-/// Compiles a program that includes what was exported, and runs it.
+/// Compiles a C++ program that includes the exported code, runs it, and returns its output.
 fn compiled(source: &str, folder: &Path) -> String {
     let program = folder.join("program");
     let include = |path: &Path| format!("-I{}", path.display());

@@ -1,4 +1,5 @@
-//! What is written, without the other programs: finite numbers, and only what a format can say.
+//! Tests of exported texts without the other programs: all numbers are finite, and a format rejects
+//! what it cannot express.
 
 use pinhole_core::{Camera, DVec3, ImageSize, Plane, Viewport};
 use pinhole_exchange::document::Item;
@@ -7,8 +8,8 @@ use pinhole_exchange::programs::FORMATS;
 
 use super::{marker, scene_of, text_of};
 
-/// No number that is not finite leaves the program: an eye so far out that squares overflow is written with
-/// finite ones, or refused by the line at fault.
+/// Only finite numbers are exported: a camera whose eye is so far away that squares overflow is either
+/// written with finite numbers, or rejected.
 #[test]
 fn an_eye_beyond_all_is_written_in_finite_numbers_or_refused() {
     for far in [1e155, 1e200, 1e306, 1.7e308] {
@@ -51,7 +52,8 @@ fn pixels_that_are_not_square_are_refused_where_they_cannot_be_said() {
     }
 }
 
-/// `int(image_width / aspect_ratio)` loses a row where the quotient is rounded up.
+/// The aspect ratio that is written makes the book's `int(image_width / aspect_ratio)` the image's
+/// height, although the quotient of a rounded ratio might be just below it.
 #[test]
 fn weekend_keeps_every_row() {
     let value = |text: &str, name: &str| -> f64 {
