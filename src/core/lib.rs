@@ -104,7 +104,7 @@
 //! are not positive are rejected with typed errors by [`Ray::check`], [`Scene::new`] and
 //! [`Camera::resolve`].
 //!
-//! # By raw numbers
+//! # With plain coordinates
 //!
 //! Each function below answers one question about plain coordinates. Rays and objects can be made from
 //! any type that converts into a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; bases and cameras take only

@@ -100,8 +100,8 @@ impl FineBasis {
             v.map(|x| x / length)
         };
         let (u, w) = (fine_unit(right), fine_unit(f).map(|x| -x));
-        // The errors of u and w are half a dot product's, a root's and a quotient's; u also has R's; v
-        // has those of u and w, and a cross product's.
+        // u and w each have half the error of a dot product and those of a square root and a quotient; u
+        // also has the error of R; v has the errors of u and w, and that of a cross product.
         type T = DoubleDouble;
         let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
         let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);

@@ -68,7 +68,7 @@ impl<T: Number> Quadratic<T> {
     /// b:  B = |q||d| (DOT + k)                 a:  a (DOT + 2 k)
     /// m = q x d:  M = |q||d| (CROSS + k)
     /// far,  r^2 a - m.m:  2 |m| M + M^2 + r^2 a (2 PRODUCT + DOT + 2 k) + DOT m.m
-    /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
+    /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + error of c)
     /// ```
     ///
     /// To the bound of D, the rounding of the difference adds SUM times each of its two terms.

@@ -152,7 +152,7 @@ mod tests {
         fn ldexp_rounds_once(bits in any::<u64>(), to in -1080..1025_i32, far in -2100..2100_i32) {
             let x = f64::from_bits(bits);
             prop_assume!(x.is_finite() && x != 0.0);
-            // Half of the time to where the result is an ordinary or a subnormal number.
+            // Half of the values of k lead to a result that is an ordinary or a subnormal number.
             for k in [far, to - exponent(x)] {
                 prop_assert_eq!(ldexp(x, k).to_bits(), by_integers(x, k).to_bits());
             }

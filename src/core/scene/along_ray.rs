@@ -137,7 +137,8 @@ impl<'a> AlongRay<'a> {
         let (ray, q) = (&self.ray, seen.fine.q);
         let t = self.scaled_time(t, ray.scale - seen.scale)?;
         let reach = t.hi.abs() * ray.fine.length;
-        // The error of t d is d's own, a quotient's and a product's; that of the difference is a sum's.
+        // t d has the error of d and those of a quotient and a product; the difference adds that of a
+        // sum.
         let share = ray.fine.doubt + T::QUOTIENT + T::PRODUCT + T::SUM;
         let doubt = 1.05 * (reach * share + seen.fine.distance * (seen.fine.q_doubt + T::SUM));
         Some((std::array::from_fn(|i| ray.fine.d[i] * t - q[i]), doubt))

@@ -120,7 +120,7 @@ impl Line {
     ///
     /// Each side of the inequality is off by less than `16 u |d| (|q|_1 + |h|_1)` with the unit roundoff
     /// u, for two products, a sum and the rounding of q; and by the relative error of d. [`Line::DOUBT`]
-    /// is far more than 16 u, because it does no harm to count a box as met that the line just misses.
+    /// is far more than 16 u, because it does no harm to count a box as hit that the line just misses.
     /// Underflow changes a value by less than the smallest normal number. If a value overflows, the
     /// inequality decides nothing.
     pub(crate) fn may_meet(&self, middle: [f64; 3], half: [f64; 3]) -> bool {
@@ -137,6 +137,6 @@ impl Line {
     }
 
     /// Allowance for errors, relative to `|d| (|q|_1 + |h|_1)`: a box that the line misses by no more
-    /// counts as met.
+    /// counts as hit.
     const DOUBT: f64 = 1e-12;
 }

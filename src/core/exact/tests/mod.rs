@@ -146,7 +146,7 @@ fn sums_and_their_errors_are_exact() {
         assert!(is_equal(&exact, &(&Dyadic::from(sum) + &Dyadic::from(error))), "{a:e} + {b:e}");
         let (larger, smaller) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
         assert_eq!(fast_two_sum(larger, smaller), (sum, error), "{larger:e} + {smaller:e}");
-        // The condition is on exponents: within one, either may come first.
+        // The condition is on exponents: if they are equal, either number may come first.
         if a != 0.0 && b != 0.0 && exponent(a) == exponent(b) {
             assert_eq!(fast_two_sum(smaller, larger), (sum, error), "{smaller:e} + {larger:e}");
         }

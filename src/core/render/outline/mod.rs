@@ -401,7 +401,7 @@ impl Extent {
 pub(crate) struct Extents<'a> {
     camera: &'a ResolvedCamera,
     raster: &'a Raster,
-    /// See [`Extents::new`].
+    /// Relative error of centres and rays, see [`Extents::new`].
     doubt: f64,
     /// Number of columns per unit of `u / distance`.
     columns_per_slope: f64,
@@ -409,13 +409,13 @@ pub(crate) struct Extents<'a> {
 }
 
 impl<'a> Extents<'a> {
-    /// Computes the data. `doubt` is derived as follows. The rays are exact, but the bounds are computed
-    /// in `f64` from the rounded basis, as if it were orthonormal, and from the rounded vector oc to the
-    /// centre. In these coordinates, the error of a ray comes from rounding the basis (or from its
-    /// tolerance, if it is given by hand), and that of the centre from rounding its coordinates.
-    /// Together they are less than `doubt` times the length of the vector, not of each coordinate, which
-    /// matters on a viewport of extreme aspect. So a ray that hits the sphere hits, in these
-    /// coordinates, a sphere whose radius is larger by `doubt * (|oc| + r)`.
+    /// Computes the data. The field `doubt`, a relative error, is derived as follows. The rays are
+    /// exact, but the bounds are computed in `f64` from the rounded basis, as if it were orthonormal,
+    /// and from the rounded vector oc to the centre. In these coordinates, the error of a ray comes from
+    /// rounding the basis (or from its tolerance, if it is given by hand), and that of the centre from
+    /// rounding its coordinates. Together they are less than `doubt` times the length of the vector, not
+    /// of each coordinate, which matters on a viewport of extreme aspect. So a ray that hits the sphere
+    /// hits, in these coordinates, a sphere whose radius is larger by `doubt * (|oc| + r)`.
     pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let (viewport, image) = (camera.viewport(), camera.image());

@@ -188,7 +188,7 @@ pub(crate) struct CameraSpace {
     pub(crate) widest: [f64; 2],
     /// `sqrt(1 + widest^2)` for x and for y.
     pub(crate) border_lengths: [f64; 2],
-    /// See [`CameraSpace::new`].
+    /// Relative error of centres and rays, see [`CameraSpace::new`].
     pub(crate) doubt: f64,
     /// True if no product of a few lengths and slopes overflows, and the basis is so close to
     /// orthonormal that `doubt` is small.
@@ -196,13 +196,14 @@ pub(crate) struct CameraSpace {
 }
 
 impl CameraSpace {
-    /// Computes the space of a camera. `doubt` is derived as follows. The rays are exact, but here they
-    /// are computed from the rounded basis, as if it were orthonormal. With `u = 2^-53`, the error of
-    /// `q = center - eye` is `u |q|`, that of its three dot products `3 u |q|` each, that of the basis
-    /// its rounding (or its defect, if it is given by hand), and that of the slopes `3 u`: together less
-    /// than 12 u plus the defect. So a ray that hits a sphere of radius r hits, as computed, a sphere
-    /// around the computed centre whose radius is larger by `doubt (|q| + r)`; and a ray that hits, as
-    /// computed, one whose radius is smaller by as much hits the true sphere.
+    /// Computes the coordinate system of a camera. The field `doubt`, a relative error, is derived as
+    /// follows. The rays are exact, but here they are computed from the rounded basis, as if it were
+    /// orthonormal. With `u = 2^-53`, the error of `q = center - eye` is `u |q|`, that of its three dot
+    /// products `3 u |q|` each, that of the basis its rounding (or its defect, if it is given by hand),
+    /// and that of the slopes `3 u`: together less than 12 u plus the defect. So a ray that hits a
+    /// sphere of radius r hits, as computed, a sphere around the computed centre whose radius is larger
+    /// by `doubt (|q| + r)`; and a ray that hits, as computed, one whose radius is smaller by as much
+    /// hits the true sphere.
     pub(crate) fn new(camera: &ResolvedCamera) -> CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();

@@ -70,7 +70,7 @@ impl Conic {
     /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B
     /// q x direction:  M = |q| S (CROSS + P + Q)
     /// D, far:   2 r S M + M^2 + r^2 S^2 (2 PRODUCT + DOT + 2 P) + DOT N^2 + F (r^2 S^2 + N^2)
-    /// D, near:  2 B B' + B'^2 + DOT B^2 + |c| S^2 (PRODUCT + DOT + 2 P + doubt of c)
+    /// D, near:  2 B B' + B'^2 + DOT B^2 + |c| S^2 (PRODUCT + DOT + 2 P + error of c)
     ///           + F (B^2 + |c| S^2)          with F = SUM + 4 STEP
     /// ```
     ///
@@ -163,13 +163,13 @@ impl Conic {
         let z = 0.99 * sphere.c.abs().sqrt() * least_length;
         let other = if side == Ordering::Less { self.a_doubt } else { 0.0 };
         let left = t_doubt - sphere.c_doubt - other - operations - b_doubt / z;
-        // The root of a D that is large compared with its doubt is off by little more than half of doubt
-        // / sqrt D.
+        // If D is large compared with its error bound `doubt`, its root is off by little more than half
+        // of doubt / sqrt D.
         let root = 0.52 * doubt / (z * left);
         let hit = if left > 0.0 && root.is_finite() {
             (32.0 * doubt).max(root * root)
         } else {
-            // `t` cannot be accurate enough: every pixel goes up the ladder by itself.
+            // `t` cannot be accurate enough: the ladder decides every pixel.
             f64::INFINITY
         };
         Thresholds { hit, miss: -doubt, ahead: b_doubt }

@@ -110,8 +110,8 @@ fn blend_vector<S: Simd>(
     (!is_sure).any_true()
 }
 
-/// Returns `t` if a ray from outside surely hits the sphere before the known hit, infinity if it
-/// surely does not, and NaN if in doubt.
+/// Returns `t` if a ray from outside surely hits the sphere before the known hit, infinity if it surely
+/// does not, and NaN if `f64` cannot decide.
 #[inline(always)]
 pub(crate) fn pixel_hit(
     quadratic: &Quadratic<f64>,

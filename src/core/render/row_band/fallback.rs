@@ -106,9 +106,9 @@ pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 }
 
 impl PixelLadder<'_> {
-    /// Decides the doubts that lie in these rows.
+    /// Decides those of the pixels in doubt that lie in these rows.
     fn resolve_all(&mut self, doubts: &[Doubt]) {
-        // Consecutive doubts mostly concern the same sphere.
+        // Consecutive pixels in doubt mostly concern the same sphere.
         let mut last: Option<(u32, ObjectFromOrigin)> = None;
         for doubt in doubts {
             let Doubt { index, row, column, t } = *doubt;

@@ -42,7 +42,7 @@ pub(crate) struct RowBand<'a> {
     /// Where drawing by rows continues: at this sphere of the plan or, if there are many spheres, at
     /// this visible group and block. `None` if all are drawn.
     next: Option<(usize, usize)>,
-    /// Pixels in doubt that remain to be decided.
+    /// Pixels that drawing by rows could not decide, left to the ladder.
     doubts: Vec<Doubt>,
     /// For each pixel, the hit in `f64` of the sphere that it shows, if it was in doubt; empty if few
     /// were.
@@ -54,7 +54,8 @@ pub(crate) struct RowBand<'a> {
     /// The position m of each column, counted from the middle of the current patch as in
     /// [`Conic`](crate::render::polynomial::conic::Conic).
     m: Vec<f64>,
-    /// The kernel's answers for one row: `t`, a miss or doubt.
+    /// The kernel's result for each pixel of one row: `t`, or that the ray misses, or that the kernel
+    /// cannot decide.
     found: Vec<f64>,
 }
 

@@ -1,5 +1,5 @@
-//! Decides pixels in doubt in `f64`. The hit on the sphere that a pixel currently shows is cached, so
-//! that testing another sphere takes one comparison.
+//! Decides, in `f64`, pixels that drawing has left in doubt. The hit on the sphere that a pixel
+//! currently shows is cached, so that testing another sphere takes one comparison.
 
 use std::cmp::Ordering;
 
@@ -53,7 +53,7 @@ impl Rough {
             Ordering::Less => quadratic.root(&seen.rough, true),
             _ if b < -b_doubt => return Rough::Miss,
             _ if b <= b_doubt => None,
-            // From the sphere itself, the roots are 0 and 2 b / a.
+            // If the eye lies on the sphere, the roots are 0 and 2 b / a.
             Ordering::Equal => Some((2.0 * b / a, 1.01 * (b_doubt / b + a_doubt) + 4.0 * UNIT)),
             Ordering::Greater if discriminant < -discriminant_doubt => return Rough::Miss,
             Ordering::Greater => quadratic.root(&seen.rough, false),
@@ -88,7 +88,7 @@ impl RoughHit {
         ldexp(self.t * stretch, self.scale - scale)
     }
 
-    /// Compares the `t` of two hits of one ray; returns `None` if in doubt.
+    /// Compares the `t` of two hits of one ray; returns `None` if they are too close to call.
     pub(crate) fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
         // Both t are between 1e-60 and 1e60.
         let k = self.scale - other.scale;
@@ -101,7 +101,8 @@ impl RoughHit {
     }
 
     /// Compares `t` with the `t` at which the ray hits another sphere, by the power of this hit's point
-    /// with respect to the other sphere, which the ray must be known to hit. Returns `None` if in doubt.
+    /// with respect to the other sphere, which the ray must be known to hit. Returns `None` if `f64`
+    /// cannot decide.
     ///
     /// Let r and r' be the radii of this and the other sphere, o the vector from this sphere's centre to
     /// the hit, and e the vector from this centre to the other one. Since `|o| = r`, the quadratic terms

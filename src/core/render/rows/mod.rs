@@ -116,7 +116,7 @@ struct Drawing<S: Simd> {
 
 impl<S: Simd> Drawing<S> {
     /// Draws one SIMD vector of pixels, in which no `t` of the sphere is below `nearest`; returns a mask
-    /// of the pixels in doubt.
+    /// of the pixels that are too close to call.
     #[inline(always)]
     fn draw<const CORRECTS_ROOT: bool>(
         &self,

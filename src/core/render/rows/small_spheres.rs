@@ -64,12 +64,14 @@ pub(crate) struct Runs {
     offset: [i32; RUNS],
     /// The number of pixels.
     count: [i32; RUNS],
-    /// Pairs of a sphere's lane and a row of the raster in which one of its pixels is in doubt.
+    /// Pairs of a sphere's lane and a row of the raster in which it is too close to call whether the
+    /// sphere covers some pixel.
     pub(crate) doubtful: Vec<(usize, usize)>,
 }
 
 /// Draws those spheres of a SIMD vector whose bits are set in `small`; each must have a row in the
-/// target. A row with a pixel in doubt is not drawn, but listed in [`Runs::doubtful`].
+/// target. A row is not drawn, but listed in [`Runs::doubtful`], if it is too close to call whether the
+/// sphere covers some pixel of it.
 #[inline(always)]
 pub(crate) fn draw_small<S: Simd>(
     simd: S,
@@ -238,8 +240,8 @@ impl Runs {
     }
 
     /// Finds where each sphere's row of this step begins and ends, and stores the rows from position
-    /// `at` on. Returns two masks: the spheres whose row is to be drawn, and those with a pixel in doubt
-    /// in their row.
+    /// `at` on. Returns two masks: the spheres whose row is to be drawn, and those with a pixel in their
+    /// row that is too close to call.
     #[inline(always)]
     fn find<S: Simd>(
         &mut self,

@@ -116,7 +116,7 @@ impl SpanTarget<'_> {
     }
 
     /// Returns whether the sphere equals the sphere that the pixel shows. If so, makes the pixel show
-    /// whichever of the two is listed first; it is then not in doubt.
+    /// whichever of the two spheres is listed first, so that nothing is left to decide.
     pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
         let known = self.object[offset];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
@@ -126,7 +126,8 @@ impl SpanTarget<'_> {
         is_same
     }
 
-    /// Returns whether so many pixels are in doubt that they should be decided before drawing continues.
+    /// Returns whether so many pixels have been left to the ladder that they should be decided before
+    /// drawing continues.
     pub(crate) fn is_full(&self) -> bool {
         const FULL: usize = 1 << 16;
         self.doubts.len() >= FULL
@@ -311,9 +312,10 @@ pub(crate) struct SpanRows {
     from: [f64; MOST_LANES],
     /// Index in the raster of each row's last column, as a floating-point number.
     to: [f64; MOST_LANES],
-    /// Mask of the rows without pixels in doubt that cover a column of the raster.
+    /// Mask of the rows that cover a column of the raster and in which every pixel is certainly inside
+    /// or outside.
     pub(crate) is_drawn: u64,
-    /// Mask of the rows in which a pixel is in doubt.
+    /// Mask of the rows in which some pixel is neither certainly inside nor certainly outside.
     pub(crate) is_doubtful: u64,
 }
 

@@ -178,7 +178,7 @@ fn replacing_a_sphere_by_itself_changes_nothing() {
 
 #[test]
 fn the_index_is_the_same_for_any_number_of_threads() {
-    // Enough that halves are given to other threads, three times over.
+    // So many spheres that, three times in succession, halves of them are given to other threads.
     let spheres = cloud(70_000, (-1.0, 0.0));
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -260,7 +260,7 @@ proptest! {
         direction in prop::array::uniform3(-1.0..1.0f64),
         slopes in prop::array::uniform3(any::<bool>()),
     ) {
-        // Along axes and across: directions with zeros in them too.
+        // Some directions have coordinates of 0, so that they lie along axes or coordinate planes.
         let direction = DVec3::from_array(std::array::from_fn(|i| {
             if slopes[i] { direction[i] } else { 0.0 }
         }));
