@@ -16,8 +16,8 @@ pub static FORMATS: [Format; 10] =
 /// of Pinhole's camera.
 ///
 /// The ray through the middle of a pixel is `direction + x right + y up` with x and y from -1/2 to 1/2
-/// (POV-Ray's reference, *Camera*), so right is width * U, up is height * V and direction is -distance
-/// * W. POV-Ray's world is left-handed by convention only: the vector right determines in which
+/// (POV-Ray's reference, *Camera*), so right is `width * U`, up is `height * V` and direction is
+/// `-distance * W`. POV-Ray's world is left-handed by convention only: the vector right determines in which
 /// direction the columns of the picture run.
 const POVRAY: Format = Format {
     name: "povray",
