@@ -1,4 +1,4 @@
-//! The implicit function along a ray.
+//! Tests of [`AlongRay`], an object's implicit function f along a ray.
 
 use crate::common::oracle::{Big, Big3, big, near};
 use crate::common::seed::config;
@@ -7,7 +7,7 @@ use pinhole_core::*;
 use pinhole_reference::Family;
 use proptest::prelude::*;
 
-/// The lecture's camera between +x and -z, by view.
+/// The lecture's camera that looks halfway between -x and -z, given by its view direction.
 const AT_45_DEGREES: Camera = Camera {
     orientation: Orientation::View { view: DVec3::new(-1.0, 0.0, -1.0), up: DVec3::Y },
     ..Camera::CANONICAL
@@ -17,7 +17,7 @@ fn of_ray<'a>(object: &Object, ray: &Ray) -> AlongRay<'a> {
     AlongRay::new(object, ExactRay::from_ray(ray).unwrap()).unwrap()
 }
 
-/// f(t) in 1200 digits.
+/// Returns f(t) computed with 1200 binary digits.
 fn truth(object: &Object, ray: &Ray, t: f64) -> Big {
     let point = |from: DVec3| {
         let along = Big3::from(ray.direction).times(&big(-t));
@@ -32,7 +32,8 @@ fn truth(object: &Object, ray: &Ray, t: f64) -> Big {
     }
 }
 
-/// Right to half an ulp and a little, of the right sign, and 0 where the truth is.
+/// Asserts that f(t) is within an ulp of the `f64` nearest to the exact value, has its sign, and is 0
+/// if and only if it is 0.
 fn assert_right(object: &Object, ray: &Ray, along: &AlongRay, t: f64) -> Result<(), TestCaseError> {
     let (found, exact) = (along.value(t), truth(object, ray, t));
     let (nearest, zero) = (near(&exact), Big::ZERO);
@@ -55,7 +56,7 @@ fn values_of_the_lecture_s_scene() {
     assert_eq!((vertex.t, vertex.value), (5.0, -1.0));
     assert!(along.value(f64::NAN).is_nan());
 
-    // Through (0.2, -0.1) the ball is missed: f has no zero.
+    // The ray through (0.2, -0.1) misses the ball, so f has no zero.
     let ray = Ray::new([0.0; 3], [0.2, -0.1, -1.0]).unwrap();
     let vertex = of_ray(&ball, &ray).vertex().unwrap();
     assert_ulps(vertex.t, 5.0 / 1.05, 1);
@@ -77,7 +78,7 @@ fn values_of_the_lecture_s_scene() {
     );
 }
 
-/// A line that touches: 0 in one place, positive around it.
+/// Along a line that touches a sphere, f is 0 at one t, and positive on both sides of it.
 #[test]
 fn a_tangent_touches_zero() {
     let ball = Object::Sphere(sphere([1.0, 0.0, -5.0], 1.0));
@@ -88,7 +89,8 @@ fn a_tangent_touches_zero() {
     assert_eq!((vertex.t, vertex.value, vertex.value.is_sign_negative()), (5.0, 0.0, false));
 }
 
-/// Roots that no `f64` is: of view rays, whose direction has roots in it.
+/// f changes its sign at the roots of view rays, which are irrational, because the directions contain
+/// square roots.
 #[test]
 fn the_sign_changes_at_certified_roots_of_view_rays() {
     let resolved = AT_45_DEGREES.resolve().unwrap();
@@ -107,7 +109,7 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
                     let slope = along.slope(t);
                     let (before, after) = (along.value(t.next_down()), along.value(t.next_up()));
                     assert!(before * slope < 0.0 && after * slope > 0.0, "{object:?} at {t}");
-                    // Half an ulp of t, at that slope.
+                    // The value of f at a distance of half an ulp of t from the root.
                     let step = t.abs().next_up() - t.abs();
                     assert!(along.value(t).abs() <= 0.51 * step * slope.abs());
                     roots += 1;
@@ -118,7 +120,8 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
     assert!(roots > 300, "{roots}");
 }
 
-/// The reference's hard rays: grazing, far out, of extreme scale.
+/// Tests f at and next to the roots of the reference's difficult rays: grazing, far from the origin,
+/// and of extreme scale.
 #[test]
 fn right_next_to_the_roots_of_the_reference_s_rays() {
     let mut values = 0;
@@ -132,7 +135,7 @@ fn right_next_to_the_roots_of_the_reference_s_rays() {
                         for t in [t.next_down(), t, t.next_up(), 2.0 * t, 0.5 * t] {
                             let exact = truth(&object, &ray, t);
                             let nearest = near(&exact);
-                            // 1200 digits are too few for the square of 1e-200 beside 1.
+                            // 1200 binary digits are too few for the sum of 1 and the square of 1e-200.
                             let is_plain = t == 0.0 || t.abs() > 1e-150;
                             if is_plain
                                 && nearest.is_finite()
@@ -191,14 +194,14 @@ proptest! {
         }
     }
 
-    /// The slope is the derivative, and the vertex is where f is least.
+    /// The slope is the derivative of f, and the vertex is the t at which f is smallest.
     #[test]
     fn slope_and_vertex_belong_to_the_parabola(
         object in object(), origin in vector(-3.0..2.0), direction in vector(-1.0..1.0), t in -10.0..10.0_f64,
     ) {
         let ray = Ray { origin, direction };
         let along = of_ray(&object, &ray);
-        // Of a polynomial of degree 2 the symmetric difference is the derivative.
+        // For a polynomial of degree 2, the symmetric difference quotient equals the derivative.
         let (before, after) = (truth(&object, &ray, t - 1.0), truth(&object, &ray, t + 1.0));
         let width = (t + 1.0) - (t - 1.0);
         let difference = near(&((after - before) / big(width)));

@@ -1,4 +1,5 @@
-//! Certificates: what they tell of every pixel is held against the reference.
+//! Tests of certificates, which say for each pixel how hard its hit was to decide, against the exact
+//! reference.
 
 use std::collections::BTreeSet;
 
@@ -7,8 +8,8 @@ use pinhole_reference::{Family, FrameCase, View};
 
 use crate::common::{given, margins};
 
-/// The exact value that a pixel's hardest decision is about, in the unit of [`Question`]; `None`
-/// where the question turns out not to arise.
+/// Returns the exact value whose sign a pixel's hardest decision depends on, in the unit of
+/// [`Question`]; `None` if the decision is not needed for the exact numbers.
 fn exact_value(case: &FrameCase, view: &View, pixel: Pixel, hardest: &Hardest) -> Option<f64> {
     let (object, Pixel { row, column }) = (hardest.object as usize, pixel);
     let (asked, eye) = (&case.objects[object], case.camera.eye);
@@ -26,9 +27,9 @@ fn exact_value(case: &FrameCase, view: &View, pixel: Pixel, hardest: &Hardest) -
     }
 }
 
-/// Asserts that a decision has the margin that is told: `|2^margin - |exact| / bound| <= 1`, as the
-/// computed value is within the bound of the exact one; and of integers, that double-double could
-/// not have decided.
+/// Asserts that the certificate's margin is right: `|2^margin - |exact| / bound| <= 1`, because the
+/// computed value differs from the exact one by at most the error bound. If integers decided, asserts
+/// instead that double-double could not have.
 #[track_caller]
 fn assert_margin(certificate: &Certificate, exact: f64, about: &str) {
     let Certificate { step, margin, hardest, .. } = *certificate;
@@ -48,19 +49,19 @@ fn assert_margin(certificate: &Certificate, exact: f64, about: &str) {
     }
 }
 
-/// Asserts that the answer has the sign that was decided.
+/// Asserts that the exact value has the sign that was decided.
 #[track_caller]
 fn assert_sign(certificate: &Certificate, first: Option<u32>, exact: f64, about: &str) {
     let Hardest { question, object, .. } = certificate.hardest.unwrap();
     match question {
-        // A touch and a tie, each to 440 bits.
+        // Exactly touching and exactly tied values are 0 only to the reference's 440 bits.
         Question::Meets => assert_eq!(exact >= -1e-120, first == Some(object), "{about}"),
         Question::Order => assert!(exact >= -1e-120, "{about}: {exact}"),
         _ => {}
     }
 }
 
-/// A scene's objects of these indices, in their order.
+/// Returns a scene of those objects of `scene` that have these indices, in their order.
 fn some_of(scene: &Scene, mut indices: Vec<u32>) -> Scene {
     indices.sort_unstable();
     let (mut spheres, mut planes) = (Vec::new(), Vec::new());
@@ -77,7 +78,8 @@ fn is_less_sure(one: &Certificate, other: &Certificate) -> bool {
     (one.step, -one.margin) > (other.step, -other.margin)
 }
 
-/// The step and the margin of the first hit beside each other object alone, the least sure of them.
+/// Returns the step and the margin of the least certain certificate of all scenes that consist only of
+/// the first hit's object and one other object.
 fn by_pairs(scene: &Scene, ray: &ExactRay) -> (Step, f64) {
     let first = scene.first_hit_of(ray).map(|hit| hit.object);
     let others = (0..scene.len() as u32).filter(|index| Some(*index) != first);
@@ -90,7 +92,8 @@ fn by_pairs(scene: &Scene, ray: &ExactRay) -> (Step, f64) {
     (least.step, least.margin)
 }
 
-/// Checks every pixel of a frame, and collects which steps decided which questions.
+/// Checks the certificate of every pixel of a frame, and adds to `seen` which steps decided which
+/// questions.
 fn check(case: &FrameCase, name: &str, seen: &mut BTreeSet<String>) {
     let (scene, camera) = (given::scene(&case.objects), given::camera(&case.camera));
     let (Ok(resolved), Ok(view)) = (camera.resolve(), case.camera.prepare(&case.objects)) else {
@@ -150,7 +153,8 @@ fn where_nothing_is_to_be_decided_the_margin_is_the_largest() {
     assert_eq!(middle(&Scene::new(vec![far], vec![]).unwrap()), certificate);
 }
 
-/// A sphere given twice: the one listed first is hit, for which nothing needs to be computed.
+/// If the same sphere occurs twice, the one listed first is hit, which needs no computation, so the
+/// certificate is that of a single sphere.
 #[test]
 fn a_sphere_given_twice_is_as_sure_as_once() {
     let ball = Sphere::new([0.0, 0.5, -5.0], 1.0).unwrap();
@@ -159,7 +163,7 @@ fn a_sphere_given_twice_is_as_sure_as_once() {
     assert_eq!(once.step, Step::F64);
 }
 
-/// A tangent that is hidden behind a wall decides nothing.
+/// A sphere that the ray touches does not affect the certificate if it is hidden behind a wall.
 #[test]
 fn what_is_hidden_costs_no_bits() {
     let tangent = Sphere::new([0.0, 1.0, -5.0], 1.0).unwrap();
@@ -170,7 +174,7 @@ fn what_is_hidden_costs_no_bits() {
     assert!(with(-4.0).margin > 20.0);
 }
 
-/// Closer to the silhouette there is less to spare.
+/// The closer a ray passes to a sphere's silhouette, the smaller its margin.
 #[test]
 fn the_margin_falls_towards_the_silhouette() {
     let beside = |gap: f64| {

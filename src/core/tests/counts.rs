@@ -1,4 +1,4 @@
-//! Counts of what a frame left out.
+//! Tests of the counts of work that a frame left out.
 
 use pinhole_core::{
     Camera, Counts, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene,
@@ -10,7 +10,7 @@ fn camera(side: u32) -> ResolvedCamera {
     Camera { image: ImageSize::new(side, side).unwrap(), ..Camera::CANONICAL }.resolve().unwrap()
 }
 
-/// Spheres all round the eye, the same each time.
+/// Returns spheres at random places all around the eye, the same in every run.
 fn around(count: u32, radius: f64) -> Scene {
     let mut state = 1_u64;
     let mut number = || {
@@ -30,7 +30,8 @@ fn frame(scene: &Scene, side: u32) -> Frame<f32> {
     trace_as(scene, &camera, &Raster::full(camera.image()), Outputs::default())
 }
 
-/// Most spheres round the eye lie beside the picture or behind the eye.
+/// No sphere that is visible counts as left out, but most spheres do, since they lie beside the picture
+/// or behind the eye.
 #[test]
 fn the_spheres_that_are_shown_are_not_left_out() {
     for (count, radius) in
@@ -58,7 +59,7 @@ fn rows_that_nothing_reaches_show_nothing() {
     }
 }
 
-/// The index over a scene is made at the first demand, which may come from many frames at once.
+/// A scene's spatial index is built when it is first needed, which may be by several frames at once.
 #[test]
 fn many_frames_of_a_new_scene_at_once() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(8).build().unwrap();
@@ -72,7 +73,7 @@ fn many_frames_of_a_new_scene_at_once() {
     }
 }
 
-/// Thousands of copies of one sphere are one sphere: nothing of them is in doubt.
+/// Thousands of copies of one sphere need no decision beyond `f64`, although all have the same t.
 #[test]
 fn copies_are_no_doubt() {
     let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.5 };

@@ -1,4 +1,5 @@
-//! Every pixel of crowds of spheres is right: the object that its ray hits first, and its `t`.
+//! Tests that every pixel of pictures of many spheres is right: the object that its ray hits first, and
+//! its `t`.
 
 use pinhole_core::*;
 use proptest::prelude::*;
@@ -10,7 +11,7 @@ use crate::support::crowds;
 use crate::support::crowds::{Crowd, ahead};
 use crate::support::every_pixel::{check, every_pixel_is_right};
 
-/// Finds what is wrong with a crowd's frame.
+/// Traces a crowd, and describes the pixels that are wrong; `None` if there are none.
 fn faults_of(crowd: &Crowd) -> Option<String> {
     let frame = crowd.trace();
     match check(&crowd.scene, &crowd.camera, &frame) {
@@ -29,7 +30,8 @@ fn crowds_are_right() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
-/// A camera at the origin that looks along -z, with square pixels of this size at distance 1.
+/// Returns a camera at the origin that looks along -z, with square pixels of size `slope` at distance
+/// 1.
 fn with_pixels(width: u32, height: u32, slope: f64) -> Camera {
     let viewport = Viewport {
         width: slope * f64::from(width),
@@ -47,9 +49,10 @@ fn assert_right(name: &str, spheres: Vec<Sphere>, camera: &Camera) {
     every_pixel_is_right(name, &scene, camera, &frame);
 }
 
-/// Rows of a large sphere that begin far outside a pixel's centre and end close to one: there, what
-/// is added up for `S^2` must not cancel. Pixel (118, 246) of the first camera is one; in it, another
-/// sphere is nearer by a few `f32::EPSILON`.
+/// Tests rows of a large sphere that start far from a pixel's centre c and end very close to it: there,
+/// `S^2 = (c - start) (end - c)`, from which t is computed, must not lose digits by cancellation. Pixel
+/// (118, 246) of the camera is such an end; another sphere is then placed in it, nearer by a few
+/// `f32::EPSILON`.
 #[test]
 fn a_wide_row_that_ends_at_a_pixels_centre_is_right() {
     let camera = with_pixels(400, 300, 0.005291035911916648);
@@ -71,7 +74,8 @@ fn a_wide_row_that_ends_at_a_pixels_centre_is_right() {
     }
 }
 
-/// Large spheres far beside the view: b falls along a row by almost all that it is.
+/// Tests large spheres far to the side of the view, for which `b = q . d` (q from the eye to the
+/// centre, d the direction) falls to a small fraction along a row.
 #[test]
 fn a_wide_row_along_which_b_falls_is_right() {
     let camera = with_pixels(3840, 2160, 0.0010788974128933709);
@@ -82,7 +86,8 @@ fn a_wide_row_along_which_b_falls_is_right() {
     }
 }
 
-/// Large spheres to both sides of the view: b varies along a row by several times the least b.
+/// Tests large spheres on both sides of the view, for which `b = q . d` varies along a row by several
+/// times its smallest value.
 #[test]
 fn a_wide_row_along_which_b_varies_much_is_right() {
     let camera = with_pixels(640, 360, 1.0 / 360.0);
@@ -110,9 +115,9 @@ fn largest_error(scene: &Scene, camera: &Camera) -> f64 {
     pairs.filter(|(drawn, _)| drawn.is_finite()).map(error).fold(0.0, f64::max)
 }
 
-/// The bound of the error of t decides how large spheres are drawn by the kernel of small ones: these are
-/// as large, a little smaller and a little larger, everywhere in the picture. Half an ulp is the last
-/// rounding.
+/// Tests spheres whose size is near the limit up to which the faster code for small spheres draws them,
+/// everywhere in the picture. The limit follows from the bound of the error of t. The errors must reach
+/// more than half an ulp, which is due to the last rounding, but less than one.
 #[test]
 fn spheres_as_large_as_small_ones_can_be_are_within_an_ulp() {
     let mut largest: f64 = 0.0;
@@ -134,13 +139,13 @@ fn spheres_as_large_as_small_ones_can_be_are_within_an_ulp() {
     assert!((0.55..1.0).contains(&largest), "{largest}");
 }
 
-/// Spheres that nobody sees, so many that the others are found by an index.
+/// Returns spheres behind the eye, so many that a spatial index is used.
 fn behind() -> Vec<Sphere> {
     (0..300).map(|k| Sphere::new([f64::from(k), 0.0, 9.0], 0.25).unwrap()).collect()
 }
 
-/// Pixels a thousand times as high as they are wide: the rounding of a row's number must not count as many
-/// columns.
+/// Tests pixels that are up to a thousand times as high as they are wide, where a rounding error that
+/// is small in rows is large in columns.
 #[test]
 fn outlines_in_pixels_far_from_square_are_right() {
     for (height, ratio) in [(16_383, 1024.0_f64), (16_383, 64.0), (1001, 1024.0)] {
@@ -152,7 +157,7 @@ fn outlines_in_pixels_far_from_square_are_right() {
         };
         let image = ImageSize::new(3, height).unwrap();
         let camera = Camera { viewport, image, ..Camera::CANONICAL };
-        // The first is the one by which the fault was found.
+        // The first sphere is the one with which an error was found.
         let mut spheres = vec![([1.0736941544047746e-6, 0.03124999998390639, -1.0], 1.0 / 32.0)];
         for k in -4..=4 {
             let (x, below) = (1e-6 * f64::from(k), 1e-11 * f64::from(k));
@@ -168,7 +173,8 @@ fn outlines_in_pixels_far_from_square_are_right() {
     }
 }
 
-/// A basis by hand that is off by almost as much as one may be: the outline is no surer than that.
+/// Tests a basis that is given by hand and is not quite orthonormal, nearly by as much as is allowed.
+/// The outline's bounds must include this error.
 #[test]
 fn the_last_row_of_an_outline_is_not_lost() {
     let basis = Basis { u: DVec3::X, v: DVec3::Y, w: vec3(0.0, 2.3e-13, 1.0) };
@@ -236,7 +242,7 @@ fn the_checker_decides_ties_and_touches() {
     assert_eq!(found.keys().copied().collect::<Vec<_>>(), [tie]);
 }
 
-/// A camera and a crowd around it, by what they differ in.
+/// The random parameters of a camera and of the spheres around it.
 #[derive(Clone, Debug)]
 struct Seeds {
     spheres: u64,
@@ -256,7 +262,7 @@ struct Powers {
     /// The viewport's distance over the world's size.
     distance: f64,
     world: f64,
-    /// Distance of the eye from the world's origin, in worlds.
+    /// Distance of the eye from the world's origin, relative to `world`.
     away: f64,
     /// The range of radii, in pixels.
     radii: [f64; 2],
@@ -312,7 +318,7 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
         let side = |numbers: &mut Numbers| depth * numbers.between(-0.55, 0.55);
         let (x, y) = (width * side(&mut numbers), height * side(&mut numbers));
         let pixels = power(numbers.between(radii[0], radii[1]));
-        // In a wide angle, a pixel may be wider than it is far away.
+        // In a wide-angle view, a pixel may be wider than its distance from the eye.
         let radius = depth * (pixel * pixels).min(numbers.between(0.1, 1.1));
         // A few behind and beside the eye.
         let z = if k % 16 == 15 { numbers.between(-1.0, 1.0) * depth } else { -depth };
@@ -331,7 +337,7 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
     Crowd::new("random", spheres, camera).with_planes(planes).showing(0)
 }
 
-/// Checks so many crowds.
+/// Checks this many random crowds.
 fn check_random(cases: u32) {
     let found = TestRunner::new(config(cases)).run(&any_seeds(), |seeds| {
         let faults = faults_of(&crowd_of(&seeds));
@@ -346,7 +352,7 @@ fn crowds_of_random_cameras_are_right() {
     check_random(200);
 }
 
-/// Checks many more cases.
+/// Checks many more random cameras and crowds than the test above.
 ///
 /// ```text
 /// PROPTEST_RNG_SEED=$RANDOM cargo test --release -p pinhole-core --test core many_random -- --ignored --nocapture
@@ -357,7 +363,7 @@ fn crowds_of_many_random_cameras_are_right() {
     check_random(10_000);
 }
 
-/// The scenes of the benchmark at full size, 2 million pixels each.
+/// Checks every pixel of the benchmark's adversarial scenes at full size, 2 million pixels each.
 ///
 /// ```text
 /// cargo test --release -p pinhole-core --test core hard_scenes -- --ignored --nocapture
@@ -380,7 +386,8 @@ fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
     }
 }
 
-/// The camera of a benchmark's scene as it is given: y is up in all of them.
+/// Returns the camera from which `resolved` was made, which the benchmark does not provide. In all its
+/// scenes, y is up.
 fn as_given(resolved: &ResolvedCamera) -> Camera {
     let (up, ahead) = (DVec3::Y, DVec3::NEG_Z);
     let (viewport, image, eye) = (*resolved.viewport(), resolved.image(), resolved.eye());

@@ -1,5 +1,5 @@
-//! Frames of crowds are the same bits whatever they are traced with: threads, SIMD levels, and which
-//! pixels besides.
+//! Tests that frames of many spheres are bit for bit the same whatever the number of threads, the SIMD
+//! level, and the part of the image that is traced.
 
 use pinhole_core::*;
 
@@ -14,7 +14,7 @@ fn pools() -> Vec<(usize, rayon::ThreadPool)> {
     [1, 2, 3].map(|count| (count, pool(count))).into()
 }
 
-/// A position in a frame where two differ, if there is one.
+/// Returns a description of the first pixel in which two frames differ; `None` if there is none.
 fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
     let bits =
         |frame: &Frame<f32>, offset: usize| (frame.object[offset], frame.t[offset].to_bits());
@@ -24,7 +24,8 @@ fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
     Some(format!("{:?} and {:?}", pixel(a), pixel(b)))
 }
 
-/// Finds where frames of a crowd differ by thread count or level from one thread on the lowest level.
+/// Describes where a crowd's frames, for any of the levels and thread counts, differ from that of one
+/// thread on the lowest level.
 fn differences(
     crowd: &Crowd,
     levels: &[(&str, Level)],
@@ -50,7 +51,8 @@ fn differences(
             if let Some(difference) = difference(&first, &other) {
                 found.push(format!("{with}: {difference}"));
             }
-            // Longer vectors draw more at a time, and so find other spheres hidden.
+            // The counts may differ between levels: with longer SIMD vectors, more spheres are drawn at
+            // a time, so that other ones are found to be hidden.
             let own = (other.steps, other.counts);
             let known = *known.get_or_insert(own);
             if own != known {
@@ -90,7 +92,8 @@ fn hard_crowds_are_the_same_bits_for_any_threads_and_level() {
     assert_none(&found);
 }
 
-/// Finds where the pixels of a part differ from those of the whole picture.
+/// Describes the first pixel of a part of the image that differs from the same pixel of the whole
+/// picture; `None` if there is none.
 fn differing(crowd: &Crowd, whole: &Frame<f32>, raster: &Raster) -> Option<String> {
     let camera = crowd.camera.resolve().unwrap();
     let part = trace_as::<f32>(&crowd.scene, &camera, raster, Outputs::default());
@@ -144,7 +147,8 @@ fn a_crowd_with_spheres_replaced_is_the_same_as_made_anew() {
     }
 }
 
-/// So far away, some spheres that are small beside their distance are none that the other outlines take.
+/// At these distances, some spheres that are small compared with their distance cannot be drawn by the
+/// code for small spheres.
 #[test]
 fn a_far_crowd_with_spheres_replaced_is_the_same_as_made_anew() {
     for scale in [1e11, 3e11, 1e12] {
@@ -152,7 +156,8 @@ fn a_far_crowd_with_spheres_replaced_is_the_same_as_made_anew() {
     }
 }
 
-/// Replaces spheres of a crowd that is so many times as large and far away.
+/// Replaces spheres of a crowd one by one, and compares the frames with those of a new scene. The crowd
+/// is `scale` times as large and far away as usual.
 fn replace_spheres(count: usize, scale: f64) {
     let mut numbers = Numbers(41);
     let of_size =

@@ -35,7 +35,8 @@ fn basis_from_view_and_up() {
     );
 }
 
-/// Parallel is exactly parallel: 0.1, 0.2, 0.3 in binary are not in the ratio of 1, 2, 3.
+/// Only exactly parallel vectors are rejected. The `f64` numbers 0.1, 0.2, 0.3 are not exactly in the
+/// ratio 1 : 2 : 3.
 #[test]
 fn almost_parallel_is_no_error() {
     assert!(Basis::from_view_up(vec3(0.1, 0.2, 0.3), vec3(1.0, 2.0, 3.0)).is_ok());
@@ -212,7 +213,7 @@ fn ray() {
     assert_eq!(ray([1e300; 3], [0.0, 0.0, 5e-324]).check(), Ok(()));
 }
 
-/// A ray that no door has checked meets nothing, and nothing panics.
+/// An invalid ray that was not checked with [`Ray::check`] hits nothing, and does not cause a panic.
 #[test]
 fn an_unchecked_ray_meets_nothing() {
     let scene = Scene::new(

@@ -1,8 +1,9 @@
-//! The lecture's everyday cases by every method, as a table: a change of accuracy is a diff.
+//! A table of the errors of every method in the lecture's ordinary cases, so that a change of accuracy
+//! shows as a difference in the file.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p pinhole-core --test core everyday` writes `everyday.txt` anew. No
-//! number in it depends on the machine: sums, products, quotients, roots and fused products of IEEE
-//! 754 alone.
+//! number in it depends on the machine, since only the operations of IEEE 754 are used: `+ - * /`,
+//! `sqrt` and fused multiply-add.
 
 use std::fmt::Write;
 
@@ -13,7 +14,7 @@ use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given
 
 use crate::common::{first_hit_by, given};
 
-/// A ray: as given, or through a position of a camera's viewport.
+/// The ray of a case: given by its numbers, or through a point or a pixel of a camera's viewport.
 #[derive(Clone, Copy)]
 enum Asked {
     Ray([f64; 3], [f64; 3]),
@@ -137,8 +138,8 @@ impl Case {
         }
     }
 
-    /// Object and t by a method: the ladder's of all the ray's digits, the others' of the ray as
-    /// `f64` has it.
+    /// Returns the object and the t that a method finds. The ladder (this crate's exact method) gets
+    /// the exact ray, the others the ray rounded to `f64`.
     fn found(&self, method: Method) -> Option<(u32, f64)> {
         let scene = given::scene(&self.objects);
         let hit = |exact: &ExactRay, rounded: &Ray| match method {
@@ -162,8 +163,8 @@ impl Case {
         }
     }
 
-    /// The error of t in ulps of the method's own precision; a word where nothing is hit, or
-    /// something else.
+    /// Returns the text of a table cell: the error of t in ulps of the method's own precision, `miss`
+    /// for a right miss, or `wrong` for a wrong hit or miss.
     fn cell(&self, method: Method) -> String {
         let truth = self.truth();
         let (truth, t) = match (&truth, self.found(method)) {
@@ -179,7 +180,7 @@ impl Case {
     }
 }
 
-/// The methods of one precision, across, and the cases, down.
+/// Returns the table of one precision, with a column for each method and a row for each case.
 fn table(precision: Precision, cases: &[Case]) -> String {
     let methods: Vec<Method> =
         Method::all().filter(|method| method.precision() == precision).collect();

@@ -125,7 +125,8 @@ fn lines_in_two_dimensions() {
     assert_eq!(Scene::new(vec![], vec![behind]).unwrap().first_hit(&ray), None);
 }
 
-/// The course's floor: the ray straight down from the eye meets it 1 below.
+/// The ray straight down from the eye hits the lecture's floor, a huge sphere, at a distance of exactly
+/// 1.
 #[test]
 fn the_planet_under_the_eye() {
     let planet = sphere([0.0, -5001.0, 0.0], 5000.0);
@@ -135,8 +136,8 @@ fn the_planet_under_the_eye() {
     assert_eq!((hit.t, hit.point, hit.normal), (1.0, DVec3::NEG_Y, DVec3::Y));
 }
 
-/// Coordinates are 0 where the middle ray of a camera meets what lies at its `at`, not what the
-/// digits of t leave.
+/// Where the middle ray of a camera hits an object at its `at`, the origin, the hit's coordinates are
+/// exactly 0, although t is rounded.
 #[test]
 fn coordinates_that_cancel_are_zero() {
     let orientation = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
@@ -158,8 +159,9 @@ fn coordinates_that_cancel_are_zero() {
     );
 }
 
-/// A ray through the middle of a ball, which it meets half way between two numbers: at `s - q`, of
-/// which s has 49 bits and q is an odd number of half ulps.
+/// The exact t lies halfway between two `f64` numbers and is rounded to the even one. It is `s - q` for
+/// a ray through the centre of a ball, where s is the centre's t, and q, the radius in units of t, is
+/// an odd number of half ulps.
 #[test]
 fn a_root_half_way_between_two_numbers_is_the_even_one() {
     let half_ulp = f64::EPSILON / 2.0;
@@ -174,7 +176,7 @@ fn a_root_half_way_between_two_numbers_is_the_even_one() {
         let ray = Ray { origin: DVec3::ZERO, direction };
         let scene = Scene::new(vec![ball], vec![]).unwrap();
         let near = scene.ranked_roots_of(&ExactRay::from_ray(&ray).unwrap())[0];
-        // In half ulps. Whole numbers are rounded to even, too.
+        // The exact t in half ulps. Converting the integer to `f64` rounds to even, too.
         let t = 2 * s - q;
         let expected = [t, 13 * t].map(|whole| whole as f64 * half_ulp);
         assert_eq!([near.root.t, near.distance], expected, "{s} {q}");

@@ -1,5 +1,5 @@
-//! Inputs that are no ray, object, basis or camera get a typed error at its door; and whoever goes
-//! on with it all the same meets no panic, no hit and no endless loop.
+//! Tests that an invalid ray, object, basis or camera is rejected with a typed error when it is created
+//! or checked, and that using it without a check causes no panic, no hit and no endless loop.
 
 use pinhole_core::methods::Method;
 use pinhole_core::*;
@@ -7,7 +7,7 @@ use pinhole_reference::{Object as GivenObject, RayCase};
 
 use crate::common::{first_hit_by, given, invalid, roots_of, vec3};
 
-/// The field that a case's text says is at fault: "center" of "center.x is NaN".
+/// Returns the field that is invalid according to a case's text: "center" for "center.x is NaN".
 fn field_of(what: &str) -> &str {
     let name = what.split(' ').next().unwrap();
     name.strip_suffix(".x").or(name.strip_suffix(".y")).or(name.strip_suffix(".z")).unwrap_or(name)
@@ -116,7 +116,7 @@ fn assert_meets_nothing(scene: &Scene, ray: &Ray, what: &str) {
     let _ = (ray.at(1.0), ray.distance_along(1.0));
 }
 
-/// An object that is none is met by nothing, from anywhere.
+/// Asserts that no ray meets an invalid object, wherever the ray starts.
 #[track_caller]
 fn assert_is_none(object: &Object, what: &str) {
     let resolved = Camera::CANONICAL.resolve().unwrap();
@@ -203,13 +203,13 @@ fn cameras() {
             Some(error.to_string())
         );
         assert!(error.to_string().contains(field_of(&what)), "{error} where {what}");
-        // The basis has nothing to do with it.
+        // The basis is valid all the same.
         assert!(camera.basis().is_ok(), "{what}");
         let _ = (viewport.horizontal_fov(), viewport.vertical_fov());
     }
 }
 
-/// Places that a camera is asked for may be none either.
+/// Tests invalid (u, v), points and pixels as arguments of a valid camera's methods.
 #[test]
 fn places_in_a_camera() {
     let resolved = Camera::CANONICAL.resolve().unwrap();
@@ -228,7 +228,7 @@ fn places_in_a_camera() {
             );
         }
     }
-    // Beside the image there are rays all the same, of numbers.
+    // Pixels outside the image have valid rays, too.
     let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0).unwrap()], vec![]).unwrap();
     for pixel in [Pixel { row: u32::MAX, column: 0 }, Pixel { row: 400, column: u32::MAX }] {
         assert!(resolved.ray_of_pixel(pixel).check().is_ok());

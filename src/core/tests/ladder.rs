@@ -1,4 +1,6 @@
-//! The ladder against the reference: every stress family, no wrong decision, every digit of t.
+//! Compares this crate's decisions, which escalate from `f64` through double-double to exact integers
+//! (the ladder), with the reference: in every stress family, no decision may be wrong, and t must be
+//! correctly rounded.
 
 use pinhole_core::*;
 use pinhole_reference::{
@@ -9,7 +11,7 @@ use crate::common::bases::{self, BasisCase};
 use crate::common::seed::seed;
 use crate::common::{given, oracle, roots_of};
 
-/// Rounded to the nearest.
+/// Maximum error of t in ulps: it is the exact value, rounded to the nearest `f64`.
 const T_ULPS: f64 = 0.5;
 
 /// Asserts that a root is the reference's hit: object, t, normal and point.
@@ -107,7 +109,7 @@ fn check_basis(case: &BasisCase) {
         let angle = angle_between(expected, found.to_array());
         assert!(angle <= 1.2e-16, "{angle:e} rad off in {case:?}");
     }
-    // The defect of the rounded vectors themselves, in exact products.
+    // How far the rounded vectors are from orthonormal, computed with exact products.
     for (a, b, right) in
         [(u, v, 0.0), (v, w, 0.0), (w, u, 0.0), (u, u, 1.0), (v, v, 1.0), (w, w, 1.0)]
     {
@@ -183,8 +185,8 @@ fn whole_frames() {
     assert!(pixels > 10_000, "{pixels}");
 }
 
-/// From however near the surface, on either side, double-double has all digits of t: the exact numbers,
-/// which would take seconds of a picture, decide the side alone.
+/// However close the eye is to a surface, on either side, only one decision, on which side it is, needs
+/// exact integers; t is found in double-double. Otherwise, a picture from there would take seconds.
 #[test]
 fn eyes_next_to_a_surface() {
     let balls = [([0.0, 0.0, -1.0], 1.0), ([0.0, -8.0, 0.0], 8.0), ([-5e-21, 0.0, 0.0], 5e-21)];

@@ -1,4 +1,4 @@
-//! Whole frames are the same bits on every SIMD level.
+//! Tests that whole frames are bit for bit the same on every SIMD level.
 
 use pinhole_core::*;
 use pinhole_reference::Family;
@@ -6,7 +6,7 @@ use pinhole_reference::Family;
 use crate::common::levels::levels;
 use crate::common::{Numbers, camera, given, plane, sphere, vec3};
 
-/// A scene by name, its camera, and how many objects the picture shows at least.
+/// A scene with its name and its camera, and the minimum number of objects that its picture shows.
 struct Shown {
     name: &'static str,
     scene: Scene,
@@ -22,7 +22,8 @@ fn shown(
     view: DVec3,
     objects: usize,
 ) -> Shown {
-    // Neither side a multiple of a vector's length; more rows than one thread takes at a time.
+    // Neither side of the image is a multiple of a SIMD vector's length, and there are more rows than
+    // one thread draws at a time.
     let camera = camera(eye, view, DVec3::Y, 203, 117).resolve().unwrap();
     Shown { name, scene: Scene::new(spheres, planes).unwrap(), camera, objects }
 }
@@ -108,7 +109,8 @@ fn scenes() -> Vec<Shown> {
     ]
 }
 
-/// Traces on every level, and tells how many objects are seen.
+/// Traces on every SIMD level, asserts that the frames are the same, and returns the number of objects
+/// that are visible.
 fn assert_same<T: Depth>(
     name: &str,
     levels: &[(&str, Level)],

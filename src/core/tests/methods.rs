@@ -1,4 +1,5 @@
-//! The known methods: they agree where the scene is ordinary, and fail where their docs say so.
+//! Tests of the known intersection methods: they agree on ordinary scenes, and fail where their
+//! documentation says so.
 
 use pinhole_core::methods::*;
 use pinhole_core::*;
@@ -19,7 +20,7 @@ fn resolve(width: u32, height: u32) -> ResolvedCamera {
     camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, width, height).resolve().unwrap()
 }
 
-/// A share of the size of t that rounding may cost on an ordinary scene.
+/// Maximum relative error of t due to rounding on an ordinary scene.
 fn tolerance(precision: Precision) -> f64 {
     match precision {
         Precision::F32 => 1e-4,
@@ -137,7 +138,8 @@ fn a_tangent_is_a_hit_and_behind_is_none() {
     }
 }
 
-/// The course's floor: median relative error of t over a picture's pixels.
+/// Tests the median relative error of t, over a picture's pixels, for the lecture's floor, a huge
+/// sphere.
 #[test]
 fn the_courses_floor_shows_what_the_textbook_loses_in_f32() {
     let scene = Scene::new(vec![sphere([0.0, -5001.0, 0.0], 5000.0)], vec![]).unwrap();
@@ -174,7 +176,8 @@ fn whatever_is_not_a_number_is_no_hit() {
         Scene::new(extreme.to_vec(), vec![plane([0.0, -huge, 0.0], [0.0, 1e-200, 0.0])]).unwrap();
     let directions =
         [vec3(0.0, 0.0, -1.0), vec3(1e-200, 1e-200, -1e-200), vec3(huge, huge, -huge), DVec3::ZERO];
-    // The ladder decides such rays rightly, whatever f64 can hold of their t.
+    // The ladder is excluded, because it decides such rays right even if their t is outside the range
+    // of `f64`.
     for method in Method::all().filter(|method| *method != Method::Ladder) {
         for direction in directions.into_iter().chain([vec3(f64::NAN, 0.0, 1.0)]) {
             let ray = Ray { origin: vec3(0.0, 0.0, 1e-300), direction };

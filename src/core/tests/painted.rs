@@ -1,12 +1,13 @@
-//! Only what is asked for is kept, and colours made while tracing are those of the whole frame.
+//! Tests that a frame contains only the requested outputs, and that colours computed while tracing
+//! equal those computed from the whole frame.
 
 use pinhole_core::*;
 
 use crate::common::levels::levels;
 use crate::common::{Numbers, camera, plane, shade_pixel, sphere, vec3};
 
-/// Scenes whose pictures take every way that shading has: spheres from near, from far, from inside
-/// and from so far that they take the exact way, planes, runs of one pixel, background.
+/// Returns scenes that exercise all code of the shading: spheres seen from near, from far, from inside,
+/// and from so far that exact arithmetic is needed; planes; runs of a single pixel; background.
 fn scenes() -> Vec<(&'static str, Scene, ResolvedCamera)> {
     let looking = |eye, view| camera(eye, view, DVec3::Y, 131, 75).resolve().unwrap();
     let ahead = looking(DVec3::ZERO, vec3(0.1, -0.05, -1.0));
@@ -174,7 +175,7 @@ fn colors_are_the_same_on_every_level_and_those_of_each_pixel_alone() {
                 .collect();
             for (level_name, level) in &levels {
                 let colors = shade_at_level(*level, &frame, &scene, &paint);
-                // A rounded ray may miss or hit another object just at an outline.
+                // At an outline, the rounded ray may miss, or hit another object.
                 let apart = colors.iter().zip(&alone).filter(|(a, b)| a != b).count();
                 let most = if name == "many" { 4 } else { 0 };
                 assert!(apart <= most, "{name}, {}, {level_name}: {apart}", how.name());
@@ -185,7 +186,8 @@ fn colors_are_the_same_on_every_level_and_those_of_each_pixel_alone() {
     }
 }
 
-/// Against the frame's own normals, which are within 3e-16 rad, from `t` in `f32` too.
+/// Tests the shading of frames with t in `f32` against the frame's own normals, which are within 3e-16
+/// rad of the exact ones.
 #[test]
 fn light_and_normals_are_the_right_ones_to_the_nearest_byte() {
     for (name, scene, camera) in scenes() {

@@ -1,4 +1,5 @@
-//! A picture is what each pixel's ray meets first, bit for bit.
+//! Tests that a picture is bit for bit the same as the first hits of the pixels' rays, traced one by
+//! one.
 
 use expect_test::expect;
 use pinhole_core::*;
@@ -7,7 +8,7 @@ use proptest::prelude::*;
 use crate::common::seed::config;
 use crate::common::{Numbers, camera, plane, sphere, vec3};
 
-/// Traces the picture and asks every pixel's ray by itself.
+/// Traces a picture, and asserts that each pixel equals the first hit of its ray, traced by itself.
 #[track_caller]
 fn assert_as_pixel_by_pixel(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) {
     let frame = trace(scene, camera, raster, Outputs { normal: true, ..Outputs::default() });
@@ -43,7 +44,7 @@ fn direction() -> impl Strategy<Value = DVec3> {
         .prop_filter("points somewhere", |d| d.length() > 1e-3)
 }
 
-/// Decimal exponents between two bounds: sizes over all orders of magnitude alike.
+/// Generates sizes whose log10 is evenly distributed between two bounds.
 fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> {
     (from..to).prop_map(|e| 10_f64.powf(e))
 }
@@ -67,7 +68,8 @@ fn image() -> impl Strategy<Value = ImageSize> {
     .prop_map(|(width, height)| ImageSize::new(width, height).unwrap())
 }
 
-/// A basis, now and then one by hand that is off by nearly its tolerance.
+/// Generates orientations, half of them given by u, v, w that are not quite orthonormal, up to nearly
+/// the tolerance.
 fn orientation() -> impl Strategy<Value = Orientation> {
     (direction(), direction(), -9e-10..9e-10, any::<bool>()).prop_filter_map(
         "has a basis",
@@ -88,8 +90,8 @@ fn resolve() -> impl Strategy<Value = ResolvedCamera> {
     })
 }
 
-/// Spheres placed with respect to the camera so that something can go wrong: seen, behind, across
-/// the eye's plane, around, on and just beside the eye, huge and tiny.
+/// Generates spheres at critical positions relative to the camera: visible, behind the eye, across the
+/// plane through the eye, around the eye, with the eye on or just beside their surface, huge and tiny.
 fn sphere_near(camera: ResolvedCamera) -> impl Strategy<Value = Sphere> {
     let image = camera.image();
     let ray = (0..image.height(), 0..image.width(), -0.5..0.5, -0.5..0.5).prop_map(
@@ -149,8 +151,8 @@ proptest! {
     }
 }
 
-/// Planes through one point, the same but for the rounding of their normals, or tilted by less than a
-/// double-double holds.
+/// Tests planes through one point whose normals differ only by rounding errors, or by less than
+/// double-double can represent.
 #[test]
 fn planes_that_nearly_coincide() {
     let scaled = |k: usize| (k + 1) as f64 * vec3(0.1, 0.2, 0.7);
@@ -198,20 +200,20 @@ fn tiny_and_far_spheres_behind_single_pixels() {
             let scene = spheres_only(spheres.to_vec());
             assert_full(&scene, &camera);
             let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
-            // Each is seen through the pixel that it was put behind.
+            // Each sphere is visible in the pixel behind which it was placed.
             assert_eq!(frame.at(12, 12).object, Some(2));
             assert_eq!(frame.at(24, 1).object, Some(3));
         }
     }
 }
 
-/// Spheres that no `f32` tells apart: next to one another, nested, equal, and around, on or beside the
-/// eye.
+/// Generates lists of spheres that `f32` cannot distinguish: next to one another, nested, or equal;
+/// with the eye inside, on or beside their surface.
 fn alike() -> impl Strategy<Value = Vec<Sphere>> {
     let bases = vec![
         sphere([0.2, -0.1, -5.0], 1.0),
         sphere([0.0, 0.0, -1.0], 2.0),
-        // Through the eye, and within a rounding of it.
+        // The first of these passes through the eye, the second only up to a rounding error.
         sphere([0.0, -3.0, 0.0], 3.0),
         sphere([0.3, -0.7, -0.1], 0.59_f64.sqrt()),
         sphere([1e4, 3e3, -9e4], 8e4),
@@ -308,7 +310,7 @@ fn the_same_bits_on_any_number_of_threads() {
     assert_eq!(alone, with_threads(7));
 }
 
-/// The object listed first is seen of those at exactly the same t.
+/// Of objects at exactly the same t, the one listed first is visible.
 #[test]
 fn ties_go_to_the_object_listed_first() {
     let ball = sphere([0.0, 0.0, -5.0], 1.0);
@@ -321,7 +323,7 @@ fn ties_go_to_the_object_listed_first() {
     seen.sort_unstable();
     seen.dedup();
     assert_eq!(seen, [0, 2]);
-    // Touching from inside and out, at t = 4 on the axis.
+    // These spheres touch one another, from inside and from outside, at t = 4 on the axis.
     let touching = vec![sphere([0.0, 0.0, -4.5], 0.5), ball, sphere([0.0, 0.0, -2.0], 2.0)];
     let ray = Ray { origin: vec3(0.0, 0.0, 0.0), direction: DVec3::NEG_Z };
     for first in 0..3 {
@@ -391,7 +393,8 @@ fn two_balls_on_a_floor() {
     .assert_eq(&as_text(&frame));
 }
 
-/// Spheres that cover thousands of pixels take a way of their own: coefficients from exact numbers.
+/// Tests spheres that cover thousands of pixels, which are drawn by separate code whose coefficients
+/// come from exact numbers.
 #[test]
 fn spheres_that_fill_the_picture() {
     let spheres = [
@@ -420,8 +423,9 @@ fn spheres_that_fill_the_picture() {
     }
 }
 
-/// Objects are the same in `f32` and `f64`, and for each pixel's own ray: t beyond the range of
-/// `f32`, subnormal scenes, viewports of extreme measures.
+/// The hit objects are the same whether t is stored in `f32` or `f64`, and equal those of each pixel's
+/// ray, even if t is outside the range of `f32`, lengths are subnormal, or the viewport is of extreme
+/// size.
 #[test]
 fn measures_at_the_ends_of_the_range() {
     let image = |width, height| ImageSize::new(width, height).unwrap();

@@ -1,4 +1,5 @@
-//! Roots of rays with spheres and planes: planted roots are found, found roots lie on the surface.
+//! Tests of the roots of rays with spheres and planes: known roots are found, and roots that are found
+//! lie on the surface.
 
 use pinhole_core::*;
 use proptest::prelude::*;
@@ -22,7 +23,8 @@ fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> {
     (from..to).prop_map(|e| 10_f64.powf(e))
 }
 
-/// A sphere, and a ray from anywhere from its centre to a million radii away.
+/// Generates a sphere, and a ray whose origin is at a distance of up to a million radii from its
+/// centre.
 fn sphere_and_ray() -> impl Strategy<Value = (Sphere, Ray)> {
     let target = prop_oneof![point(), unit(), point().prop_map(|p| 2.0 * p)];
     (point(), magnitude(-3.0, 3.0), unit(), magnitude(-3.0, 6.0), target, magnitude(-9.0, 9.0))
@@ -34,7 +36,8 @@ fn sphere_and_ray() -> impl Strategy<Value = (Sphere, Ray)> {
         })
 }
 
-/// Maximum distance of a root from the surface: a few roundings of the lengths that it is made of.
+/// Returns the maximum distance of a root's point from the surface: a few rounding errors of the
+/// lengths from which it is computed.
 fn reach_of_rounding(sphere: &Sphere, ray: &Ray) -> f64 {
     let away = ray.origin.distance(sphere.center);
     16.0 * f64::EPSILON * (away + sphere.radius + ray.origin.length())
@@ -48,7 +51,7 @@ proptest! {
         center in point(), radius in magnitude(-3.0, 3.0), normal in unit(), toward in unit(),
         steps in magnitude(-3.0, 3.0), t in magnitude(-6.0, 6.0), behind in any::<bool>(),
     ) {
-        // Steep enough that the root stands still when its input is rounded.
+        // The ray must not be nearly tangent, so that rounding of the input hardly moves the root.
         let steepness = normal.dot(toward).abs();
         prop_assume!(steepness > 0.1);
         let on_sphere = center + radius * normal;
@@ -76,8 +79,8 @@ proptest! {
         }
     }
 
-    /// The first root enters the sphere and the second leaves it, so outward normals lie against
-    /// the ray and along it.
+    /// The ray enters the sphere at the first root and leaves it at the second, so the outward normal
+    /// points against the ray there, and along it here.
     #[test]
     fn normals_point_outwards((sphere, ray) in sphere_and_ray()) {
         if let [enters, leaves] = roots_on(sphere, &ray)[..] {
@@ -91,12 +94,13 @@ proptest! {
         }
     }
 
-    /// Against 1200 digits. The tolerance is a few roundings of the lengths involved over the
-    /// steepness, and a decision may only be wrong where the ray passes that close to the outline.
+    /// Compares with arithmetic of 1200 binary digits. The tolerance is a few rounding errors of the
+    /// lengths involved, divided by the cosine at the surface. Hit or miss may be wrong only if the ray
+    /// passes as close to the outline as this.
     #[test]
     fn roots_and_decisions_against_1200_digits((sphere, ray) in sphere_and_ray()) {
         let away = ray.origin.distance(sphere.center);
-        // In radii: how far rounding moves the ray.
+        // The distance, in radii, by which rounding may move the ray.
         let rounding = 16.0 * f64::EPSILON * (away + sphere.radius) / sphere.radius;
         let (found, exact) = (sphere.roots(&ray), oracle::sphere_roots(&sphere, &ray));
         let half_chord = exact.map_or(0.0, |[t0, t1]| {
@@ -118,7 +122,8 @@ proptest! {
         }
     }
 
-    /// The t of an eye on the ground is as exact as the height of the eye allows: `c` is not lost.
+    /// For an eye close above a huge sphere, t is as accurate as the height of the eye is: the
+    /// coefficient c loses no digits by cancellation.
     #[test]
     fn a_planet_from_just_above(
         radius in magnitude(3.0, 8.0), height in magnitude(-3.0, 1.0), aside in -1.0..1.0_f64,
@@ -136,8 +141,8 @@ proptest! {
         prop_assert!((t - exact[0]).abs() <= tolerance, "{t} against {}", exact[0]);
     }
 
-    /// Powers of two take nothing away: lengths and directions of 1e-250 to 1e250 give the same
-    /// bits.
+    /// If all lengths, or the direction, are multiplied by a power of two, from 1e-250 to 1e250, the
+    /// results are bit for bit the same, except for this factor.
     #[test]
     fn scaling_by_powers_of_two_changes_no_bit(
         (sphere, ray) in sphere_and_ray(), lengths in -800..800_i32, ratio in -899..900_i32,
@@ -198,7 +203,8 @@ proptest! {
         prop_assert_eq!(scene.first_hit(&ray), roots.into_iter().find(|root| root.t > 0.0));
     }
 
-    /// The parts shown are those that decide: the roots follow from them.
+    /// The coefficients that are displayed are consistent with the roots: their discriminant is
+    /// negative if and only if there is none.
     #[test]
     fn the_quadratics_parts((sphere, ray) in sphere_and_ray()) {
         let SphereQuadratic { a, b, c, discriminant } = sphere.quadratic_of(&exact(&ray));
@@ -213,8 +219,8 @@ proptest! {
     }
 }
 
-/// Normals from a million million radii away keep twelve digits, where `p + t d - center` has
-/// three.
+/// Normals of a sphere that is 10^12 radii away are correctly rounded, although `p + t d - center` in
+/// `f64` has only about three digits.
 #[test]
 fn normals_of_tiny_far_spheres() {
     for offset in [0.0, 0.3, 0.7] {
@@ -244,8 +250,8 @@ fn normals_of_tiny_far_spheres() {
     }
 }
 
-/// Pythagorean triples `(x, y, z)` give a ray along `(x, 0, -y)` that just touches a sphere of
-/// radius x around `(0, 0, -z)`, in exact arithmetic: the outline belongs to the sphere.
+/// A ray that touches a sphere hits it. For a Pythagorean triple (x, y, z), the ray along `(x, 0, -y)`
+/// exactly touches the sphere of radius x around `(0, 0, -z)`.
 #[test]
 fn a_tangent_is_a_hit() {
     for m in 2..40_i32 {
@@ -319,7 +325,8 @@ fn a_planes_point_lies_in_the_plane() {
     assert_eq!(root_on(floor, &ray).normal, DVec3::Y);
 }
 
-/// A t beyond the range of `f64` is infinite, one too small the smallest number: a hit stays a hit.
+/// A t above the range of `f64` becomes infinite, and one below it the smallest positive number, so
+/// that a hit remains a hit.
 #[test]
 fn roots_out_of_range() {
     let ball = sphere([0.0, 0.0, -5e200], 1e200);
@@ -343,7 +350,7 @@ fn roots_out_of_range() {
     assert_ulps(far_apart.roots(&from).first_positive().unwrap(), 3.4e298, 1);
 }
 
-/// The implicit functions of points everywhere are numbers, infinite at most.
+/// Implicit functions have a value at any point, which may be infinite, but is never NaN.
 #[test]
 fn implicit_functions() {
     let ball = sphere([1.0, 2.0, 3.0], 2.0);

@@ -11,13 +11,13 @@ fn color_of(object: u32) -> Rgb {
     if object == 0 { ORANGE } else { BLUE }
 }
 
-/// A ball in the middle before a wall that leans over it.
+/// Returns a scene of a ball in front of a wall that is tilted by 45 degrees.
 fn scene() -> Scene {
     let wall = plane([0.0, 0.0, -8.0], [0.0, 1.0, 1.0]);
     Scene::new(vec![sphere([0.0, 0.0, -5.0], 1.0)], vec![wall]).unwrap()
 }
 
-/// The colours of a 41 x 41 picture that looks along -z, by (row, column).
+/// Returns a function from row and column to the colour in a picture of 41 x 41 pixels along -z.
 fn picture(scene: &Scene, how: Shade) -> impl Fn(usize, usize) -> Rgb + use<> {
     let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).resolve().unwrap();
     let frame = trace(scene, &camera, &Raster::full(camera.image()), Outputs::default());
@@ -29,16 +29,17 @@ fn picture(scene: &Scene, how: Shade) -> impl Fn(usize, usize) -> Rgb + use<> {
 #[test]
 fn lit_from_the_eye() {
     let at = picture(&scene(), Shade::Lambert);
-    // Seen head on, a ball has its full colour.
+    // Where the ray hits the ball perpendicularly, the ball has its full colour.
     assert_eq!(at(20, 20), ORANGE);
-    // At the outline 0.15 of the light is left, and on the way there it only falls.
+    // At the outline, 15 % of the light is left, and it decreases monotonically towards it.
     let reds: Vec<u8> = (20..29).map(|column| at(20, column)[0]).take_while(|r| *r != 0).collect();
     assert!(reds.is_sorted_by(|a, b| a >= b) && *reds.last().unwrap() < ORANGE[0] - 60, "{reds:?}");
     assert_eq!(at(20, 16), at(20, 24));
     assert_eq!(at(16, 20), at(24, 20));
 }
 
-/// `light = 0.15 + 0.85 cos`, in linear light: a plane at 45 degrees has cos = s.
+/// The light is `0.15 + 0.85 cos` in linear light, where cos is `sqrt(2) / 2` for a plane at 45
+/// degrees.
 #[test]
 fn light_falls_with_the_cosine() {
     let wall = Scene::new(vec![], vec![plane([0.0, 0.0, -5.0], [1.0, 0.0, 1.0])]).unwrap();
@@ -46,7 +47,7 @@ fn light_falls_with_the_cosine() {
     let ray = Ray { origin: DVec3::ZERO, direction: vec3(0.0, 0.0, -3.0) };
     // 188 is 0.5029 of white; times 0.7510 is 0.3777, which is 165.
     assert_eq!(shade_pixel(&wall, Shade::Lambert, &ray, 1.0, gray), [165; 3]);
-    // From behind it is lit too.
+    // A plane whose normal points away from the eye is lit as well.
     let turned = Scene::new(vec![], vec![plane([0.0, 0.0, -5.0], [-1.0, 0.0, -1.0])]).unwrap();
     assert_eq!(shade_pixel(&turned, Shade::Lambert, &ray, 1.0, gray), [165; 3]);
 }
@@ -148,7 +149,7 @@ fn other_pixel_forms() {
     assert!(packed.iter().all(|p| [0xe69f00, 0x0072b2, 0xc9d3df].contains(p)), "{packed:x?}");
 }
 
-/// Directions and lengths at the ends of the range give colours like any other.
+/// Extremely long and short lengths and directions give the same colours as ordinary ones.
 #[test]
 fn extreme_lengths() {
     for scale in [1e-300, 1e-170, 1.0, 1e170, 1e300] {

@@ -1,5 +1,5 @@
-//! The camera in the hand: whatever is dragged, a camera comes out whose v turned no more than the drag
-//! did, or a typed error.
+//! Tests of steering the camera by drags: each drag gives either a valid camera whose v has turned by
+//! no more than the drag, or a typed error.
 
 mod moves;
 mod pointer;
@@ -17,7 +17,7 @@ fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-/// A direction of length 1; every one can be.
+/// Generates unit vectors, evenly distributed over all directions.
 fn direction() -> impl Strategy<Value = DVec3> {
     (-1.0..1.0_f64, 0.0..TAU).prop_map(|(z, azimuth)| {
         let across = (1.0 - z * z).sqrt();
@@ -25,13 +25,15 @@ fn direction() -> impl Strategy<Value = DVec3> {
     })
 }
 
-/// The angle between up or -up and the view, half of the time logarithmic down to 1e-9.
+/// Generates angles between up or -up and the view, half of them evenly distributed on a logarithmic
+/// scale down to 1e-9.
 fn gap() -> impl Strategy<Value = f64> {
     prop_oneof![1e-3..FRAC_PI_2, (-9.0..0.0_f64).prop_map(|power| 10_f64.powf(power))]
 }
 
-/// Given by at, by view, by hand; eye and at 1e-6 to 1e9 apart, as far from the origin as that or up to
-/// a thousand times farther; up of any length, near to the view or to its opposite or not.
+/// Generates cameras given by at, by view, or by hand. Eye and at are 1e-6 to 1e9 apart, and 0.1 to
+/// 1000 times as far from the origin. Up has any length, and may be nearly parallel or opposite to the
+/// view.
 fn any_camera() -> impl Strategy<Value = Camera> {
     let aim = (direction(), direction(), gap(), any::<bool>());
     let sizes = (-6.0..9.0_f64, -1.0..3.0_f64, -6.0..6.0_f64, direction());
@@ -52,13 +54,13 @@ fn any_camera() -> impl Strategy<Value = Camera> {
     )
 }
 
-/// The calm ones of those.
+/// Generates those cameras of [`any_camera`] for which [`is_calm`] is true.
 fn calm_camera() -> impl Strategy<Value = Camera> {
     any_camera().prop_filter("calm", is_calm)
 }
 
-/// Returns whether rounding is far below what a test of the drag asks for: eye and at not much
-/// nearer to each other than to the origin, up not nearly parallel to the view.
+/// Returns true if rounding errors are far below the tolerances of the tests of drags: eye and at are
+/// not much closer to each other than to the origin, and up is not nearly parallel to the view.
 fn is_calm(camera: &Camera) -> bool {
     let reach = camera.eye.distance(camera.pivot().unwrap());
     camera.eye.length() < 100.0 * reach
@@ -74,12 +76,12 @@ fn v_turn(a: &Camera, b: &Camera) -> f64 {
     angle(a.basis().unwrap().v, b.basis().unwrap().v)
 }
 
-/// The view's own turn.
+/// Returns the angle between the views of two cameras.
 fn view_turn(a: &Camera, b: &Camera) -> f64 {
     angle(a.basis().unwrap().w, b.basis().unwrap().w)
 }
 
-/// The angle between the view and up or -up, whichever is nearer.
+/// Returns the angle between the view and up or -up, whichever is smaller.
 fn pole_gap(camera: &Camera) -> f64 {
     let angle = camera.up_angle().unwrap().angle;
     angle.min(PI - angle)

@@ -1,5 +1,5 @@
-//! Each step of the ladder is taken, and is needed: in cases with a name, rounded numbers alone go
-//! wrong.
+//! Tests that each step by which decisions escalate (`f64`, double-double, exact integers) is taken and
+//! needed, in cases in which the steps before it alone would be wrong.
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::*;
@@ -14,7 +14,8 @@ enum Asked {
         origin: DVec3,
         direction: DVec3,
     },
-    /// The middle pixel of a 3 x 3 image, seen along this view from the origin, level with y up.
+    /// The ray of the middle pixel of a 3 x 3 image, for a camera at the origin with this view and with
+    /// y up.
     MiddlePixel {
         view: DVec3,
     },
@@ -70,7 +71,7 @@ impl Case {
         }
     }
 
-    /// The ladder's answer, and how its decisions were made.
+    /// Returns this crate's first hit, and by which steps its decisions were made.
     fn answer(&self) -> (Option<Root>, Steps) {
         let scene = given::scene(&self.objects);
         let mut steps = Steps::default();
@@ -88,7 +89,7 @@ impl Case {
         (hit, steps)
     }
 
-    /// The answer of rounded numbers.
+    /// Returns the first hit that a method without error bounds finds.
     fn rounded(&self, method: Method) -> Option<(u32, f64)> {
         let ray = match self.asked {
             Asked::Ray { origin, direction } => Ray::new(origin, direction).unwrap(),
@@ -103,11 +104,12 @@ impl Case {
 
 const BY_F64: Method = Method::Known(Formula::HalfB, Precision::F64);
 
-/// Where double-double is wrong, too. Elsewhere its zero happens to be one, and no bound says so.
+/// The methods that are wrong in cases in which double-double fails, too. In other cases that need
+/// exact integers, double-double happens to compute the right 0, but its error bound cannot prove it.
 const BOTH: &[Method] = &[Method::DoubleDouble, BY_F64];
 
-/// Returns whether it is the same object at about the same t: rounding moves t by far less, the
-/// other root by far more.
+/// Returns true if the object is the right one, and t is about right. The tolerance is far above
+/// rounding errors and far below the distance to the other root.
 fn is_same(found: Option<(u32, f64)>, truth: Option<&Hit>) -> bool {
     match (found, truth) {
         (None, None) => true,
@@ -119,9 +121,9 @@ fn is_same(found: Option<(u32, f64)>, truth: Option<&Hit>) -> bool {
     }
 }
 
-/// The variants of a case: the ladder is right about all of them, and tells that it took this step;
-/// each of these methods alone is wrong about some. (About all they need not be: a sign that rounding
-/// makes up is right half of the time.)
+/// Asserts that this crate is right about all variants of a case and reports that it took this step,
+/// and that each of the methods `wrong_alone` is wrong about at least one variant. (It need not be
+/// wrong about all: a sign that is due to rounding is right half of the time.)
 #[track_caller]
 fn assert_takes(step: Step, wrong_alone: &[Method], variants: &[Case]) {
     let mut wrong = vec![0; wrong_alone.len()];
@@ -146,13 +148,14 @@ fn assert_takes(step: Step, wrong_alone: &[Method], variants: &[Case]) {
     }
 }
 
-/// `(m^2 - n^2, 2 m n, m^2 + n^2)`: the sides of a right triangle, all whole.
+/// Returns a Pythagorean triple, `(m^2 - n^2, 2 m n, m^2 + n^2)`: the sides of a right triangle, all
+/// integers.
 fn triple(m: f64, n: f64) -> (f64, f64, f64) {
     (m * m - n * n, 2.0 * m * n, m * m + n * n)
 }
 
-/// The ray along (a, b) and a sphere of radius k c that it touches `s` directions ahead, the radius
-/// moved from there.
+/// Returns the ray along (a, b, 0), where (a, b, c) is a Pythagorean triple, and a sphere of radius `k
+/// c` that it touches at `t = s`. The radius is then changed by `moved`.
 fn tangent_by_triple((m, n): (f64, f64), s: f64, k: f64, moved: fn(f64) -> f64) -> Case {
     let (a, b, c) = triple(m, n);
     let center = whole(s * a - k * b, s * b + k * a, 0.0);
@@ -161,7 +164,8 @@ fn tangent_by_triple((m, n): (f64, f64), s: f64, k: f64, moved: fn(f64) -> f64) 
 
 const DISTANCES: [f64; 6] = [1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
 
-/// Nearly a tangent: one unit in the last place of the radius decides, which f64 cannot see.
+/// Near tangents, whose radius is one unit in the last place from touching, are decided by
+/// double-double; `f64` alone is wrong.
 #[test]
 fn one_ulp_beside_a_tangent_needs_double_double() {
     let beside = |s| {
@@ -171,7 +175,8 @@ fn one_ulp_beside_a_tangent_needs_double_double() {
     assert_takes(Step::DoubleDouble, &[BY_F64], &DISTANCES.map(beside).concat());
 }
 
-/// The tangent itself: no bound, however small, lets a rounded 0 pass for 0.
+/// Exact tangents need exact integers, because no error bound, however small, can prove that a value is
+/// 0.
 #[test]
 fn a_tangent_by_a_pythagorean_triple_needs_the_exact_step() {
     let exactly = |s| {
@@ -182,7 +187,8 @@ fn a_tangent_by_a_pythagorean_triple_needs_the_exact_step() {
     assert_takes(Step::Exact, BOTH, &DISTANCES.map(exactly).concat());
 }
 
-/// Views of whole length, across from y by a whole length too: 13, 5; 145, 17; ...
+/// Views with integer coordinates whose lengths, and whose distances from the y axis, are integers: 13,
+/// 5; 145, 17; ...
 const VIEWS: [DVec3; 5] = [
     DVec3::new(3.0, 12.0, 4.0),
     DVec3::new(4.0, 12.0, 3.0),
@@ -191,13 +197,14 @@ const VIEWS: [DVec3; 5] = [
     DVec3::new(8.0, 144.0, 15.0),
 ];
 
-/// `view x up` and `(view x up) x view` for up along y.
+/// Returns `view x up` and `(view x up) x view` for up along y.
 fn right_and_upward(view: DVec3) -> (DVec3, DVec3) {
     let right = view.cross(DVec3::Y);
     (right, right.cross(view))
 }
 
-/// The middle pixel's ray, whose direction no double-double holds, touches a sphere.
+/// The middle pixel's ray, whose direction is irrational and thus not exact in double-double, touches a
+/// sphere.
 #[test]
 fn a_pixels_tangent_is_settled_exactly() {
     let tangents = |view: DVec3| {
@@ -210,8 +217,9 @@ fn a_pixels_tangent_is_settled_exactly() {
     assert_takes(Step::Exact, &[BY_F64], &VIEWS.map(tangents).concat());
 }
 
-/// The middle row of a tilted camera lies in a plane of whole numbers: parallel to every plane with
-/// that normal, though the dot product is rounded to something else than 0.
+/// The rays of a tilted camera's middle row lie in a plane whose normal has integer coordinates, and
+/// are exactly parallel to other planes with that normal, although the rounded dot product of normal
+/// and direction is not 0.
 #[test]
 fn a_row_parallel_to_a_plane_is_settled_exactly() {
     let views = [whole(1.0, 2.0, 3.0), whole(1.0, -1.0, -3.0), whole(2.0, -1.0, -7.0)];
@@ -222,8 +230,8 @@ fn a_row_parallel_to_a_plane_is_settled_exactly() {
     assert_takes(Step::Exact, &[BY_F64], &views.map(sides).concat());
 }
 
-/// A ray in a direction of whole numbers, exactly at right angles to a plane's normal: f64 rounds the
-/// dot product's three terms to a sum that is not 0, and sees a hit.
+/// A ray with an integer direction is exactly perpendicular to a plane's normal. In `f64`, the rounded
+/// terms of the dot product do not add up to 0, which gives a wrong hit.
 #[test]
 fn a_parallel_ray_is_beyond_f64() {
     let mut wrong = 0;
@@ -241,8 +249,8 @@ fn a_parallel_ray_is_beyond_f64() {
     assert!(wrong > 0);
 }
 
-/// A sphere inside another one, touching it where the ray enters both: a tie, the one listed first
-/// wins.
+/// One sphere touches another from inside, where the ray enters both. At this tie, the sphere listed
+/// first is hit.
 #[test]
 fn touching_spheres_are_settled_exactly() {
     let touching = |view: DVec3| {
@@ -254,7 +262,7 @@ fn touching_spheres_are_settled_exactly() {
     assert_takes(Step::Exact, &[BY_F64], &VIEWS.map(touching).concat());
 }
 
-/// Any ray off the axis needs it too.
+/// Two touching spheres need exact integers even if the ray does not pass through their centres.
 #[test]
 fn touching_spheres_off_the_axis_need_the_exact_step() {
     let contact = 100_000_007.0 * whole(1.0, 2.0, 2.0);
@@ -269,7 +277,7 @@ fn touching_spheres_off_the_axis_need_the_exact_step() {
     assert_takes(Step::Exact, BOTH, &variants.concat());
 }
 
-/// A ray through the line in which two planes cross: at the same t.
+/// A ray meets the line in which two planes intersect, and thus both planes at the same t.
 #[test]
 fn planes_that_cross_on_the_ray_are_settled_exactly() {
     let crossing = |view: DVec3| {
@@ -280,8 +288,8 @@ fn planes_that_cross_on_the_ray_are_settled_exactly() {
     assert_takes(Step::Exact, &[BY_F64], &VIEWS.map(crossing).concat());
 }
 
-/// The origin exactly on a sphere, where `|q|^2` and `r^2` have more digits than f64: leaving it, or
-/// along it, the ray hits nothing.
+/// A ray that starts exactly on a sphere, and leaves it or runs along it, hits nothing. The squares
+/// `|q|^2` (q from the centre to the origin) and `r^2` need more digits than `f64` has.
 #[test]
 fn an_origin_on_a_sphere_is_beyond_f64() {
     let mut wrong = 0;
@@ -300,7 +308,7 @@ fn an_origin_on_a_sphere_is_beyond_f64() {
     assert!(wrong > 0);
 }
 
-/// The origin exactly in a plane: no ray hits it.
+/// A ray that starts exactly in a plane does not hit it.
 #[test]
 fn an_origin_in_a_plane_is_beyond_f64() {
     let mut wrong = 0;
@@ -318,7 +326,7 @@ fn an_origin_in_a_plane_is_beyond_f64() {
     assert!(wrong > 0);
 }
 
-/// A frame's own decisions take every step.
+/// The decisions of whole frames take every step, too.
 #[test]
 fn frames_reach_every_step() {
     let mut steps = Steps::default();

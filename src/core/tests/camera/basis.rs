@@ -1,4 +1,5 @@
-//! The camera's basis against 1200 digits, and conversions between the ways to give it.
+//! Tests of the camera's basis against arithmetic of 1200 binary digits, and of conversions between the
+//! ways to specify an orientation.
 
 use pinhole_core::*;
 use proptest::prelude::*;
@@ -7,7 +8,8 @@ use crate::common::oracle::Big3;
 use crate::common::seed::config;
 use crate::common::{oracle, up_angle, vec3};
 
-/// Tolerance of the coordinates of u, v and w, of `|a . b|` and of `|a| - 1`.
+/// Maximum error of the coordinates of u, v and w; twice as much is allowed for the deviation of their
+/// dot products from 0 and 1.
 const BASIS_TOLERANCE: f64 = 6e-16;
 
 fn direction() -> impl Strategy<Value = DVec3> {
@@ -17,12 +19,12 @@ fn direction() -> impl Strategy<Value = DVec3> {
         .prop_filter("points somewhere", |d| d.length() > 1e-3)
 }
 
-/// Lengths over the whole range of `f64`, half of them ordinary.
+/// Generates lengths, half of them ordinary and half of them from 1e-300 to 1e300.
 fn length() -> impl Strategy<Value = f64> {
     prop_oneof![(-3.0..3.0), (-300.0..300.0)].prop_map(|e: f64| 10_f64.powf(e))
 }
 
-/// View and up at an angle from 1e-8 rad on, of any length.
+/// Generates view and up vectors of any lengths, at angles down to 1e-8 rad.
 fn view_and_up() -> impl Strategy<Value = (DVec3, DVec3)> {
     (direction(), direction(), prop_oneof![Just(1.0), (-8.0..0.0).prop_map(|e| 10_f64.powf(e))])
         .prop_filter("has an angle", |(view, other, _)| {
@@ -71,7 +73,8 @@ proptest! {
     fn from_eye_at_and_up(
         (view, up) in view_and_up(), eye in direction(), share in -12.0..14.0_f64,
     ) {
-        // The eye is up to 1e14 views away from the origin: at - eye is rounded, the basis is not.
+        // The eye is up to 1e14 times the view's length away from the origin, so `at - eye` is not
+        // exact in `f64`; the basis must be exact all the same.
         let eye = eye * view.length() * 10_f64.powf(share);
         let at = eye + view;
         prop_assume!(at.is_finite() && at != eye);
@@ -85,7 +88,8 @@ proptest! {
         }
     }
 
-    /// Vectors of small whole numbers are often parallel; this is told without a doubt.
+    /// Vectors of small integers are often parallel. They are reported as parallel if and only if they
+    /// are exactly so.
     #[test]
     fn parallel_is_exactly_parallel(
         view in [-3..4_i32, -3..4, -3..4], up in [-3..4_i32, -3..4, -3..4],
@@ -114,7 +118,7 @@ proptest! {
     }
 }
 
-/// Fails unless each coordinate of the basis is the `f64` nearest to the exact one.
+/// Asserts that each coordinate of the basis is the `f64` nearest to the exact one.
 #[track_caller]
 fn assert_rounded(view: DVec3, up: DVec3) {
     let [view_given, up_given] = [view, up].map(|v| v.to_array());
@@ -137,7 +141,7 @@ fn coordinates_that_cancel_are_rounded_once() {
         vec3(0.5819291090097687, 0.7869026585197236, -0.46707756089566654),
         vec3(-0.49370439915520836, -0.2754363501509441, -0.1978375597648636),
     );
-    // v.y is 1e-40 and 1e-17 of the others.
+    // Here, v.y is 1e-40 and 1e-17 times the other coordinates.
     assert_rounded(vec3(1.0, 1e-40, 0.0), vec3(1.0, 1e-40, 1.0));
     assert_rounded(vec3(0.1, 0.2, 0.3), vec3(0.3, 0.6, 0.9 + 1e-16));
 }
@@ -175,7 +179,7 @@ fn directions_are_the_exact_ones_rounded() {
 fn up_almost_parallel_to_view_is_still_exact() {
     for up in [vec3(1e-14, 0.0, -1.0), vec3(1e-300, 0.0, -1.0), vec3(5e-324, 0.0, 1e300)] {
         let basis = Basis::from_view_up(DVec3::NEG_Z, up).unwrap();
-        // Up leans to +x: that is up in the image.
+        // Up leans to +x, which is therefore up in the image.
         assert_eq!(basis, Basis { u: DVec3::NEG_Y, v: DVec3::X, w: DVec3::Z });
     }
 }
@@ -208,8 +212,8 @@ const KINDS: [OrientationKind; 3] =
 proptest! {
     #![proptest_config(config(1000))]
 
-    /// Two conversions in a row, from each way to each other: the basis turns by a few ulp times
-    /// the conditioning of up.
+    /// Two conversions in succession, between any ways to specify an orientation, turn the basis by at
+    /// most a few ulps times the condition number of up.
     #[test]
     fn switching_converts_and_nothing_jumps(
         (view, up) in view_and_up(), eye in direction(), reach in -12.0..13.0_f64,
@@ -240,13 +244,14 @@ fn at_is_a_view_away_where_that_keeps_the_direction() {
     };
     let (eye, view) = (vec3(20.0, 4.0, 10.0), vec3(-21.0, -4.0, -15.0));
     assert_eq!(given(eye, view), Ok(vec3(-1.0, 0.0, -5.0)));
-    // 1e12 + 0.6 would turn the direction by 1e-5: at moves out by a power of two.
+    // Rounding `eye + view` at 1e12 would turn the direction by 1e-5, so at is placed farther away, by
+    // a power of two.
     let (eye, view) = (vec3(1e12, 0.0, 0.0), vec3(0.6, 0.0, -0.8));
     let at = given(eye, view).unwrap();
     let reach = (at.z / -0.8).log2();
     assert_eq!(reach.fract(), 0.0);
     assert!(reach > 30.0 && reach < 41.0, "2^{reach} views away");
-    // Beyond the largest number there is no point to look at.
+    // If the point would be beyond the largest `f64`, there is none to look at.
     let eye = vec3(f64::MAX, 0.0, 0.0);
     assert_eq!(given(eye, DVec3::X), Err(BasisError::EyeIsAt { point: eye }));
 }

@@ -1,11 +1,12 @@
-//! Bases where the textbook's formula in f64 is not enough.
+//! Tests of bases for which the textbook's formula in `f64` is not accurate enough.
 
 use pinhole_core::*;
 use pinhole_reference::{Orientation as Given, Real, Status, angle_between};
 
 use crate::common::{Numbers, vec3};
 
-/// A camera whose `at - eye` is `factor up + aside`, of more digits than an f64 has.
+/// Returns a camera whose `at - eye` is exactly `factor * up` plus `aside` along x, which needs more
+/// digits than an `f64` has.
 fn looking_along_up(up: [u64; 3], factor: u64, aside: f64) -> Camera {
     let (mut eye, mut at) = ([0.0; 3], [0.0; 3]);
     for i in 0..3 {
@@ -30,13 +31,13 @@ fn truth_of(camera: &Camera) -> Result<[[Real; 3]; 3], Status> {
     pinhole_reference::basis(camera.eye.to_array(), &orientation)
 }
 
-/// The largest angle between a vector and the true one.
+/// Returns the largest angle between a vector of the basis and the true one.
 fn turned(found: &Basis, truth: &[[Real; 3]; 3]) -> f64 {
     let angles = [found.u, found.v, found.w].into_iter().zip(truth);
     angles.map(|(found, truth)| angle_between(truth, found.to_array())).fold(0.0, f64::max)
 }
 
-/// Error bound of the ladder: each coordinate rounded once.
+/// Maximum angle between a vector whose coordinates are each rounded once and the exact vector.
 const ROUNDING: f64 = 1.2e-16;
 
 const UPS: [[u64; 3]; 4] = [
@@ -46,14 +47,15 @@ const UPS: [[u64; 3]; 4] = [
     [1 << 52 | 1, 1 << 52 | 3, 1 << 52 | 5],
 ];
 
-/// The textbook's formula in `f64`.
+/// Computes the basis by the textbook's formula in `f64`.
 fn by_textbook(camera: &Camera) -> Option<Basis> {
     let w = -camera.view().normalize();
     let u = camera.up().cross(w).try_normalize()?;
     Some(Basis { u, v: w.cross(u), w })
 }
 
-/// The textbook's formula rounds u, v and w more often than once.
+/// For ordinary cameras, the basis is more accurate than by the textbook's formula, which rounds each
+/// coordinate several times.
 #[test]
 fn an_ordinary_basis_is_closer_than_the_textbook_gets() {
     let mut wrong = 0;
@@ -68,7 +70,8 @@ fn an_ordinary_basis_is_closer_than_the_textbook_gets() {
     assert!(wrong > 0);
 }
 
-/// An up within 1e-16 rad of the view, and far closer: f64 turns the camera by anything.
+/// Tests up vectors that are parallel to the view to within 1e-16 rad and far less, for which the
+/// formula in `f64` gives a camera with an arbitrary roll.
 #[test]
 fn up_nearly_parallel_to_view_is_beyond_f64() {
     let mut worst = 0.0_f64;
@@ -84,7 +87,8 @@ fn up_nearly_parallel_to_view_is_beyond_f64() {
     assert!(worst > 1e-3, "{worst:?}");
 }
 
-/// An up exactly parallel to the view: there is no basis, which rounded numbers cannot tell.
+/// If up is exactly parallel to the view, there is no basis, which cannot be recognised with rounded
+/// numbers.
 #[test]
 fn up_exactly_parallel_to_view_is_beyond_f64() {
     let mut made_up = 0;

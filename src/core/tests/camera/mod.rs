@@ -1,4 +1,5 @@
-//! The basis, (u, v) and rows and columns, and what two cameras differ in.
+//! Tests of cameras: the basis, conversions between pixels and (u, v), projection, and the differences
+//! between two cameras.
 
 mod basis;
 mod basis_steps;

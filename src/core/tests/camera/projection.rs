@@ -1,4 +1,5 @@
-//! Pixels, (u, v), view rays and projection are each other's inverses; fields of view too.
+//! Tests that conversions and their inverses agree: of pixels and (u, v), view rays and projection,
+//! fields of view and viewports.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,7 +19,8 @@ fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> {
     (from..to).prop_map(|e| 10_f64.powf(e))
 }
 
-/// Extents that are no binary fractions, and counts that do not divide them.
+/// Width and height of viewports that are not exact in binary, and numbers of columns and rows that do
+/// not divide them.
 const SIZES: [(f64, f64, u32, u32); 8] = [
     (1.6, 0.9, 333, 187),
     (1.0, 1.0, 400, 400),
@@ -45,7 +47,8 @@ fn every_pixels_centre_falls_into_the_pixel() {
     }
 }
 
-/// The formula of the edges, and the other ways that one may compute them, all tell the edge.
+/// A (u, v) on an edge between pixels is recognised as such, whichever formula the caller used to
+/// compute it.
 #[test]
 fn every_edge_is_told() {
     for (width, height, columns, rows) in SIZES {
@@ -150,8 +153,8 @@ fn resolve() -> impl Strategy<Value = ResolvedCamera> {
 proptest! {
     #![proptest_config(config(3000))]
 
-    /// A ray's point, projected, is at the ray's (u, v), at depth t * distance, up to a few
-    /// roundings of the coordinates.
+    /// The projection of a point of a view ray is the ray's (u, v), and its depth is t * distance, up
+    /// to a few rounding errors of the coordinates.
     #[test]
     fn projection_undoes_the_ray(
         camera in resolve(), across in -0.5..0.5_f64, up in -0.5..0.5_f64, t in magnitude(-2.0, 3.0),
@@ -165,14 +168,14 @@ proptest! {
         let size = camera.eye().length() + ray.distance_along(t).abs();
         let rounding = 16.0 * f64::EPSILON * size;
         prop_assert!((depth - t * distance).abs() <= rounding);
-        // What rounding moves the point by, seen at the distance of the viewport.
+        // The rounding error of the point, projected onto the viewport.
         let seen = rounding * (1.0 / t.abs()) * (ray.direction.length() / distance);
         prop_assert!((found - uv).abs().max_element() <= 2.0 * seen, "{found} {uv} {seen:e}");
         let in_front = camera.project(ray.at(t)).is_in_front();
         prop_assert!(in_front != behind || depth.abs() <= rounding);
     }
 
-    /// The ray through a point's projection passes the point at `t = depth / distance`.
+    /// The ray through a point's projection passes through the point at `t = depth / distance`.
     #[test]
     fn the_ray_undoes_projection(camera in resolve(), point in [-10.0..10.0_f64, -10.0..10.0, -10.0..10.0]) {
         let point = DVec3::from_array(point);
@@ -196,7 +199,7 @@ proptest! {
         prop_assert!(image.contains(pixel));
     }
 
-    /// Down to 1e-9 rad and up to 1e-9 short of pi.
+    /// Converts extents to fields of view, from 1e-9 rad to about 1e-9 below pi, and back.
     #[test]
     fn field_of_view_and_extent_undo_each_other(
         distance in magnitude(-12.0, 12.0), ratio in magnitude(-9.0, 9.0),
@@ -205,7 +208,7 @@ proptest! {
         let fov = fov_of_extent(extent, distance);
         prop_assert!(0.0 < fov && fov < PI);
         let back = extent_of_fov(fov, distance);
-        // Near pi, one ulp of the angle is many of the extent.
+        // Near pi, one ulp of the angle corresponds to many ulps of the extent.
         let tolerance = 4.0 * f64::EPSILON * (1.0 + ratio);
         prop_assert!((back / extent - 1.0).abs() <= tolerance, "{back} {extent}");
     }
@@ -255,10 +258,10 @@ fn projection_at_the_ends() {
     let behind = camera.project(vec3(1.0, 2.0, 4.0));
     assert_eq!((behind.uv, behind.depth), (DVec2::new(-0.25, -0.5), -4.0));
     assert!(!behind.is_in_front());
-    // In the eye's plane there is no (u, v), and it is not in front.
+    // A point in the plane through the eye has no (u, v), and is not in front of the eye.
     let beside = camera.project(vec3(1.0, -1.0, 0.0));
     assert!(!beside.uv.is_finite() && !beside.is_in_front());
-    // A difference that overflows has a projection all the same.
+    // A point has a projection even if its difference from the eye overflows.
     let eye = vec3(0.0, 0.0, 1.7e308);
     let camera = Camera {
         eye,

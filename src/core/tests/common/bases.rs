@@ -1,4 +1,4 @@
-//! Families of camera bases, as `pinhole_reference::Family` has them of rays and frames.
+//! Families of difficult camera bases, like those of rays and frames in `pinhole_reference::Family`.
 
 use pinhole_reference::{Draw, Orientation};
 
@@ -11,7 +11,8 @@ pub(crate) struct BasisCase {
     pub(crate) orientation: Orientation,
 }
 
-/// Bases that are hard for one reason, and a knob for how hard.
+/// Camera bases that are difficult for the same reason, with a parameter, the knob, that sets how
+/// difficult they are.
 pub(crate) struct BasisFamily {
     /// Its name, in kebab-case.
     pub(crate) name: &'static str,
@@ -21,7 +22,8 @@ pub(crate) struct BasisFamily {
 }
 
 impl BasisFamily {
-    /// Cases for one of the knobs; with `single`, all numbers are exact in `f32`.
+    /// Returns `count` cases for one value of the knob. If `single` is true, all numbers are exact in
+    /// `f32`.
     pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<BasisCase> {
         let given = |mut draw: Draw| {
             let BasisCase { eye, orientation } = (self.make)(&mut draw, knob);
@@ -65,15 +67,15 @@ fn seen_from(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Ba
     BasisCase { eye, orientation: draw.aimed(eye, view, up) }
 }
 
-/// `cos` and `sin` of a multiple of 5 degrees, from those of 5 degrees: no library's last bit is in
-/// them.
+/// Returns the cosine and the sine of a multiple of 5 degrees, computed from constants, so that they do
+/// not depend on the last bit of a math library.
 fn by_degrees(degrees: f64) -> (f64, f64) {
     let (c, s) = (0.996_194_698_091_745_5, 0.087_155_742_747_658_17);
     let turns = (degrees / 5.0) as usize;
     (0..turns).fold((1.0, 0.0), |(x, y), _| (x * c - y * s, x * s + y * c))
 }
 
-/// Everyday cameras; the knob is the angle between up and view in degrees, about.
+/// Makes an ordinary camera. The knob is the approximate angle between up and view in degrees.
 fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.direction());
     let (along, across) = by_degrees(degrees);
@@ -83,14 +85,14 @@ fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
     seen_from(draw, eye, view, up)
 }
 
-/// An up nearly parallel to the view: their cross product nearly cancels. The knob is log10 of the
-/// angle in radians.
+/// Makes a camera whose up is nearly parallel to its view, so that the terms of their cross product
+/// nearly cancel. The knob is log10 of the angle in radians.
 fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = draw.in_box(10.0);
     let eye = draw.given3(eye);
     let view = scaled(draw.direction(), draw.between(0.5, 20.0));
     let at = draw.given3(plus(eye, 1.0, view));
-    // The view that is meant is the one that rounding left.
+    // Up must be nearly parallel to the view after rounding.
     let is_at_a_point = draw.once_in(2);
     let view = if is_at_a_point { plus(at, -1.0, eye) } else { draw.given3(view) };
     let angle = draw.decade(k) * draw.between(0.3, 3.0);
@@ -102,18 +104,18 @@ fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     BasisCase { eye, orientation }
 }
 
-/// Whole numbers that add and multiply exactly in `f32`.
+/// Returns an eye and a view with integer coordinates whose sums are exact in `f32`.
 fn whole_eye_and_view(draw: &mut Draw) -> ([f64; 3], [f64; 3]) {
     (draw.whole_vector(1000), draw.whole_vector(1000))
 }
 
-/// An up exactly along or against the view, where there is no basis, and one coordinate of it as many
-/// ulps beside as the knob says.
+/// Makes a camera whose up is exactly parallel or opposite to its view, so that there is no basis. One
+/// coordinate of up is then changed by as many ulps as the knob says.
 fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let factor = draw.sign() * draw.whole(1, 1000) * draw.power_of_two(-20, 20);
     let mut up = scaled(view, factor);
-    // Where the view has one coordinate alone, no length of it makes a basis.
+    // If up has only one nonzero coordinate, changing it leaves up parallel to the view.
     let i = draw.whole(0, 2) as usize;
     if up[i] != 0.0 {
         up[i] = draw.moved_by_ulps(up[i], ulps);
@@ -122,7 +124,8 @@ fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     seen_from(draw, scaled(eye, scale), scaled(view, scale), up)
 }
 
-/// Cameras without a basis, because 0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view.
+/// Makes a camera without a basis. The knob is the reason: 0: eye equals at; 1: view is 0; 2: up is 0;
+/// 3: up is parallel to view.
 fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     let (eye, view) = whole_eye_and_view(draw);
     let up = draw.whole_vector(9);
@@ -137,24 +140,26 @@ fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     BasisCase { eye, orientation }
 }
 
-/// Eye and at very close together, or very far apart; the knob is log10 of |at - eye|.
+/// Makes a camera whose eye and at are very close together or very far apart. The knob is log10 of |at
+/// - eye|.
 fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     let length = draw.decade(k);
-    // An eye far larger than the view would swallow it.
+    // If the eye's coordinates were far larger than the view's, rounding would erase the view.
     let eye = scaled(draw.in_box(0.5), length);
     let view = scaled(draw.direction(), length);
     let up = draw.in_box(1.0);
     seen_from(draw, eye, view, up)
 }
 
-/// Very long and very short up vectors; the knob is log10 of the length.
+/// Makes a camera with a very long or very short up vector. The knob is log10 of its length.
 fn up_length(draw: &mut Draw, k: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.in_box(10.0));
     let up = scaled(draw.direction(), draw.decade(k));
     seen_from(draw, eye, view, up)
 }
 
-/// An everyday camera far from the world's origin, log10 of the offset: at - eye cancels.
+/// Makes an ordinary camera far from the world's origin, so that at - eye nearly cancels. The knob is
+/// log10 of the distance.
 fn camera_offset(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = scaled(draw.direction(), draw.decade(k));
     let (view, up) = (draw.in_box(10.0), draw.in_box(1.0));

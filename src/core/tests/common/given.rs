@@ -1,4 +1,4 @@
-//! The reference's cases as this crate's types.
+//! Converts the reference's cases to this crate's types.
 
 use pinhole_core::*;
 use pinhole_reference as reference;

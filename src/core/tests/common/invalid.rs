@@ -1,4 +1,4 @@
-//! Inputs that must be refused at the door, with what is wrong about each.
+//! Invalid inputs, each with a text that says what is invalid about it.
 
 use pinhole_reference::{Camera, Object, Orientation, RayCase};
 
@@ -13,7 +13,8 @@ const WALL: Object = Object::Plane { point: [0.0, 0.0, -6.0], normal: [0.0, 0.0,
 const VIEW: [f64; 3] = [0.0, 0.0, -1.0];
 const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
-/// Cases of a vector of which each coordinate in turn is made not finite.
+/// Returns cases in which one coordinate of the vector `v` is NaN or infinite: each coordinate in turn,
+/// with each such number.
 fn spoilt<T>(name: &str, v: [f64; 3], case: impl Fn([f64; 3]) -> T) -> Vec<(String, T)> {
     let mut all = Vec::new();
     for (what, value) in STRANGE {
@@ -26,7 +27,8 @@ fn spoilt<T>(name: &str, v: [f64; 3], case: impl Fn([f64; 3]) -> T) -> Vec<(Stri
     all
 }
 
-/// A ball, a wall and a ray of which one number is at fault.
+/// Returns cases with a ball, a wall and a ray, in each of which one number (or a zero vector) is
+/// invalid.
 pub(crate) fn rays() -> Vec<(String, RayCase)> {
     let case = |objects: [Object; 2], origin, direction| RayCase {
         objects: objects.to_vec(),
@@ -58,8 +60,8 @@ pub(crate) fn rays() -> Vec<(String, RayCase)> {
     all
 }
 
-/// Cameras' places and orientations of which one number is not finite. Those whose numbers are
-/// finite but that have no basis are the family `no-basis`.
+/// Returns positions and orientations of cameras in which one number is not finite. Those with finite
+/// numbers but without a basis are the family `no-basis`.
 pub(crate) fn bases() -> Vec<(String, BasisCase)> {
     let case = |eye, orientation| BasisCase { eye, orientation };
     let at_origin = |orientation| case([0.0; 3], orientation);
@@ -77,7 +79,7 @@ pub(crate) fn bases() -> Vec<(String, BasisCase)> {
     all.concat()
 }
 
-/// Cameras with a basis whose viewport or image is at fault.
+/// Returns cameras whose basis is valid, but whose viewport or image is not.
 pub(crate) fn cameras() -> Vec<(String, Camera)> {
     let valid = Camera {
         eye: [0.0; 3],

@@ -3,8 +3,8 @@
 
 use fearless_simd::Level;
 
-/// The levels that this machine has, from the lowest on, which are printed; on x86-64 at least SSE2,
-/// and AVX2 where the processor has it.
+/// Returns the SIMD levels that this machine supports, the lowest first, and prints them. On x86-64,
+/// asserts that SSE2 is among them, and AVX2 if the processor has it.
 pub(crate) fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]

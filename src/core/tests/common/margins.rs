@@ -1,4 +1,5 @@
-//! The exact values that decisions are about, from the reference's numbers of 440 bits.
+//! The exact values whose signs decide what a ray hits, computed with the reference's numbers of 440
+//! bits.
 
 use pinhole_reference::{Object, Real};
 
@@ -26,9 +27,9 @@ fn cosine(a: &Vector, b: &Vector) -> Option<f64> {
     square.is_finite().then(|| square.sqrt().copysign(product.to_f64()))
 }
 
-/// Returns the relative distance of `q` from an object: of a sphere,
-/// `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)`; of a plane, the cosine between the normal and
-/// the vector from `q` to the plane's point, 0 if that vector is 0.
+/// Returns how far a point `q` is from an object, as a relative number whose sign is its side: for a
+/// sphere, `(|q - center|^2 - radius^2) / (|q - center|^2 + radius^2)`; for a plane, the cosine of the
+/// angle between the normal and the vector from `q` to the plane's point, 0 if that vector is 0.
 pub(crate) fn side(object: &Object, q: [f64; 3]) -> f64 {
     match *object {
         Object::Sphere { center, radius } => {
@@ -42,8 +43,9 @@ pub(crate) fn side(object: &Object, q: [f64; 3]) -> f64 {
     }
 }
 
-/// Returns `((q.d)^2 - |d|^2 (|q|^2 - r^2)) / (|d|^2 |q|^2)`, with q the vector from the eye to a sphere's
-/// centre: how far a line is from touching the sphere. `None` for a plane, and for a sphere around the eye.
+/// Returns `((q.d)^2 - |d|^2 (|q|^2 - r^2)) / (|d|^2 |q|^2)`, with q the vector from the eye to a
+/// sphere's centre, r its radius and d the direction: 0 if the line touches the sphere, positive if it
+/// meets it. `None` for a plane, and for a sphere around the eye.
 pub(crate) fn grazing(object: &Object, eye: [f64; 3], direction: &Vector) -> Option<f64> {
     let Object::Sphere { center, radius } = *object else { return None };
     let (q, radius) = (minus(&vector(center), &vector(eye)), Real::from(radius));
@@ -53,8 +55,8 @@ pub(crate) fn grazing(object: &Object, eye: [f64; 3], direction: &Vector) -> Opt
     share.is_finite().then_some(share)
 }
 
-/// Returns the cosine between a direction and the vector to a sphere's centre, or a plane's normal; `None` for
-/// a sphere around the eye.
+/// Returns the cosine of the angle between a direction and the vector from the eye to a sphere's
+/// centre, or a plane's normal; `None` if one of them is 0.
 pub(crate) fn ahead(object: &Object, eye: [f64; 3], direction: &Vector) -> Option<f64> {
     cosine(
         direction,

@@ -18,7 +18,7 @@ pub(crate) fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-/// A vector of any direction and a length of about 10 to a power in the range.
+/// Generates vectors of any direction whose length is about 10 to a power in the range.
 pub(crate) fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
     let coordinate = || -1.0..1.0_f64;
     ((coordinate(), coordinate(), coordinate()), powers)
@@ -46,7 +46,7 @@ pub(crate) fn ulps(a: f64, b: f64) -> u64 {
     rank(a).abs_diff(rank(b))
 }
 
-/// Asserts that two numbers are at most `most` ulp apart; 0 must be 0.
+/// Asserts that two numbers are at most `most` ulps apart.
 #[track_caller]
 pub(crate) fn assert_ulps(actual: f64, expected: f64, most: u64) {
     let apart = ulps(actual, expected);
@@ -62,18 +62,18 @@ pub(crate) fn assert_ulps3(actual: DVec3, expected: DVec3, most: u64) {
     }
 }
 
-/// All roots of a scene; none for a ray that is refused.
+/// Returns all roots of a ray with a scene's objects; none for an invalid ray.
 pub(crate) fn roots_of(scene: &Scene, ray: &Ray) -> Vec<Root> {
     let Ok(ray) = ExactRay::from_ray(ray) else { return Vec::new() };
     scene.ranked_roots_of(&ray).into_iter().map(|ranked| ranked.root).collect()
 }
 
-/// The roots of one sphere with their points and normals.
+/// Returns the roots of a ray with one sphere, with their points and normals.
 pub(crate) fn roots_on(sphere: Sphere, ray: &Ray) -> Vec<Root> {
     roots_of(&Scene::new(vec![sphere], vec![]).unwrap(), ray)
 }
 
-/// The root of one plane with its point and normal.
+/// Returns the root of a ray with one plane, with its point and normal.
 pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
     roots_of(&Scene::new(vec![], vec![plane]).unwrap(), ray)[0]
 }
@@ -85,7 +85,8 @@ pub(crate) fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<M
     kernel.hit(0)
 }
 
-/// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
+/// Returns the colour of one ray's first hit. `nearest` is the `t` that is white in the shading
+/// [`Shade::T`].
 pub(crate) fn shade_pixel(
     scene: &Scene,
     shade: Shade,
@@ -109,7 +110,7 @@ pub(crate) fn up_angle(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
     Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL }.up_angle()
 }
 
-/// A camera at `eye` along `view`, level with y up, with the canonical viewport.
+/// Returns a camera at `eye` that looks along `view`, with the canonical viewport.
 pub(crate) fn camera(eye: DVec3, view: DVec3, up: DVec3, width: u32, height: u32) -> Camera {
     Camera {
         eye,
@@ -119,7 +120,7 @@ pub(crate) fn camera(eye: DVec3, view: DVec3, up: DVec3, width: u32, height: u32
     }
 }
 
-/// A fixed sequence of numbers in `[0, 1)` (Knuth's MMIX generator).
+/// A generator of pseudorandom numbers in `[0, 1)`, the same in every run (Knuth's MMIX generator).
 pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {

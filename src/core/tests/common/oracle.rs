@@ -1,4 +1,4 @@
-//! The formulas in 1200 binary digits, of the `f64` inputs as given.
+//! The textbook's formulas computed with 1200 binary digits, for the exact values of `f64` inputs.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -62,14 +62,14 @@ impl Big3 {
         self.times(&(big(1.0) / self.dot(self).sqrt()))
     }
 
-    /// The largest difference from a rounded vector, in a coordinate.
+    /// Returns the largest difference of a coordinate from that of a rounded vector.
     pub(crate) fn error_of(&self, v: DVec3) -> f64 {
         let difference = self.minus(&v.into());
         difference.0.iter().map(|x| near(x).abs()).fold(0.0, f64::max)
     }
 }
 
-/// u, v, w from `view` and `up`; `None` where up is parallel to view.
+/// Returns u, v, w for `view` and `up`; `None` if up is parallel to view.
 pub(crate) fn basis(view: &Big3, up: &Big3) -> Option<[Big3; 3]> {
     let back = view.times(&big(-1.0));
     let right = up.cross(&back);
@@ -80,7 +80,8 @@ pub(crate) fn basis(view: &Big3, up: &Big3) -> Option<[Big3; 3]> {
     Some([u.clone(), w.cross(&u), w])
 }
 
-/// The roots of a ray on a sphere, ascending; both where they are one.
+/// Returns the roots of a ray with a sphere, in ascending order; twice the same root for a tangent, and
+/// `None` for a miss.
 pub(crate) fn sphere_roots(sphere: &Sphere, ray: &Ray) -> Option<[f64; 2]> {
     let from_center = Big3::from(ray.origin).minus(&sphere.center.into());
     let direction = Big3::from(ray.direction);

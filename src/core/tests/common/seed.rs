@@ -1,4 +1,4 @@
-//! The seed of tests with random numbers: fixed, so that a test does the same every time.
+//! The seed of tests with random numbers, which is fixed, so that a test does the same in every run.
 
 use proptest::test_runner::{Config, RngSeed};
 
@@ -8,7 +8,8 @@ pub(crate) fn seed() -> u64 {
     set.unwrap_or(1)
 }
 
-/// Configuration of `cases` random cases of the seed; no file of failures, as the seed tells them again.
+/// Returns a proptest configuration for `cases` random cases from [`seed`]. Failures are not recorded
+/// in a file, because the seed reproduces them.
 pub(crate) fn config(cases: u32) -> Config {
     let rng_seed = RngSeed::Fixed(seed());
     Config { cases, failure_persistence: None, rng_seed, ..Config::default() }

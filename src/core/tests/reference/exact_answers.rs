@@ -1,4 +1,5 @@
-//! Answers that are known without a computer: the lecture's, and those of small integers.
+//! Tests of the reference with answers that were found by hand: the lecture's, and those of small
+//! integers.
 
 use pinhole_reference::{Object, Real, first_hit, roots};
 

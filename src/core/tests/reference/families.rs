@@ -1,4 +1,4 @@
-//! The families contain what they claim.
+//! Tests that the reference's families of difficult cases have the properties that they claim.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -96,7 +96,7 @@ fn numbers(case: &Case) -> Vec<f64> {
     }
 }
 
-/// Some cases of each family and knob, in both precisions.
+/// Calls `visit` for some cases of each family and each value of its knob, in `f64` and in `f32`.
 fn some_of_all(mut visit: impl FnMut(&str, f64, bool, &Case)) {
     let mut some_of = |name: &str, knobs: &[f64], cases: &dyn Fn(f64, bool) -> Vec<Case>| {
         for &knob in knobs {
@@ -215,7 +215,8 @@ fn eyes_are_where_they_are_said_to_be() {
     }
 }
 
-/// The first hit with the objects as listed, and with the two in the other order.
+/// Returns the index of the object hit first, with the two objects in their order and with them
+/// exchanged.
 fn both_ways(case: &RayCase) -> [usize; 2] {
     let reversed: Vec<Object> = case.objects.iter().rev().copied().collect();
     let first = |objects: &[Object]| first_object(objects, case.origin, case.direction).unwrap();
@@ -352,7 +353,7 @@ fn in_frames_of_ties_the_first_listed_wins_in_every_pixel() {
     }
 }
 
-/// Pixels in which the first of the two objects wins, whichever is listed first.
+/// Returns the number of pixels in which the object listed first is hit, whichever of the two that is.
 fn tied_pixels(camera: &Camera, [a, b]: [Object; 2]) -> usize {
     let [one, other] = [[a, b], [b, a]].map(|objects| camera.prepare(&objects).unwrap());
     let pixels =

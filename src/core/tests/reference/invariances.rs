@@ -1,4 +1,5 @@
-//! Changes that must not change an answer, and what answers must have in common.
+//! Tests of the reference: changes of a case that must not change the answer, and properties that all
+//! answers must have.
 
 use std::cmp::Ordering;
 
@@ -11,7 +12,8 @@ use crate::common::{bases, margins};
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
 
-/// Names that need no range beyond f64's when all lengths are multiplied by 2^20.
+/// Returns the families of rays in which all lengths can be multiplied by 2^20 without leaving the
+/// range of `f64`.
 fn everyday_ray_families() -> impl Iterator<Item = &'static Family> {
     let is_extreme = |name: &str| name.ends_with("-range");
     Family::all()
@@ -24,7 +26,8 @@ fn all_rays(count: usize) -> impl Iterator<Item = RayCase> {
     })
 }
 
-/// Every place mapped, every vector turned, every radius multiplied.
+/// Returns the objects with each point and each normal mapped by these functions, and each radius
+/// multiplied by `scale`.
 fn mapped(objects: &[Object], point_map: Map, vector_map: Map, scale: f64) -> Vec<Object> {
     let one = |object: &Object| match *object {
         Object::Sphere { center, radius } => {
@@ -37,7 +40,7 @@ fn mapped(objects: &[Object], point_map: Map, vector_map: Map, scale: f64) -> Ve
     objects.iter().map(one).collect()
 }
 
-/// A rotation, no reflection: a camera's basis stays right-handed.
+/// Permutes the coordinate axes by a rotation, which keeps a camera's basis right-handed.
 fn permuted([x, y, z]: [f64; 3]) -> [f64; 3] {
     [z, -x, -y]
 }
@@ -46,7 +49,7 @@ fn permuted_back([x, y, z]: [f64; 3]) -> [f64; 3] {
     [-y, -z, x]
 }
 
-/// Returns whether two numbers are the same to the last of their 440 bits.
+/// Returns true if two numbers are equal to the last of their 440 bits.
 fn is_same(a: &Real, b: &Real) -> bool {
     let near = Real::from(a.to_f64());
     a.minus(&near).to_f64() == b.minus(&near).to_f64()
@@ -103,7 +106,8 @@ fn a_hit_is_on_its_object() {
                 assert!((length(&hit.normal) - 1.0).abs() < 1e-15, "{}", family.name);
                 match objects[hit.object] {
                     Object::Sphere { center, radius } => {
-                        // A point of 440 bits cannot say where on dust at the world's end it is.
+                        // The 440 bits of a point are too few to locate it on a tiny sphere that is
+                        // extremely far away.
                         if center.iter().any(|x| x.abs() > 1e100 * radius) {
                             continue;
                         }
@@ -129,8 +133,7 @@ fn a_hit_is_on_its_object() {
     }
 }
 
-/// The f64 values just below and just above a root lie on different sides of the object, or the root
-/// is that of a tangent.
+/// The points slightly before and slightly after a root lie on different sides of the sphere.
 #[test]
 fn the_object_is_crossed_at_the_root() {
     let family = Family::named("ordinary").unwrap();

@@ -1,4 +1,5 @@
-//! The reference itself: known answers, what its families claim, and what must not change an answer.
+//! Tests of the reference itself: known answers, the properties of its families, and changes that must
+//! not change an answer.
 
 mod cameras;
 mod exact_answers;

@@ -1,4 +1,4 @@
-//! Dragged points stay under the pointer.
+//! Tests that dragged points stay under the pointer.
 
 use pinhole_core::steering::*;
 use pinhole_core::*;
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::{direction, vec3};
 use crate::common::seed::config;
 
-/// A camera at (0, 0, 10), along -z: a viewport of 2 x 2 at distance 1.
+/// Returns a camera at (0, 0, 10) that looks along -z, with a viewport of 2 x 2 at distance 1.
 fn straight() -> ResolvedCamera {
     Camera {
         eye: vec3(0.0, 0.0, 10.0),
@@ -19,7 +19,8 @@ fn straight() -> ResolvedCamera {
     .unwrap()
 }
 
-/// An observer, the position of an anchor in its picture, and the anchor.
+/// Generates an observer's camera, the (u, v) of an anchor (the point that is dragged) in its picture,
+/// and the anchor.
 fn observed() -> impl Strategy<Value = (ResolvedCamera, DVec2, DVec3)> {
     let uv = || (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(DVec2::from);
     (direction(), direction(), -6.0..6.0_f64, uv(), -2.0..2.0_f64).prop_filter_map(
@@ -120,14 +121,15 @@ proptest! {
                 let off = normal.normalize().dot(moved);
                 prop_assert!(off.abs() <= 1e-9 * moved.length() + 1e-14 * observer.eye().length());
             }
-            // Unless the plane is seen from its edge there.
+            // The exception is a plane that is seen edge-on there.
             let back = observer.dragged(anchor, uv, uv, along);
             let on_edge = matches!(back, Err(SteerError::OnEdge { .. }));
             prop_assert!(back == Ok(anchor) || on_edge);
         }
     }
 
-    /// The rest of the way to the pointer is straight across the axis' image.
+    /// A point that is dragged along an axis is the one nearest to the pointer: in the picture, the
+    /// remaining distance to the pointer is perpendicular to the axis.
     #[test]
     fn along_an_axis_the_nearest_point_is_found(
         (observer, uv, anchor) in observed(),
@@ -161,7 +163,8 @@ proptest! {
         let (Ok(a), Ok(b)) = (to(way), to(way + DVec2::splat(1e-9))) else {
             return Ok(());
         };
-        // As the depth squared, over the least angle.
+        // The distance may grow with the square of the depth, and with the inverse of the smallest
+        // allowed angle.
         let deeper = observer.project(a).depth / observer.project(anchor).depth;
         let most = 1e-9 * 1000.0 * (1.0 + deeper * deeper) * observer.project(anchor).depth;
         prop_assert!(a.distance(b) <= most);

@@ -1,4 +1,4 @@
-//! The handles of eye and at, dragged anywhere: also over the poles.
+//! Tests of dragging eye and at anywhere, including over the poles, where the view is parallel to up.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -21,8 +21,7 @@ fn at_dragged(camera: &Camera, point: DVec3) -> Result<Steered, SteerError> {
     camera.led_to(camera.with_at(point), Keep::At)
 }
 
-/// The eye (about at) or at (about the eye), put to a position so many lengths of the way between them
-/// off.
+/// Drags the eye (if `is_eye` is true) or at by `offset`, in units of the distance between them.
 fn dragged(camera: &Camera, offset: DVec3, is_eye: bool) -> Result<Steered, SteerError> {
     let pivot = camera.pivot().unwrap();
     let offset = offset * camera.eye.distance(pivot);
@@ -33,13 +32,13 @@ fn dragged(camera: &Camera, offset: DVec3, is_eye: bool) -> Result<Steered, Stee
     }
 }
 
-/// Short and long, in lengths of the way from eye to at.
+/// Generates short and long offsets for [`dragged`], from 1e-6 to 10 times the distance from eye to at.
 fn offset() -> impl Strategy<Value = DVec3> {
     (direction(), -6.0..1.0_f64).prop_map(|(direction, power)| 10_f64.powf(power) * direction)
 }
 
-/// A point of the unit sphere round at, so far from straight above it, in degrees; along a meridian that
-/// passes so many degrees beside.
+/// Returns a position of the eye on the unit sphere around at: on a vertical circle whose highest point
+/// is `beside` degrees away from straight above at, and `degrees` along the circle from there.
 fn eye_over_the_top(degrees: f64, beside: f64) -> DVec3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (aside, along) = beside.to_radians().sin_cos();
@@ -177,7 +176,8 @@ fn a_camera_without_a_basis_is_led_out_of_it() {
     assert!(at_dragged(&parallel, vec3(0.0, -7.0, 0.0)).is_err());
 }
 
-/// One drag of any kind, and the most that it may turn v, but for rounding.
+/// Makes one drag, of one of six kinds, and returns the camera and the maximum angle by which it may
+/// turn v, apart from rounding errors.
 fn one_drag(camera: &Camera, kind: usize, offset: DVec3) -> Result<(Camera, f64), SteerError> {
     let DVec3 { x: yaw, y: pitch, .. } = offset;
     let hand = yaw.abs() + pitch.abs();
@@ -197,7 +197,7 @@ fn one_drag(camera: &Camera, kind: usize, offset: DVec3) -> Result<(Camera, f64)
     })
 }
 
-/// One camera, dragged 10,000 times in succession.
+/// A camera stays valid while it is dragged 10,000 times in succession.
 #[test]
 fn ten_thousand_drags_leave_a_valid_camera() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -277,7 +277,7 @@ proptest! {
         prop_assert!(!calm || turn <= 1.01e-6 / CONE.sin() + 1e-11);
     }
 
-    /// A drag there and back again ends where it began, where up stays.
+    /// A drag to a point and back ends with the camera with which it began, unless it changed up.
     #[test]
     fn outside_the_cone_there_and_back_again(
         camera in calm_camera(), offset in offset(), is_eye in any::<bool>(),

@@ -88,7 +88,8 @@ fn up_tilts_towards_the_view_and_breaks() {
 proptest! {
     #![proptest_config(config(1000))]
 
-    /// u and v turn by the angle, w stays, and so does how the camera is given.
+    /// A swing of up turns u and v by the angle, and changes neither w nor the way in which the
+    /// orientation is specified.
     #[test]
     fn a_swing_turns_u_and_v_about_w(camera in any_camera(), degrees in -400.0..400.0_f64) {
         let swung = camera.swung(degrees).unwrap();
@@ -106,7 +107,7 @@ proptest! {
         prop_assert!((after_up.angle - before_up.angle).abs() <= 1e-15);
     }
 
-    /// The angle is the one that was asked for, and the basis stays.
+    /// A tilt of up sets the requested angle between up and view, and does not change the basis.
     #[test]
     fn a_tilt_sets_the_angle_and_keeps_the_basis(
         camera in any_camera(), power in -6.0..0.0_f64, obtuse in any::<bool>(),
@@ -125,7 +126,8 @@ proptest! {
         prop_assert!(off <= 5e-16 * found.conditioning, "{off:e} at {:?}", found);
     }
 
-    /// The picture is the same, and t is divided by the factor.
+    /// Scaling the viewport's width, height and distance by a factor leaves the picture unchanged, and
+    /// divides t by the factor.
     #[test]
     fn a_scaled_picture_is_the_same(
         camera in any_camera(), distance in 0.01..100.0_f64, row in 0..400_u32, column in 0..400_u32,
@@ -163,7 +165,7 @@ fn the_canonical_picture_scales_exactly() {
     assert_eq!(error.field, "height");
 }
 
-/// Extreme lengths of up: nothing overflows, and the swing is that of the reference.
+/// A swing of an extremely long or short up vector does not overflow, and agrees with the reference.
 #[test]
 fn swings_of_ups_of_any_length() {
     for size in [1e-300, 1.0, 1e300] {

@@ -58,7 +58,7 @@ fn dragged_numbers_stay_short() {
     assert!(rounded_to(f64::INFINITY, 1.0).is_err() && rounded_to(1.0, 0.0).is_err());
 }
 
-/// Number of digits of the shortest decimal of a number.
+/// Returns the number of digits of the shortest decimal form of a number.
 fn digits(x: f64) -> usize {
     let text = format!("{x:e}");
     let mantissa = text.split('e').next().unwrap().trim_start_matches('-').replace('.', "");
@@ -76,7 +76,7 @@ proptest! {
         let pixel = 10_f64.powf(size - finer);
         let rounded = rounded_to(value, pixel).unwrap();
         prop_assert!((rounded - value).abs() <= 0.1 * pixel);
-        // A decimal with a digit fewer is farther away.
+        // A decimal with one digit less would be too far away.
         if rounded != 0.0 && digits(rounded) > 1 {
             let fewer: f64 = format!("{value:.0$e}", digits(rounded) - 2).parse().unwrap();
             prop_assert!((fewer - value).abs() > 0.1 * pixel);

@@ -1,10 +1,10 @@
-//! Scenes of crowds that are hard to get right.
+//! Scenes of many spheres that are hard to draw without an error.
 
 use pinhole_core::*;
 
 use crate::common::{Numbers, plane, sphere, vec3};
 
-/// A scene by name, who looks at it, and how many objects the picture shows at least.
+/// A scene with its name and its camera, and the minimum number of objects that its picture shows.
 pub(crate) struct Crowd {
     pub(crate) name: &'static str,
     pub(crate) scene: Scene,
@@ -23,7 +23,7 @@ impl Crowd {
         Crowd { scene, ..self }
     }
 
-    /// Returns the crowd with at least so many objects to be seen.
+    /// Returns the crowd with another minimum number of visible objects.
     pub(crate) fn showing(self, objects: usize) -> Crowd {
         Crowd { objects, ..self }
     }
@@ -34,7 +34,7 @@ impl Crowd {
     }
 }
 
-/// A camera at the origin, along -z, with a viewport of this size at distance 1.
+/// Returns a camera at the origin that looks along -z, with a viewport of this size at distance 1.
 pub(crate) fn ahead(viewport: [f64; 2], image: [u32; 2]) -> Camera {
     Camera {
         viewport: Viewport { width: viewport[0], height: viewport[1], distance: 1.0 },
@@ -43,23 +43,25 @@ pub(crate) fn ahead(viewport: [f64; 2], image: [u32; 2]) -> Camera {
     }
 }
 
-/// 53 degrees from bottom to top, in square pixels; neither side a multiple of a vector's length.
+/// Returns a camera with a vertical field of view of 53 degrees and square pixels. Neither side of the
+/// image is a multiple of a SIMD vector's length.
 pub(crate) fn ordinary() -> Camera {
     ahead([16.0 / 9.0, 1.0], [323, 181])
 }
 
-/// The height of a pixel of [`ordinary`] in the world, so far ahead.
+/// Returns the height in the world of a pixel of [`ordinary`] at this depth.
 fn pixel_at(depth: f64) -> f64 {
     depth / 181.0
 }
 
-/// A point ahead, at most a little outside of what [`ordinary`] sees.
+/// Returns a random point in or slightly outside of the view of [`ordinary`].
 fn point_ahead(numbers: &mut Numbers) -> DVec3 {
     let z = numbers.between(4.0, 12.0);
     vec3(numbers.between(-0.95, 0.95) * z, numbers.between(-0.55, 0.55) * z, -z)
 }
 
-/// Spheres ahead whose radii are this many pixels of [`ordinary`], evenly between two numbers.
+/// Returns spheres in front of [`ordinary`] whose radii in its picture are evenly distributed between
+/// two numbers of pixels.
 pub(crate) fn of_pixels(count: usize, radii: [f64; 2], seed: u64) -> Vec<Sphere> {
     let mut numbers = Numbers(seed);
     let one = |_| {
@@ -90,7 +92,7 @@ fn around_the_eye(first: bool) -> Vec<Sphere> {
     spheres
 }
 
-/// Spheres of about a pixel's size that all cover the centre of the same one.
+/// Returns spheres of about a pixel's size, all of which cover the centre of the same pixel.
 fn one_pixel() -> Vec<Sphere> {
     let camera = ordinary().resolve().unwrap();
     let direction = camera.ray_of_pixel(Pixel { row: 70, column: 200 }).direction;
@@ -121,7 +123,8 @@ fn planet() -> Vec<Sphere> {
     spheres
 }
 
-/// Spheres beside the eye that the plane through it cuts, and that reach into the view.
+/// Returns spheres to the sides of the eye, each of which crosses the plane through the eye and reaches
+/// into the view.
 fn eye_plane() -> Vec<Sphere> {
     let mut numbers = Numbers(8);
     let one = |_| {
@@ -133,7 +136,7 @@ fn eye_plane() -> Vec<Sphere> {
     (0..300).map(one).collect()
 }
 
-/// Spheres about the picture's four sides and corners, some of them large.
+/// Returns spheres at the picture's four edges and corners, some of them large.
 fn on_the_sides() -> Vec<Sphere> {
     let mut numbers = Numbers(9);
     let one = |k: usize| {
@@ -146,7 +149,8 @@ fn on_the_sides() -> Vec<Sphere> {
     (0..600).map(one).collect()
 }
 
-/// Spheres given twice, in another order, with others of the same centres between them.
+/// Returns spheres that all occur twice, in opposite orders, with slightly smaller ones of the same
+/// centres between them.
 fn twice() -> Vec<Sphere> {
     let own = of_pixels(200, [2.0, 12.0], 10);
     let smaller = own.iter().map(|own| Sphere { radius: 0.999 * own.radius, ..*own });
@@ -154,19 +158,20 @@ fn twice() -> Vec<Sphere> {
     own.iter().rev().copied().chain(smaller).chain(hardly).chain(own.iter().copied()).collect()
 }
 
-/// Unit spheres on a lattice, each touching its neighbours, in whole numbers.
+/// Returns unit spheres on a lattice with integer coordinates, each of which touches its neighbours.
 fn lattice() -> Vec<Sphere> {
     let layer = |k: i32| (-5..=5).flat_map(move |i| (-4..=4).map(move |j| (i, j, k)));
     let center = |(i, j, k): (i32, i32, i32)| [2 * i, 2 * j, -12 - 2 * k].map(f64::from);
     (0..4).flat_map(layer).map(|cell| sphere(center(cell), 1.0)).collect()
 }
 
-/// Pixels of 1/16 at distance 1, one of them at the picture's middle.
+/// Returns a camera whose pixels have a size of exactly 1/16 at distance 1, with one of them in the
+/// middle of the picture.
 fn sixteenths() -> Camera {
     ahead([101.0 / 16.0, 75.0 / 16.0], [101, 75])
 }
 
-/// Spheres that touch the plane z = -16 in points that pixels' rays pass.
+/// Returns spheres that touch the plane z = -16 in points through which pixels' rays pass.
 fn on_a_plane() -> Crowd {
     let center = |k: i32| [3 * (k % 20 - 10), 3 * (k / 20 - 8), -17].map(f64::from);
     let spheres = (0..320).map(|k| sphere(center(k), 1.0)).collect();
@@ -175,8 +180,9 @@ fn on_a_plane() -> Crowd {
     Crowd::new("ties with a plane", spheres, sixteenths()).with_planes(vec![behind, wall])
 }
 
-/// Spheres `(0, 0, -5 k)`, radius 3 k, whose common outline is a circle of exactly 25 pixels, which
-/// passes through the centres (7, 24), (15, 20), (25, 0) and those like them.
+/// Returns spheres around (0, 0, -5 k) with radius 3 k, which have the same outline: a circle with a
+/// radius of exactly 25 pixels, which passes exactly through pixel centres, such as (7, 24), (15, 20)
+/// and (25, 0) relative to the middle.
 fn one_outline(count: usize) -> Crowd {
     let camera = Camera {
         viewport: Viewport { width: 183.0, height: 177.0, distance: 100.0 },
@@ -191,10 +197,11 @@ fn one_outline(count: usize) -> Crowd {
     Crowd::new(name, spheres, camera).showing(1)
 }
 
-/// Spheres whose tops and bottoms lie exactly on rows of pixels' centres.
+/// Returns spheres whose outlines exactly touch a row of pixel centres from below and another one from
+/// above.
 fn tangent_to_rows() -> Vec<Sphere> {
-    // Seen from the side, the line through the eye with slope 3/4, 12 sixteenths, touches the circle
-    // around (0, -5 k) with radius 3 k, wherever along the rows it is.
+    // Seen from the side, the line through the eye with slope 3/4 (12 pixels of 1/16) touches the
+    // circle around (0, -5 k) with radius 3 k, wherever the sphere is along the rows.
     (0..300)
         .map(|k| {
             let (x, k) = (f64::from(k % 25 - 12), 1.0 + f64::from(k % 7));
@@ -203,8 +210,8 @@ fn tangent_to_rows() -> Vec<Sphere> {
         .collect()
 }
 
-/// Pixels much wider or higher than the other way, and spheres of a few rows beside the middle,
-/// whose outlines lean.
+/// Returns a camera whose pixels are far from square, and spheres a few rows high away from the middle,
+/// whose outlines are oblique ellipses.
 fn leaning(name: &'static str, viewport: [f64; 2], image: [u32; 2], count: usize) -> Crowd {
     let camera = ahead(viewport, image);
     let per_row = viewport[1] / f64::from(image[1]);
@@ -218,9 +225,9 @@ fn leaning(name: &'static str, viewport: [f64; 2], image: [u32; 2], count: usize
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
-/// One sphere whose outline leans so much that it meets pixel (42, 3), then passes between two
-/// pixels' centres in two rows, and meets pixel (45, 4); alone in its vector, for the others are
-/// larger, and behind the eye.
+/// Returns one visible sphere whose outline is so oblique that it contains the centre of pixel (42, 3),
+/// passes between pixel centres in the next two rows, and contains that of pixel (45, 4). The other
+/// spheres are larger and behind the eye, so it is drawn alone in its SIMD vector.
 fn between_rows() -> Crowd {
     let own = sphere([-28.0, 21.0, -8.0], 0.171875);
     let behind = (0..255).map(|k| sphere([0.0, 0.0, 10.0 + f64::from(k)], 1.0));
@@ -228,7 +235,7 @@ fn between_rows() -> Crowd {
     Crowd::new("between rows", spheres, ahead([8.0, 8.0], [64, 256])).showing(1)
 }
 
-/// A wide angle, and spheres on all sides.
+/// Returns a wide-angle camera, and spheres on all sides of it.
 fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
     let camera = ahead([width, 0.6 * width], [161, 97]);
     let mut numbers = Numbers(12);
@@ -239,7 +246,7 @@ fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
-/// A crowd as it looks from elsewhere: moved, and with a basis given by hand.
+/// Returns a crowd that is moved and turned together with its camera, whose basis is given by hand.
 fn by_hand(name: &'static str, basis: Basis, offset: DVec3) -> Crowd {
     let mut spheres = of_pixels(700, [0.3, 9.0], 13);
     for sphere in &mut spheres {
@@ -250,7 +257,8 @@ fn by_hand(name: &'static str, basis: Basis, offset: DVec3) -> Crowd {
     Crowd::new(name, spheres, camera).showing(100)
 }
 
-/// Bases given by hand: exact ones, rounded ones, and ones that are off as far as they may be.
+/// Returns crowds whose cameras have bases given by hand: exactly orthonormal, rounded, or with a
+/// deviation from orthonormal that is still allowed.
 fn bases() -> Vec<Crowd> {
     let turned = Basis { u: DVec3::Y, v: DVec3::Z, w: DVec3::X };
     let exact = Basis { u: vec3(0.6, 0.0, -0.8), v: DVec3::Y, w: vec3(0.8, 0.0, 0.6) };
@@ -266,7 +274,7 @@ fn bases() -> Vec<Crowd> {
     ]
 }
 
-/// All of them.
+/// Returns all crowds of this module.
 pub(crate) fn all() -> Vec<Crowd> {
     let mut behind_one = of_pixels(5000, [1.0, 20.0], 2);
     behind_one.push(sphere([0.0, 0.0, -2.0], 1.5));

@@ -1,5 +1,6 @@
-//! Checks that every pixel of a frame is right: what plain `f64` cannot say for sure is asked of the
-//! reference, in arbitrary precision, or of the exact ray among those few objects alone.
+//! Checks that every pixel of a frame is right. Where plain `f64` with error bounds is inconclusive,
+//! the arbitrary-precision reference decides, or this crate's exact ray in a scene of only the objects
+//! in question.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,10 +11,11 @@ use rayon::prelude::*;
 
 use super::meeting::{Meeting, Seen};
 
-/// Maximum number of a frame's doubtful pixels that the reference decides; exact rays decide the others.
+/// Maximum number of a frame's inconclusive pixels that the reference decides; exact rays decide the
+/// others.
 const BY_REFERENCE: usize = 200;
 
-/// Counts of what a check has looked at.
+/// The numbers of pixels and objects that a check of a frame has examined.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Checked {
     pub(crate) pixels: usize,
@@ -27,28 +29,29 @@ pub(crate) struct Checked {
     pub(crate) by_reference: usize,
 }
 
-/// A frame that is asked whether it is right.
+/// A frame to be checked, with the values that its pixels share.
 struct Checker<'a> {
     scene: &'a Scene,
     camera: &'a Camera,
     resolved: ResolvedCamera,
     frame: &'a Frame<f32>,
     seen: Vec<Seen>,
-    /// The parts of the directions that the pixels of a column, and of a row, share.
+    /// For each column, the part of the direction that its pixels share. The direction of a pixel is
+    /// this plus `down` of its row.
     across: Vec<DVec3>,
     down: Vec<DVec3>,
-    /// The range in which the `t` of the object that a pixel shows surely is.
+    /// For each pixel, an interval that certainly contains the true `t` of the object that it shows.
     own: Vec<[f64; 2]>,
 }
 
-/// An object that may be what a pixel should show.
+/// A pixel's index, and the index of an object that the pixel should perhaps show.
 type Candidate = (usize, u32);
 
-/// Pixels with what is wrong there.
+/// The wrong pixels, each with a description of the error.
 type Faults = BTreeMap<usize, String>;
 
-/// Asserts that every pixel of a frame shows the object that its ray hits first, with its `t` within
-/// an ulp of `f32`.
+/// Asserts that every pixel of a frame shows the object that its ray hits first, with `t` within an ulp
+/// of `f32`.
 #[track_caller]
 pub(crate) fn every_pixel_is_right(
     name: &str,
@@ -65,7 +68,7 @@ pub(crate) fn every_pixel_is_right(
     }
 }
 
-/// Finds what is wrong with a frame, by pixel.
+/// Checks a frame. Returns the wrong pixels as an error.
 pub(crate) fn check(scene: &Scene, camera: &Camera, frame: &Frame<f32>) -> Result<Checked, Faults> {
     let mut faults = Faults::new();
     let mut checker = Checker::new(scene, camera, frame);
@@ -133,7 +136,8 @@ impl<'a> Checker<'a> {
         format!("row {row}, column {column}: {object} at t = {:?}", pixel.t)
     }
 
-    /// Finds where the object that each pixel shows is; gives those that are in doubt.
+    /// Finds, for each pixel, the interval of `t` of the object that it shows. Adds wrong pixels to
+    /// `faults`, and returns those for which `f64` is inconclusive.
     fn find_own(&mut self, faults: &mut Faults) -> Vec<Candidate> {
         let of_pixel = |pixel: usize| {
             let (t, object) = (self.frame.t[pixel], self.frame.object[pixel]);
@@ -169,7 +173,7 @@ impl<'a> Checker<'a> {
                 Own::Sure(near) => near,
                 Own::InDoubt => {
                     in_doubt.push((pixel, self.frame.object[pixel]));
-                    // If that is right at all, it is so within an ulp.
+                    // If the object is right, its t is within about an ulp of the shown one.
                     [t * (1.0 - 1e-6), t * (1.0 + 1e-6)]
                 }
                 Own::Wrong => {
@@ -182,7 +186,8 @@ impl<'a> Checker<'a> {
         in_doubt
     }
 
-    /// Finds what else a pixel may have to show.
+    /// Finds the objects that pixels should perhaps show instead. Adds those pixels to `faults` for
+    /// which this is certain.
     fn find_others(&self, faults: &mut Faults) -> Vec<Candidate> {
         let found = (0..self.seen.len() as u32).into_par_iter().map(|index| {
             let (mut candidates, mut nearer) = (Vec::new(), Vec::new());
@@ -201,7 +206,8 @@ impl<'a> Checker<'a> {
         candidates
     }
 
-    /// Finds the pixels in which an object may be, or surely is, before what they show.
+    /// Finds the pixels in which an object may be (`candidates`), or certainly is (`nearer`), in front
+    /// of the object that they show.
     fn look_for(&self, index: u32, candidates: &mut Vec<Candidate>, nearer: &mut Vec<Candidate>) {
         let seen = &self.seen[index as usize];
         let spheres = self.scene.spheres();
@@ -227,7 +233,7 @@ impl<'a> Checker<'a> {
                     Meeting::At(low, _) if low > own_high => {}
                     Meeting::At(_, high) if high < own_low => nearer.push((pixel, index)),
                     _ if own.is_some() && own == spheres.get(shown as usize) => {
-                        // The same sphere twice: the first one is to be shown.
+                        // Of identical spheres, the first one must be shown.
                         if index < shown {
                             nearer.push((pixel, index));
                         }
@@ -238,7 +244,8 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// Rows and columns of the raster outside of which an object is surely not.
+    /// Returns ranges of the raster's rows and columns outside of which an object is certainly not
+    /// visible.
     fn extent(&self, seen: &Seen) -> (Range<usize>, Range<usize>) {
         let whole = (0..self.down.len(), 0..self.across.len());
         let Seen::Sphere(sphere) = seen else { return whole };
@@ -247,7 +254,7 @@ impl<'a> Checker<'a> {
         let (columns, rows) =
             (f64::from(self.camera.image.width()), f64::from(self.camera.image.height()));
         let between = |cells: &[u32], low: f64, high: f64| {
-            // A share more, for what is far outside of the image.
+            // The margin also has a relative part, for positions far outside the image.
             let from =
                 cells.partition_point(|cell| f64::from(*cell) < low - 1.0 - 1e-9 * low.abs());
             let to =
@@ -263,7 +270,8 @@ impl<'a> Checker<'a> {
         )
     }
 
-    /// Decides between the object shown and some others, exactly; tells what is wrong.
+    /// Decides exactly which of the shown object and the candidates a pixel should show. Returns a
+    /// description of the error, if the pixel is wrong.
     fn decide(&self, pixel: usize, candidates: &[Candidate], by_reference: bool) -> Option<String> {
         let (shown, found) = (self.frame.object[pixel], self.frame.t[pixel]);
         let mut objects: Vec<u32> = candidates.iter().map(|(_, index)| *index).collect();
@@ -284,7 +292,8 @@ impl<'a> Checker<'a> {
         Some(format!("{}, {ulps} ulp off; right is {truth}", self.describe(pixel)))
     }
 
-    /// Finds which of some objects is first, and how far off `t` is.
+    /// Returns the position in `objects` of the one that the reference finds to be hit first, and the
+    /// error of `t` in ulps of `f32`.
     fn by_reference(&self, objects: &[u32], position: Pixel, t: f32) -> (Option<usize>, f64) {
         let objects: Vec<reference::Object> =
             objects.iter().map(|index| as_reference(self.scene.object(*index).unwrap())).collect();
@@ -296,7 +305,7 @@ impl<'a> Checker<'a> {
     }
 
     fn by_exact_ray(&self, objects: &[u32], position: Pixel, t: f32) -> (Option<usize>, f64) {
-        // Spheres have the lower indices, so that the order stays.
+        // Spheres have lower indices than planes, so the order of the objects does not change.
         let (mut spheres, mut planes) = (Vec::new(), Vec::new());
         for index in objects {
             match self.scene.object(*index).unwrap() {
@@ -317,9 +326,9 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// The hit of the object that a pixel shows, as far as it is known.
+/// What `f64` with error bounds says about the object that a pixel shows.
 enum Own {
-    /// It is there, and its `t` is right and lies between these.
+    /// The ray hits it, the shown `t` is right, and the true `t` lies between these numbers.
     Sure([f64; 2]),
     InDoubt,
     Wrong,

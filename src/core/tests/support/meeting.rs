@@ -1,21 +1,22 @@
-//! Meetings of a view ray and an object, in plain `f64` with generous bounds: sure, or left to others.
+//! Intersections of a view ray and an object, computed in plain `f64` with generous error bounds, so
+//! that each result is either certain or marked as unknown.
 
 use pinhole_core::*;
 
 use crate::common::oracle;
 
-/// A ray's first hit of one object, as far as it is known.
+/// A ray's first hit with one object, as far as it is certain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meeting {
     /// There is none.
     None,
-    /// There is one, with `t` from the first to the second.
+    /// There certainly is a hit, whose `t` lies between these numbers.
     At(f64, f64),
     /// There may be one.
     Unknown,
 }
 
-/// Error bound of a sum of a few products, as a share of their sizes: hundreds of roundings.
+/// Error bound of a sum of a few products, relative to their magnitudes: hundreds of rounding errors.
 const SHARE: f64 = 1e-13;
 
 /// One object as seen from the eye.
@@ -23,7 +24,7 @@ const SHARE: f64 = 1e-13;
 pub(crate) enum Seen {
     /// A sphere.
     Sphere(SphereFromOrigin),
-    /// A plane: its normal, `normal . (point - eye)`, and by how much that may be off.
+    /// A plane: its normal, `normal . (point - eye)`, and the error bound of that number.
     Plane(DVec3, f64, f64),
 }
 
@@ -31,10 +32,10 @@ pub(crate) enum Seen {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SphereFromOrigin {
     radius: f64,
-    /// The way from the eye to the centre.
+    /// The vector from the eye to the centre.
     to_center: DVec3,
     distance: f64,
-    /// `distance^2 - radius^2`: right, with its sign, for the numbers as given.
+    /// `distance^2 - radius^2`, accurate enough for its sign to be right.
     power: f64,
 }
 
@@ -50,7 +51,7 @@ impl Seen {
         }
     }
 
-    /// Finds where the ray from the eye in this direction first meets it, `t > 0`.
+    /// Finds the first hit (`t > 0`) of the ray from the eye in this direction with the object.
     pub(crate) fn meeting(&self, direction: DVec3) -> Meeting {
         match *self {
             Seen::Sphere(sphere) => sphere.meeting(direction),
@@ -86,8 +87,9 @@ impl SphereFromOrigin {
         SphereFromOrigin { radius, to_center, distance, power }
     }
 
-    /// Finds it from the discriminant `D = (r |d|)^2 - |q x d|^2`, in which, as a product, little
-    /// cancels, and the roots `t = power / (b + sqrt D)` with `b = q . d`.
+    /// Finds the first hit, with q the vector from the eye to the centre and d the direction, from the
+    /// discriminant `D = (r |d|)^2 - |q x d|^2`, which is computed as a product to avoid cancellation,
+    /// and the roots `t = power / (b + sqrt D)` with `b = q . d`.
     fn meeting(&self, direction: DVec3) -> Meeting {
         let SphereFromOrigin { radius, to_center, distance, power } = *self;
         let length = direction.length();
@@ -124,10 +126,11 @@ impl SphereFromOrigin {
         }
     }
 
-    /// Slopes `x / z` from left to right and `y / z` from bottom to top between which all of it lies
-    /// that is in front of the eye, as the camera sees it; infinite where there is no end.
+    /// Returns bounds of the slopes `x / z` and `y / z`, in the camera's coordinates, of all points of
+    /// the sphere in front of the eye: from left to right, and from bottom to top. A bound is infinite
+    /// if there is none.
     pub(crate) fn slopes(&self, basis: &Basis) -> [[f64; 2]; 2] {
-        // A basis by hand is orthonormal to 1e-9 only.
+        // A basis that is given by hand is orthonormal only to within 1e-9.
         let safe = 1.0001 * self.radius + 1e-8 * self.distance;
         let z = -self.to_center.dot(basis.w);
         let side = |axis: DVec3| {
@@ -136,7 +139,8 @@ impl SphereFromOrigin {
             if distance <= safe {
                 return [f64::NEG_INFINITY, f64::INFINITY];
             }
-            // Seen along the other axis it is a circle; angles from straight ahead.
+            // Projected along the other axis, the sphere is a circle. Angles are measured from the view
+            // direction.
             let (middle, half) = (x.atan2(z), (safe / distance).asin() + 1e-6);
             let (low, high) = (middle - half, middle + half);
             let quarter = std::f64::consts::FRAC_PI_2;
@@ -146,7 +150,7 @@ impl SphereFromOrigin {
         [side(basis.u), side(basis.v)]
     }
 
-    /// Lower bound of its depth in front of the eye.
+    /// Returns a lower bound of the depth of the sphere's points in front of the eye.
     pub(crate) fn least_depth(&self, basis: &Basis) -> f64 {
         -self.to_center.dot(basis.w) - 1.0001 * self.radius - 1e-8 * self.distance
     }

@@ -1,4 +1,4 @@
-//! Checks of every pixel of a frame, and scenes of crowds to ask it of.
+//! A check of every pixel of a frame, and scenes of many spheres to be checked.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod crowds;

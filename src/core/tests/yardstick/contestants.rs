@@ -1,4 +1,5 @@
-//! The rivals see what the ladder sees, as far as `f32` lets them.
+//! Tests that the benchmark's rivals see the same as `pinhole-core` (called the ladder), as far as
+//! `f32` allows.
 
 use std::path::Path;
 use std::time::Duration;
@@ -16,7 +17,8 @@ fn ladder(setting: &Setting) -> Frame<f32> {
     trace_as(&setting.scene, &camera, &Raster::full(camera.image()), Outputs::default())
 }
 
-/// The share of pixels in which object and t, to 1e-3 of it, are those of the ladder.
+/// Returns the share of pixels whose object, and whose t up to a relative error of 1e-3, are those of
+/// `pinhole-core`.
 fn agreement(setting: &Setting, buffers: &Buffers) -> f64 {
     let truth = ladder(setting);
     let pairs = truth.t.iter().zip(&truth.object).zip(buffers.t.iter().zip(&buffers.object));
@@ -62,7 +64,8 @@ fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
     assert!(tree.object.contains(&0), "of equals the first listed");
 }
 
-/// Where there is no compiler, there is no limit to know.
+/// Tests the C++ program that only writes a frame with streaming stores. Without a compiler, the test
+/// passes.
 #[test]
 fn streaming_stores_reach_every_pixel_on_any_number_of_threads() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stores");

@@ -1,4 +1,4 @@
-//! The bench rig: its scenes, its rivals and its rounds.
+//! Tests of the benchmark: its scenes, its rival ray tracers, and its time measurements in rounds.
 
 #[allow(dead_code, reason = "benches use more of it")]
 #[path = "../../benches/yardstick/mod.rs"]
