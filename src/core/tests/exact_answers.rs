@@ -125,8 +125,7 @@ fn lines_in_two_dimensions() {
     assert_eq!(Scene::new(vec![], vec![behind]).unwrap().first_hit(&ray), None);
 }
 
-/// The ray straight down from the eye hits the lecture's floor, a huge sphere, at a distance of exactly
-/// 1.
+/// The ray straight down from the eye hits the lecture's floor, a huge sphere, at t = 1 exactly.
 #[test]
 fn the_planet_under_the_eye() {
     let planet = sphere([0.0, -5001.0, 0.0], 5000.0);

@@ -22,8 +22,8 @@ use crate::template::n;
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
-/// Variable names of OpenCV's intrinsic matrix K; below, those of R, t, [R|t], and of the image's width
-/// and height.
+/// Variable names of OpenCV's intrinsic matrix K; below, those of its pose R and t, and of the image's
+/// width and height.
 const K_NAMES: [&str; 7] = [
     "K",
     "camera_matrix",

@@ -228,7 +228,7 @@ const OPENGL: Format = Format {
     },
 };
 
-/// OpenCV's intrinsic matrix K and pose [R|t], as JSON. They map a point q of the world to the pixel
+/// OpenCV's intrinsic matrix K and pose R, t, as JSON. They map a point q of the world to the pixel
 /// coordinates (x, y):
 ///
 /// ```text

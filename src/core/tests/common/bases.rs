@@ -140,8 +140,8 @@ fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
     BasisCase { eye, orientation }
 }
 
-/// Makes a camera whose eye and at are very close together or very far apart. The knob is log10 of |at
-/// - eye|.
+/// Makes a camera whose eye and at are very close together or very far apart. The knob is log10 of
+/// their distance.
 fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
     let length = draw.decade(k);
     // If the eye's coordinates were far larger than the view's, rounding would erase the view.
