@@ -32,7 +32,7 @@ const X: usize = 3;
 const Z: usize = 5;
 const OBJECT: usize = 6;
 
-/// Returns the required columns in `asked` that are missing from the first line.
+/// Returns those of the column names `asked` that the first line of a CSV file does not contain.
 pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
     let names = header(bytes);
     asked
@@ -224,7 +224,7 @@ const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
 /// Returns true for the texts that programming languages print when nothing is hit: `inf`, `nan`, C's
-/// `-nan(ind)`. Does not accept a number that is too large for a double.
+/// `-nan(ind)`. A number that is too large for an `f64` is not accepted.
 fn stands_for_a_miss(cell: &[u8]) -> bool {
     let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
     let word = text.trim_start_matches(['+', '-']);
@@ -238,7 +238,7 @@ fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
     text.trim_end_matches("(ind)").parse().ok()
 }
 
-/// Parses a whole number, which may be in NumPy's notation: `12`, `1.2e+01`.
+/// Returns the integer in a cell, which may be in NumPy's notation: `12`, `1.2e+01`.
 fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
     match number_in(row, column) {
         Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
@@ -271,10 +271,10 @@ fn relative(vector: WrittenVector) -> WrittenVector {
     Written { rounding: vector.rounding.min(most), ..vector }
 }
 
-/// Returns the rounding error of a written number: half a unit in its last digit. A number with fewer
-/// than six digits counts as one with six, because `%g` and C++ streams omit trailing zeros, unless it
-/// was written with six decimals. The result is at most [`ROUNDING_SHARE`] of the number; near 0, six
-/// decimals are enough.
+/// Returns the maximum rounding error of a written number: half a unit in its last digit. A number with
+/// fewer than six digits counts as one with six, because `%g` and C++ streams omit trailing zeros,
+/// unless it was written with six decimals. The result is at most [`ROUNDING_SHARE`] of the number;
+/// near 0, six decimals are enough.
 fn rounding_of(text: &str, value: f64) -> f64 {
     const DIGITS: usize = 6;
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {

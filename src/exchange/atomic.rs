@@ -146,8 +146,8 @@ fn take_back((target, was_there, old): (PathBuf, bool, Option<NamedTempFile<()>>
     }
 }
 
-/// Checks before a long computation that [`write()`] can write to this path. Since nothing is written,
-/// the disk may still turn out to be full, or the folder not to be writable.
+/// Checks that [`write()`] can write to this path, before a long computation. Since nothing is written,
+/// it may still fail later because the disk is full or the folder is not writable.
 ///
 /// # Errors
 /// Returns an error if the path is a folder, lies in a folder that does not exist, or is read-only.

@@ -51,7 +51,7 @@ pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError
 ///
 /// # Errors
 /// Returns an error for the first invalid row, with its line, column and value. A row is invalid if a
-/// text is not a finite number, or if the direction is zero.
+/// cell is not a finite number, or if the direction is zero.
 pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
     let mut rays = Vec::new();
     CsvTable::new(path, bytes, RAY, RAY.len())?.for_each(|row| {
@@ -247,7 +247,7 @@ fn plain(cell: &[u8]) -> &[u8] {
 }
 
 impl CsvRow<'_, '_> {
-    /// Returns the cell of a known column without surrounding blanks; it is empty if the file has no
+    /// Returns the cell of a known column without surrounding spaces; it is empty if the file has no
     /// such column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
         let field = self.table.fields[column];

@@ -11,7 +11,8 @@ use pinhole_core::{Camera, Object, Plane, Rgb, Scene, SceneError, Sphere};
 /// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// The author's note: the comment at the beginning of the scene file, without the `#` signs.
+    /// The author's note about the scene: the comment at the beginning of the scene file, without the
+    /// `#` signs.
     pub note: String,
     /// The camera.
     pub camera: Camera,
@@ -29,7 +30,7 @@ pub struct Document {
 pub struct SharedList<T>(Arc<Vec<T>>);
 
 impl<T> SharedList<T> {
-    /// Returns true if both values share one list in memory. Lists that are merely equal do not count.
+    /// Returns true if this list and `other` are the same list in memory, not merely equal.
     pub fn is_same(&self, other: &SharedList<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

@@ -68,7 +68,7 @@ impl FileError {
     }
 }
 
-/// Returns the system's message without the error number, which does not help users.
+/// Returns the system's message for an error without the error number, which does not help users.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     text.split(" (os error").next().unwrap_or_default().to_lowercase()

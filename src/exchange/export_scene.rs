@@ -113,7 +113,7 @@ impl<'a> ExportScene<'a> {
         (near, if far > 1e4 { 2.0 * far } else { far })
     }
 
-    /// Returns a square that stands for the plane in programs without infinite planes: its centre, half
+    /// Returns the square that represents a plane in programs without infinite planes: its centre, half
     /// its side length, and two unit vectors along its sides.
     pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
         let normal = unit(plane.normal);

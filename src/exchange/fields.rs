@@ -53,8 +53,8 @@ impl<'a> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
-    /// Checks the version of a file's format, which is the value of `key`. `what` says in a word what
-    /// the file contains, for messages; `known` is the version that this program reads.
+    /// Checks the version of a file's format, which is the value of `key`. `what` is a word for the
+    /// file's content, for messages; `known` is the version that this program reads.
     ///
     /// # Errors
     /// Returns an error if the version is missing or is not `known`.
@@ -120,8 +120,8 @@ impl<'a> Section<'a> {
 }
 
 impl<'a> TomlField<'a> {
-    /// Creates an error such as `camera.eye[2] is nan: ` followed by `right`, the rule for valid
-    /// values.
+    /// Creates an error about the field's value, such as `camera.eye[2] is nan: `, followed by `right`,
+    /// the rule for valid values.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
             FieldItem::Value(_) => one_line(&self.source.text[self.span.clone()]),
@@ -167,8 +167,8 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns the value as a whole number, which must be in `range`. `what` describes it in the
-    /// message.
+    /// Returns the value as an integer, which must be in `range`. `what` describes the number in the
+    /// error message.
     pub fn whole(&self, range: RangeInclusive<i64>, what: &str) -> Result<i64, FileError> {
         self.integer().filter(|number| range.contains(number)).ok_or_else(|| {
             self.error(&format!("it must be {what}, {} to {}", range.start(), range.end()))
@@ -188,7 +188,8 @@ impl<'a> TomlField<'a> {
         self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
     }
 
-    /// Returns the value as a list of `N` finite numbers. `such_as` describes it in the message.
+    /// Returns the value as a list of `N` finite numbers. `such_as` says in the error message what is
+    /// valid, with an example.
     pub fn numbers<const N: usize>(&self, such_as: &str) -> Result<[f64; N], FileError> {
         let elements = self.elements().filter(|elements| elements.len() == N);
         let elements = elements.ok_or_else(|| self.error(&format!("it must be {such_as}")))?;

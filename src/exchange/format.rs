@@ -26,7 +26,7 @@ pub struct Format {
     pub conventions: Option<Conventions>,
     /// The text of an exported file, with names in braces in place of values.
     pub(crate) template: &'static str,
-    /// The objects that the format omits or replaces, which a note mentions.
+    /// The kinds of objects that the format omits or replaces, for a note about them.
     pub(crate) left_out: LeftOut,
     /// Returns the template's values that only this format has, and adds notes to the list. Returns an
     /// error if the format cannot express the scene.

@@ -24,7 +24,8 @@ pub const ROWS: usize = 10_000_000;
 /// Maximum nesting depth of brackets, which is far more than real files need.
 pub const NESTING: usize = 64;
 
-/// The paths of files that a shell has opened for the program. They may be pipes.
+/// The paths of files that were opened for the program before it started, such as standard input.
+/// Unlike others, they may be pipes.
 const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
 
 /// Reads a file of at most `most` bytes.

@@ -164,7 +164,8 @@ fn before_mark(text: &str) -> &str {
     text.find("\n@").map_or(text, |at| &text[..=at])
 }
 
-/// Returns the template with each name in braces replaced by its value, if it has one.
+/// Returns the template with each name in braces replaced by its value; a name without a value stays as
+/// it is.
 pub(crate) fn filled(
     template: &str,
     value: impl Fn(&str) -> Result<Option<TemplateValue>, String>,

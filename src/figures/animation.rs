@@ -62,7 +62,7 @@ pub struct Animation {
     pub frames: Frames,
 }
 
-/// Draws an animation frame by frame, and writes the file when it is complete.
+/// Draws an animation frame by frame, and writes the GIF file when it is complete.
 pub struct Recorder {
     animation: Animation,
     done: u32,

@@ -56,7 +56,8 @@ pub struct BasisFromUp {
     pub up_cross_w: Option<Cross>,
     /// `up x w / |up x w|`; `None` if `up x w` is zero.
     pub u: Option<DVec3>,
-    /// `w x u`, which is v. Its area is 1, because the factors are perpendicular unit vectors.
+    /// The cross product `w x u`, which is v. Its [area](Cross::area) is 1, because the factors are
+    /// perpendicular unit vectors.
     pub w_cross_u: Option<Cross>,
     /// The basis, or the reason why there is none.
     pub basis: Result<Basis, BasisError>,
@@ -354,7 +355,7 @@ pub enum SphereMeeting {
     /// The ray starts on the surface and passes through the sphere: one t is 0, and the other one is
     /// the hit.
     FromSurface,
-    /// The line meets the sphere, but the ray does not: no t is greater than 0.
+    /// The ray's line meets the sphere, but the ray itself does not: no t is greater than 0.
     Behind,
 }
 
@@ -384,7 +385,7 @@ pub struct PlaneDerivation {
 pub enum PlaneMeeting {
     /// t > 0: a hit.
     Ahead,
-    /// t < 0: the line meets the plane, but the ray does not.
+    /// t < 0: the ray's line meets the plane, but the ray itself does not.
     Behind,
     /// t = 0: the ray starts on the plane and leaves it, which does not count as a hit.
     AtOrigin,
@@ -498,7 +499,7 @@ pub enum UnitOrigin {
     RayOrigin,
     /// A plane's `|f(1)|`, its value at t = 1, if the plane contains the ray's origin.
     OneStep,
-    /// The number 1, if the unit would otherwise be 0, subnormal or out of range.
+    /// The number 1, because the unit would otherwise be 0, subnormal or out of range.
     One,
 }
 

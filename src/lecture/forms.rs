@@ -24,7 +24,7 @@ use pinhole_core::DVec3;
 pub struct NumberForm {
     /// n, with the number's sign.
     pub numerator: i64,
-    /// k, the square-free number under the root; 1 without a root.
+    /// k, the square-free number under the root; 1 if there is no root.
     pub root: u64,
     /// m; 1 if the root is in the denominator.
     pub denominator: u64,
@@ -131,9 +131,9 @@ impl NumberForm {
         NumberForm { numerator: 1, ..self }
     }
 
-    /// Returns true if the form is easier to read than decimals. Numerator and denominator then have at
-    /// most two digits, and the number under the root has at most three, as in the lecture's own
-    /// `w = (21, 4, 15)/sqrt 682`.
+    /// Returns true if the form is easier to read than decimals: numerator and denominator have at most
+    /// two digits, and the number under the root has at most three, as in the lecture's own `w = (21,
+    /// 4, 15)/sqrt 682`.
     pub fn is_short(self) -> bool {
         let NumberForm { numerator, root, denominator, .. } = self;
         numerator.unsigned_abs() <= LARGEST_SHORT

@@ -152,7 +152,7 @@ pub fn percent(count: usize, all: usize) -> String {
     }
 }
 
-/// Maximum whole number in a fraction or under a root that is still easy to read.
+/// Maximum integer in a fraction, or under a root, that is still easy to read.
 const SHORT: u64 = 100;
 
 /// Formats a number for use in a sentence: in its exact form, such as `√3/2`, if that is short,

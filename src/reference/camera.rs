@@ -28,7 +28,7 @@ use crate::trace::{Direction, Hit, SceneFromEye};
 /// The orientation of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// Looks at a point: the view is `at - eye`, computed without rounding.
+    /// The camera looks at a point: the view is `at - eye`, computed without rounding.
     At {
         /// The point at which the camera looks.
         at: [f64; 3],
@@ -42,7 +42,7 @@ pub enum Orientation {
         /// The up vector, which determines the roll of the camera.
         up: [f64; 3],
     },
-    /// Uses these vectors unchanged, without normalizing them or making them orthogonal.
+    /// The basis consists of these vectors, which are neither normalized nor made orthogonal.
     Basis {
         /// The vector to the right in the image.
         u: [f64; 3],
@@ -66,7 +66,7 @@ pub enum Status {
     UpParallelToView,
 }
 
-/// A pinhole camera, with its position and orientation, its viewport in world units, and its image in
+/// A pinhole camera: its position and orientation, its viewport in world units, and its image's size in
 /// pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {

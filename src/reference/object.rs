@@ -1,5 +1,5 @@
-//! Spheres and planes, the values that are common to all rays from one origin, and the points where a
-//! ray meets an object.
+//! Spheres and planes, the exact values that all rays from one origin share, and the points where a ray
+//! meets an object.
 
 use std::cmp::Ordering;
 
@@ -43,7 +43,7 @@ impl Object {
     }
 }
 
-/// An object, with the exact values that are common to all rays from one origin.
+/// An object, with the exact values that all rays from one origin share.
 #[derive(Clone, Debug)]
 pub(crate) enum ObjectFromEye {
     Sphere {

@@ -6,8 +6,8 @@ use std::fmt;
 use crate::dyadic::{Dyadic, Toward, Vector, cross, dot};
 use crate::interval::Interval;
 
-/// A real number with at least 440 significant bits. It is exact if the true number has no more than
-/// 440.
+/// A real number as the reference computes it, with at least 440 significant bits. It is exact if the
+/// true number has no more than 440.
 ///
 /// It differs from the true number by less than one part in `2^440`. Both therefore have the same
 /// nearest `f64`, unless the true number is that close to the midpoint of two adjacent `f64` numbers

@@ -13,7 +13,7 @@ use crate::surd::{Field, Surd};
 pub struct Hit {
     /// The object's index, counted from 0.
     pub object: usize,
-    /// Position on the ray, in multiples of the direction's length; greater than 0.
+    /// The hit's position on the ray, in multiples of the direction's length; greater than 0.
     pub t: Real,
     /// The unit normal at the hit. It points outwards on a sphere, and along `normal` on a plane.
     pub normal: [Real; 3],

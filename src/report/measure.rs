@@ -131,7 +131,7 @@ impl Measurement {
         }
     }
 
-    /// Returns a report of all cases begun so far, with the results so far.
+    /// Returns a report of all cases that have been begun, with the results obtained so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
         let mut report = self.head.clone();

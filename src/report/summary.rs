@@ -30,7 +30,7 @@ pub(crate) struct MethodSummary<'a> {
 /// severity.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(crate) enum Outcome {
-    /// Every true t is outside the range of the method's precision.
+    /// There is no error, because every true t is outside the range of the method's precision.
     OutOfRange,
     /// An error, in ulps of `f64`.
     Error(f64),
@@ -298,8 +298,8 @@ mod tests {
         Case { name: name.to_owned(), knob: Some(knob), coverage: 0.5, methods, ..Case::default() }
     }
 
-    /// A family of planes has fewer methods: wrong decisions there must not rank them below methods that were
-    /// not tested.
+    /// Shares of wrong decisions are averaged only over families that all methods have. A family of
+    /// planes has fewer methods, and must not worsen their shares.
     #[test]
     fn shares_are_of_what_all_have() {
         let both =

@@ -109,7 +109,7 @@ fn look_at() {
     assert_ulps3(v, vec3(-28.0, 222.0, -20.0) / 50_468_f64.sqrt(), 2);
 }
 
-/// The lecture's lines in two dimensions are planes parallel to the z axis.
+/// Tests the lecture's examples of lines in two dimensions, as planes parallel to the z axis.
 #[test]
 fn lines_in_two_dimensions() {
     let ray = Ray { origin: DVec3::ZERO, direction: vec3(1.0, 1.0, 0.0) };

@@ -17,9 +17,9 @@ pub(super) fn detect(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
 }
 
-/// Returns the JSON of a binary glTF. The file consists of a header of 12 bytes and of chunks, the
-/// first of which is the JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks are
-/// not needed for a camera.
+/// Returns the JSON part of a binary glTF file, which consists of a header of 12 bytes and of chunks,
+/// the first of which is the JSON (Khronos, *glTF 2.0 Specification*, section 4.4). The other chunks
+/// are not needed for a camera.
 ///
 /// # Errors
 /// Returns a message about the header or the first chunk.

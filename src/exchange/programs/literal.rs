@@ -429,7 +429,7 @@ fn refused(input: &Input, piece: Piece, right: &str) -> FileError {
     input.error_at(piece.at, format!("{}: {right}", statement.trim_end_matches(':')))
 }
 
-/// A part of a text, and the index of its first byte.
+/// A part of the imported text, and the index of its first byte in the text.
 #[derive(Clone, Copy)]
 struct Piece<'s> {
     text: &'s str,
@@ -437,7 +437,7 @@ struct Piece<'s> {
 }
 
 impl<'s> Piece<'s> {
-    /// Returns the part from byte `from` to byte `end`, without surrounding blanks.
+    /// Returns the part from byte `from` to byte `end`, without surrounding whitespace.
     fn part(self, from: usize, end: usize) -> Piece<'s> {
         let text = self.text[from..end].trim_start();
         Piece { text: text.trim_end(), at: self.at + end - text.len() }
@@ -462,7 +462,7 @@ impl<'s> Piece<'s> {
     }
 }
 
-/// Returns the text with each byte of a comment replaced by a blank.
+/// Returns the text with each byte of a comment replaced by a space, so that positions do not change.
 fn without_comments(input: &Input) -> Result<String, FileError> {
     let text = input.text;
     let mut plain = String::with_capacity(text.len());
@@ -489,7 +489,8 @@ fn without_comments(input: &Input) -> Result<String, FileError> {
     Ok(plain)
 }
 
-/// Creates the error `rest of the statement: right`, located at a byte of the text.
+/// Creates an error that is located at byte `at` of the text, and quotes the rest of the statement from
+/// there, followed by `right`.
 fn fault_at(input: &Input, text: &str, at: usize, right: &str) -> FileError {
     let rest = text[at..].split([';', '\n']).next().unwrap_or_default();
     refused(input, Piece { text: rest, at }, right)

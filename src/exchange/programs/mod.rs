@@ -43,7 +43,7 @@ impl Format {
 pub enum Importer {
     /// glTF 2.0.
     Gltf,
-    /// Literal numbers: a look-at, a matrix, or K, R and t.
+    /// Literal numbers: eye, at and up, a matrix, or OpenCV's K, R and t.
     Literal,
 }
 
@@ -103,7 +103,8 @@ impl Importer {
     }
 }
 
-/// Returns the text of a file's bytes, which are UTF-8 or a binary glTF, whose JSON is returned.
+/// Returns the text in a file's bytes: the JSON of a binary glTF, otherwise the whole file, which must
+/// be UTF-8.
 ///
 /// # Errors
 /// Returns an error if a binary glTF is damaged, or if the bytes are not text.

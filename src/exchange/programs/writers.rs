@@ -1,5 +1,5 @@
-//! The formats of other programs: their conventions, and the values that their templates need in
-//! addition to those of every scene. The templates are in the folder `templates`.
+//! The formats of other programs: their conventions, and the values for templates that only one format
+//! has. The templates are in the folder `templates`.
 
 use pinhole_core::{DVec3, Object};
 
@@ -75,7 +75,8 @@ fn frame_aspect(subject: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValue
     Ok(vec![("frame_aspect", line.into())])
 }
 
-/// Mitsuba 3's XML: a `perspective` sensor, whose camera has x to the *left*, y up and z forwards.
+/// Mitsuba 3's XML: a `perspective` sensor, in whose coordinates x points to the *left*, y up and z
+/// forwards.
 const MITSUBA: Format = Format {
     name: "mitsuba",
     label: "Mitsuba 3",

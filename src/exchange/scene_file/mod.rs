@@ -184,7 +184,7 @@ fn note_of_block(block: &str) -> String {
 
 /// Returns the comment block for a note, with a newline at its end. It is empty for an empty note.
 ///
-/// Control characters, which TOML does not allow in comments, are replaced by blanks.
+/// Control characters, which TOML does not allow in comments, are replaced by spaces.
 fn note_to_block(note: &str) -> String {
     if note.is_empty() {
         return String::new();

@@ -18,7 +18,8 @@ use crate::{FileError, limits};
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
 pub const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
-/// Those of the fields in [`TOP`] that must precede the first table.
+/// The fields in [`TOP`] that are values rather than tables, and must therefore precede the first
+/// table.
 const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
 
 /// Reads a document. If `base` is `None`, the CSV file is not read.

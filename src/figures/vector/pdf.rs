@@ -27,7 +27,7 @@ use super::{Primitive, compacted, primitives};
 use crate::figures::Figure;
 use crate::view::overlay::{Ink, Path, PathOutline};
 
-/// PDF points per dot. An inch has 72 points and, as in style sheets, 96 dots.
+/// Number of PDF points per dot of the figure. An inch has 72 points and, as in CSS, 96 dots.
 const POINTS: f32 = 0.75;
 
 /// Writes the whole file.

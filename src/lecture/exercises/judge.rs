@@ -11,22 +11,22 @@ use crate::numbers::exact_if_short as short;
 pub enum Verdict {
     /// It is right.
     Right,
-    /// It is right: a positive multiple of the right answer is allowed here.
+    /// The answer is right: it is a positive multiple of the right one, which is allowed for this part.
     Multiple {
         /// The factor, which is greater than 0.
         times: f64,
     },
-    /// It is the right answer, rounded.
+    /// The answer is the right one, rounded.
     Rounded {
         /// The number of significant digits that are right.
         digits: usize,
     },
-    /// It has the right line but the opposite direction.
+    /// The answer has the opposite direction of the right one.
     Backwards {
         /// The negative factor by which the right answer is multiplied.
         times: f64,
     },
-    /// It has the right direction but a different length, which is not allowed here.
+    /// The answer has the right direction but a different length, which is not allowed for this part.
     OtherLength {
         /// The positive factor by which the right answer is multiplied.
         times: f64,
@@ -328,7 +328,7 @@ pub(super) enum Condition {
     },
 }
 
-/// A surface that a ray meets. In two dimensions, z is 0.
+/// A surface, or a line in two dimensions, on which an answer must lie. In two dimensions, z is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Surface {
     /// The plane with this z.

@@ -80,7 +80,7 @@ pub enum Given {
         /// The sphere.
         sphere: Sphere,
     },
-    /// The lines `a x + b y + c = 0` and `p + t d`.
+    /// Two lines in two dimensions: the implicit `a x + b y + c = 0` and the parametric `p + t d`.
     Lines {
         /// a, b and c.
         line: DVec3,
@@ -131,7 +131,7 @@ pub struct QuestionPart {
     pub asked: Asked,
     /// The right answer.
     pub truth: Answer,
-    /// True if every positive multiple of the right answer is also right.
+    /// True if every positive multiple of the right answer also counts as right.
     pub may_be_scaled: bool,
     /// The wrong answers to which known mistakes lead.
     pub mistakes: Vec<(Mistake, Answer)>,

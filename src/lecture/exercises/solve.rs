@@ -105,7 +105,7 @@ fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
 }
 
 /// Returns the t at which a ray from the origin meets the plane with this z. No question has a ray that
-/// is parallel to the plane: u is below 1, so `-distance w` outweighs `u U` in z.
+/// is parallel to the plane: |u| is below 1, so `-distance W` outweighs `u U` in z.
 fn t_of_wall(ray: &Ray, z: f64) -> f64 {
     z / ray.direction.z
 }
@@ -338,7 +338,7 @@ fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCame
     })
 }
 
-/// Returns common wrong answers for eye - at, each with the mistake that leads to it.
+/// Returns common wrong values of `eye - at`, each with the mistake that leads to it.
 fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     let eye = camera.eye;
     let wrong = move |at: DVec3| {

@@ -64,7 +64,7 @@ pub struct HitAnswer {
     pub hit: Option<GivenHit>,
 }
 
-/// A hit. The parts that the student did not give are `None`.
+/// A hit as the student gave it. The parts that are missing are `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenHit {
     /// The parameter t of the ray.
@@ -157,7 +157,7 @@ impl Precision {
     /// Returns the precision of these answers; `None` if they are written with all their digits, or
     /// contain no numbers.
     pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
-        /// A number with more significant digits than this counts as having all its digits.
+        /// A number with more significant digits than this counts as written with all its digits.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
         for_each(&mut answers.clone(), 1, |numbers, _| {

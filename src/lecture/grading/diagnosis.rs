@@ -19,8 +19,8 @@ pub struct Diagnosis {
     pub mistakes: Vec<Mistake>,
     /// Other sets with as many mistakes that lead to the same answers, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
-    /// [`Mistake::RayReversed`] or [`Mistake::DistanceAdded`], if it leads to these answers and no other
-    /// single mistake does.
+    /// One of [`Mistake::RayReversed`] and [`Mistake::DistanceAdded`], if it leads to these answers and
+    /// no other single mistake does.
     pub other: Option<Mistake>,
     /// True if all answers are right when rows and columns are counted from 1.
     pub counted_from_one: bool,
@@ -58,7 +58,7 @@ pub(super) trait Fits: Sync {
     /// Returns the number of answers.
     fn len(&self) -> usize;
 
-    /// Returns true if the answers are u, v and w themselves.
+    /// Returns true if the answers are the basis vectors u, v and w themselves, not rays or hits.
     fn shows_basis(&self) -> bool {
         false
     }

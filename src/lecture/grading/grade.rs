@@ -41,7 +41,7 @@ pub struct Grade {
     pub is_right: Vec<bool>,
     /// The answer with the largest error; `None` if there is no answer.
     pub worst: Option<Worst>,
-    /// The shading that a picture is assumed to have; `None` for other answers.
+    /// The shading that a graded picture is assumed to have; `None` for other kinds of answers.
     pub shade: Option<Shade>,
     /// The mistakes that explain the wrong answers.
     pub diagnosis: Diagnosis,

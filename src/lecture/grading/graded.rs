@@ -49,11 +49,13 @@ impl Cell {
 /// which they do not look the same.
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
-/// The advice for answers that were read as counted from 1, but are right when counted from 0.
+/// The advice for answers whose rows and columns were read as counted from 1, but that are right when
+/// counted from 0.
 const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count from 0, and then all agree: leave \
                                out --count-from 1, or clear “The file counts from 1”.";
 
-/// The advice about where counting begins, for answers that were read as counted from 1.
+/// The advice to check whether rows and columns are counted from 0 or 1, for answers that were read as
+/// counted from 1.
 const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 

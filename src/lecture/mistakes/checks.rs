@@ -69,7 +69,7 @@ checks! {
     /// at t = 1.
     ViewportAtDistance: "−𝐝 · 𝐰, middle ray",
         "t = 1 is the viewport, at its distance";
-    /// (u, v) of pixel (0, 0) is to the left of the middle and above it.
+    /// The (u, v) of pixel (0, 0) is to the left of the viewport's middle and above it.
     TopLeft: "(𝑢, 𝑣) of pixel (0, 0)",
         "row 0, column 0 is at the top left";
     /// From one column to the next, (u, v) changes by `(width/W, 0)`.
@@ -197,6 +197,7 @@ fn dot(a: DVec3, b: DVec3) -> f64 {
     if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }
 }
 
-/// Upper bound for the rounding error of the cosine between two vectors of a basis, which is a few
-/// times 1e-16. A mistake that tilts a vector by less than this changes no pixel.
+/// Upper bound, with a margin, of the rounding error of the cosine of the angle between two vectors of
+/// a basis, which is a few times 1e-16. A mistake that tilts a vector by less than this changes no
+/// pixel.
 const ROUNDING: f64 = 1e-12;

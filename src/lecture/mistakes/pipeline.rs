@@ -10,7 +10,7 @@ use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel,
 pub(crate) struct Pipeline {
     pub(crate) basis: BasisChoices,
     pub(crate) distance: Distance,
-    /// True if the direction leads from the viewport back to the eye.
+    /// True if a ray's direction leads from the viewport back to the eye.
     pub(crate) reversed: bool,
     /// True if the position of the viewport's point is used as the direction, without subtracting the
     /// eye.
@@ -82,9 +82,9 @@ pub(crate) enum Distance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rows {
     FromTop,
-    /// Counted from the bottom by giving v the opposite sign.
+    /// Rows are counted from the bottom, by giving the scalar v the opposite sign.
     SignOfV,
-    /// Counted from the bottom by using `H - 1 - i` as the row.
+    /// Rows are counted from the bottom, by using `H - 1 - i` for row i.
     FromLast,
 }
 
@@ -364,7 +364,8 @@ pub(crate) struct GivenCamera {
     pub(crate) up: DVec3,
     /// `|up/|up| x w|` for the right w: the sine of the angle between up and w.
     sine: f64,
-    /// True if u, v and w are set by hand, so that no mistake is possible in calculating them.
+    /// True if the camera is given by u, v and w themselves, so that no mistake is possible in
+    /// calculating them.
     pub(crate) by_hand: bool,
     /// Bound on the relative error of a ray's direction, as a multiple of the rounding error of one
     /// operation.

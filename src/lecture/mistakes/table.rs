@@ -15,8 +15,8 @@ macro_rules! entry {
         struct Entry {
             id: &'static str,
             $($field: &'static str,)*
-            /// The variants of the mistake between the numbers of a camera and a hit, the most common
-            /// first.
+            /// The mistake's variants in a program, as changes to the right [`Pipeline`], the most
+            /// common one first.
             ways: &'static [Way],
         }
 
@@ -160,7 +160,7 @@ mistakes! {
         ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
     }
 
-    /// The viewport's distance is assumed to be 1, or the component along w is left out.
+    /// The viewport's distance is assumed to be 1, or the direction's component along w is left out.
     DistanceDropped "distance-dropped" {
         name: "distance dropped",
         formula: "𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − 𝐰. Right: 𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − distance 𝐰.",
@@ -234,7 +234,7 @@ mistakes! {
         ],
     }
 
-    /// The viewport's width is used as its height, or its height as its width.
+    /// The viewport's width is used as its height, too, or its height as its width.
     AspectDropped "aspect-dropped" {
         name: "width used as height",
         formula: "𝑣 ← width (½ − (𝑖 + ½)/𝐻). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",

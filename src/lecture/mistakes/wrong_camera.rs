@@ -1,4 +1,4 @@
-//! The camera that results from making a mistake in a right camera.
+//! The camera that a program calculates if it makes a mistake.
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{

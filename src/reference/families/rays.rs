@@ -145,7 +145,7 @@ fn planet(draw: &mut Draw, k: f64) -> RayCase {
     one_sphere(center, radius, origin, direction)
 }
 
-/// Makes a case with a line that passes closely by the sphere's outline, inside or outside.
+/// Makes a case with a line that passes close to the sphere's outline, inside or outside.
 fn grazing(draw: &mut Draw, k: f64) -> RayCase {
     let impact = 1.0 + draw.sign() * draw.decade(k);
     everyday(draw, impact)

@@ -85,7 +85,7 @@ impl CaseRun {
         self.make.is_none()
     }
 
-    /// Returns the fraction of the work that is done, 0 to 1.
+    /// Returns the fraction, 0 to 1, of the case's work that has been done.
     pub(super) fn share(&self) -> f64 {
         let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
         let all = sum(&|set| set.subject.len() + self.limits.rounds * set.workers.len());

@@ -37,7 +37,7 @@ const UNIT: f64 = 0.5 * f64::EPSILON;
 pub(super) struct Problem {
     /// The true `t`.
     t: f64,
-    /// Cosine of the angle between the ray's direction and the normal.
+    /// Cosine of the angle between the ray's direction and the object's normal at the hit.
     cosine: f64,
     /// `|o| + |c| + r` for a sphere, `|o| + |q| + |p - q|` for a plane (for the symbols, see the
     /// module's documentation).

@@ -102,8 +102,8 @@ impl CaseSubject {
         Some((hit, problem))
     }
 
-    /// Prepares a method to trace the rays. Returns `None` if the rays are single and the method only
-    /// traces frames.
+    /// Prepares a method to trace the rays. Returns `None` if they are single rays and the method can
+    /// only trace frames.
     pub(super) fn kernel(&self, method: Method) -> Option<Kernel> {
         Some(match self {
             CaseSubject::Rays(cases) => {

@@ -18,7 +18,7 @@ pub(super) const WIDTH: f32 = 512.0;
 /// Height of a row, in points.
 const ROW: f32 = 23.0;
 
-/// Distance from the table's left edge to the formulas in words, in points.
+/// Distance from the table's left edge to the column with the formulas in words, in points.
 const WORDS: f32 = 178.0;
 
 /// Distances of the left and the right edge of the column of errors from the left edge of the page, in

@@ -107,7 +107,7 @@ fn one_pixel() -> Vec<Sphere> {
     (0..5000).map(one).collect()
 }
 
-/// A planet under the eye, and pebbles that touch it from above.
+/// Returns a planet under the eye, and pebbles that touch it from above.
 fn planet() -> Vec<Sphere> {
     const RADIUS: f64 = 6.4e6;
     const EYE: f64 = 1.7;

@@ -1,4 +1,4 @@
-//! Tests of the unit in which an implicit function is plotted.
+//! Tests of the unit in which an object's implicit function along a ray is plotted.
 
 use pinhole_core::*;
 use pinhole_lecture::{ImplicitUnit, UnitOrigin};

@@ -1,4 +1,4 @@
-//! Tests with answers of a student's own programs, right ones and wrong ones.
+//! Tests of grading the answers of a student's program, with and without mistakes.
 
 mod grazing;
 mod habits;

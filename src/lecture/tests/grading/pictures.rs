@@ -4,7 +4,7 @@ use super::*;
 
 const COLORS: [Rgb; 4] = [[230, 159, 0], [86, 180, 233], [0, 158, 115], [204, 121, 167]];
 
-/// Returns the student's picture, shaded as the exercise says: by a light at the eye.
+/// Returns the student's picture, shaded by a light at the eye if `lit` is true.
 fn painted(student: &Student, lit: bool) -> Answers {
     let [columns, rows] = student.exercise.image;
     let linear = |byte: u8| {
