@@ -30,8 +30,8 @@ fn crowds_are_right() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
-/// Returns a camera at the origin that looks along -z, with square pixels of size `slope` at distance
-/// 1.
+/// Returns a camera at the origin that looks along -z, with square pixels of size `slope` in a viewport
+/// at distance 1.
 fn with_pixels(width: u32, height: u32, slope: f64) -> Camera {
     let viewport = Viewport {
         width: slope * f64::from(width),

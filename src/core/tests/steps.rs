@@ -175,8 +175,7 @@ fn one_ulp_beside_a_tangent_needs_double_double() {
     assert_takes(Step::DoubleDouble, &[BY_F64], &DISTANCES.map(beside).concat());
 }
 
-/// Exact tangents need exact integers, because no error bound, however small, can prove that a value is
-/// 0.
+/// Exact tangents need exact integers, because no error bound can prove that a value is 0.
 #[test]
 fn a_tangent_by_a_pythagorean_triple_needs_the_exact_step() {
     let exactly = |s| {
