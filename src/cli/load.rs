@@ -44,9 +44,10 @@ pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result
 /// it.
 pub(super) fn refuse_overwriting<'a>(
     inputs: &[PathBuf],
-    outputs: impl IntoIterator<Item = (&'a str, &'a Path)>,
+    outputs: impl IntoIterator<Item = (&'a str, impl AsRef<Path>)>,
 ) -> Result<(), CommandError> {
     for (option, output) in outputs {
+        let output = output.as_ref();
         let is_same = |input: &&PathBuf| {
             is_same_file(if is_standard(input) { Path::new("/dev/stdin") } else { input }, output)
         };

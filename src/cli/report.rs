@@ -44,13 +44,19 @@ fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     {
         return refused(format!("--json and --plot both write {}", plot.display()));
     }
-    files(arguments).try_for_each(|(_, path)| Ok(atomic::check(path)?))
+    files(arguments).try_for_each(|(_, path)| Ok(atomic::check(&path)?))
 }
 
-/// Returns the files to write, each with the option that names it.
-fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, &Path)> {
-    let files = [("--json", json_file(arguments)), ("--plot", arguments.plot.as_deref())];
-    files.into_iter().filter_map(|(name, path)| Some((name, path?)))
+/// Returns the files to write, each with the option that names it. The plot of several scenes has a page
+/// for each, after the summary.
+fn files(arguments: &ReportArguments) -> impl Iterator<Item = (&str, PathBuf)> {
+    let pages = match arguments.scenes.len() {
+        scenes @ 2.. => scenes + 1,
+        _ => 1,
+    };
+    let pages_of = move |plot| (1..=pages).map(move |page| ("--plot", page_path(plot, page)));
+    let json = json_file(arguments).map(|json| ("--json", json.to_owned()));
+    json.into_iter().chain(arguments.plot.as_deref().into_iter().flat_map(pages_of))
 }
 
 /// Returns the measurements to make. Every scene is read before the first one is measured.

@@ -148,6 +148,19 @@ fn wrong_arguments_are_told_before_anything_is_measured() {
 }
 
 #[test]
+fn no_page_of_the_plot_is_written_over_a_scene() {
+    let folder = folder();
+    fs::rename(folder.path().join("two.toml"), folder.path().join("o-2.svg")).unwrap();
+    let message =
+        "--plot would write over o-2.svg, which is read as ./o-2.svg: choose another name";
+    report(folder.path(), "report ./o-2.svg s.toml --plot o.svg").failed(2, message);
+    assert_eq!(entries(folder.path()), ["o-2.svg", "s.toml"]);
+    // A single scene has a single page.
+    report(folder.path(), "report ./o-2.svg --plot o.svg").done();
+    assert!(fs::read_to_string(folder.path().join("o-2.svg")).unwrap().starts_with("pinhole = 1"));
+}
+
+#[test]
 fn a_scene_at_fault_is_told_at_its_place() {
     let folder = folder();
     fs::write(folder.path().join("s.toml"), SCENE.replace("[0, 1, 0]", "[0, 0, 2]")).unwrap();
