@@ -36,6 +36,7 @@ fn rounded(value: f64, digits: usize) -> String {
         return "0".to_owned();
     }
     let digits = digits.max(1);
+    let value = untied(value, digits as i32);
     let scientific = format!("{:.*e}", digits - 1, value);
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let power: i32 = exponent.parse().unwrap_or_default();
@@ -44,6 +45,25 @@ fn rounded(value: f64, digits: usize) -> String {
         return trimmed(&format!("{value:.decimals$}")).to_owned();
     }
     format!("{}e{exponent}", trimmed(mantissa))
+}
+
+/// Prepares a number for rounding to this many significant digits. If its shortest decimal is a tie, as
+/// 0.21375 is with four digits, returns a number next to it that is farther from zero, so that the tie is
+/// rounded as by hand: to 0.2138. The `f64` itself may lie on either side of the tie.
+fn untied(value: f64, digits: i32) -> f64 {
+    let shortest = format!("{value:e}");
+    let (mantissa, exponent) = shortest.split_once('e').unwrap_or((&shortest, "0"));
+    let count = mantissa.chars().filter(char::is_ascii_digit).count() as i32;
+    let farther = mantissa.strip_suffix('5').filter(|_| count == digits + 1);
+    let farther = farther.and_then(|rest| format!("{rest}6e{exponent}").parse().ok());
+    farther.unwrap_or(value)
+}
+
+/// Formats a number with this many decimals; ties are rounded away from zero.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let power = value.abs().log10().floor();
+    let value = untied(value, (power + 1.0) as i32 + decimals as i32);
+    format!("{value:.decimals$}")
 }
 
 /// Returns the text of a number without the zeros at the end of its decimals.
@@ -55,6 +75,40 @@ fn trimmed(text: &str) -> &str {
 /// Formats a number with this many [`significant`] digits and a typographic minus sign.
 pub fn written(value: f64, digits: usize) -> String {
     significant(value, digits).replace('-', "−")
+}
+
+/// Formats a number as the right side of an equation: `= 0.5`, but `≈ 0.33333` if digits are left out.
+pub fn equated(x: f64, digits: usize) -> String {
+    format!("{} {}", Rounding::Significant(digits).relation(&[x]), written(x, digits))
+}
+
+/// Formats coordinates as the right side of an equation: `= (0.2, −0.1)`, `≈ (0.33333, 1)`.
+pub fn equated_tuple(coordinates: &[f64], digits: usize) -> String {
+    let relation = Rounding::Significant(digits).relation(coordinates);
+    let texts: Vec<String> = coordinates.iter().map(|x| written(*x, digits)).collect();
+    format!("{relation} ({})", texts.join(", "))
+}
+
+/// Formats a sum of products as it is written by hand: without terms whose factor is 0, and without a
+/// factor of 1. For example, the factors 2, −1, 1 of ` x`, ` y` and an empty name give `2 x − y + 1`.
+pub fn sum<'a>(
+    terms: impl IntoIterator<Item = (f64, &'a str)>,
+    number: impl Fn(f64) -> String,
+) -> String {
+    let mut text = String::new();
+    for (factor, name) in terms.into_iter().filter(|(factor, _)| *factor != 0.0) {
+        text.push_str(match (factor < 0.0, text.is_empty()) {
+            (false, true) => "",
+            (true, true) => "−",
+            (false, false) => " + ",
+            (true, false) => " − ",
+        });
+        match number(factor.abs()) {
+            one if one == "1" && !name.is_empty() => text.push_str(name.trim_start()),
+            size => text.extend([&size, name]),
+        }
+    }
+    if text.is_empty() { "0".to_owned() } else { text }
 }
 
 /// The text for a number that is not finite.
@@ -70,6 +124,9 @@ const WHOLE: usize = 5;
 /// Number of significant digits with which a calculated number is displayed without visible rounding
 /// errors.
 const TELLING: usize = 12;
+/// Maximum number of significant digits of a decimal that is taken to be exact; a longer one is taken to be
+/// rounded. About one in a thousand random numbers has so few digits by chance.
+const EXACT_DIGITS: usize = 12;
 
 /// How displayed numbers are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,6 +155,28 @@ impl Rounding {
             }
         }
     }
+
+    /// Returns true if the displayed decimal is the number's exact value, disregarding rounding errors in
+    /// the number itself.
+    pub fn is_exact(self, x: f64) -> bool {
+        let digits = self.text(x);
+        let shown = digits.parse();
+        let recognised = || NumberForm::recognise(x).filter(|form| form.decimals().is_some());
+        (shown == Ok(x) && significant_digits(&digits) <= EXACT_DIGITS)
+            || recognised().is_some_and(|form| shown == Ok(form.value()))
+    }
+
+    /// Returns the sign to write before numbers: `=` if all of them are displayed exactly, otherwise `≈`.
+    pub fn relation(self, shown: &[f64]) -> char {
+        if shown.iter().all(|x| self.is_exact(*x)) { '=' } else { '≈' }
+    }
+}
+
+/// Returns the number of significant digits in the text of a number.
+fn significant_digits(text: &str) -> usize {
+    let mantissa = text.split('e').next().unwrap_or_default();
+    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    digits.trim_matches('0').len()
 }
 
 /// Formats a number with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
@@ -115,12 +194,12 @@ pub fn short_plain(x: f64) -> String {
         return BEYOND.to_owned();
     }
     if !(1e-3..1e5).contains(&magnitude) {
-        let text = format!("{x:.1e}");
+        let text = format!("{:.1e}", untied(x, 2));
         return text.replace(".0e", "e");
     }
     let digits_before = magnitude.log10().floor() as i32 + 1;
     let decimals = (3 - digits_before).clamp(0, 5) as usize;
-    trimmed(&format!("{x:.decimals$}")).to_owned()
+    trimmed(&fixed(x, decimals)).to_owned()
 }
 
 /// Formats a power of ten, for example `10⁻⁶`. The powers 0 and 1 become `1` and `10`.
@@ -146,9 +225,9 @@ pub fn percent(count: usize, all: usize) -> String {
         _ if count == 0 => "0 %".to_owned(),
         _ if count == all => "100 %".to_owned(),
         few if few < 0.1 => "less than 0.1 %".to_owned(),
-        few if few < 9.95 => format!("{few:.1} %"),
+        few if few < 9.95 => format!("{} %", fixed(few, 1)),
         many if many > 99.0 => "more than 99 %".to_owned(),
-        some => format!("{some:.0} %"),
+        some => format!("{} %", fixed(some, 0)),
     }
 }
 
@@ -188,6 +267,51 @@ mod tests {
         ] {
             assert_eq!(significant(x, digits), text);
         }
+    }
+
+    #[test]
+    fn ties_are_rounded_away_from_zero() {
+        for (x, digits, text) in [
+            (-0.21375, 4, "-0.2138"),
+            (0.11875, 4, "0.1188"),
+            (0.11865, 4, "0.1187"),
+            (0.118_649_999, 4, "0.1186"),
+            (2.5, 1, "3"),
+            (9.9995, 4, "10"),
+            (1.000_000_5e9, 7, "1.000001e9"),
+        ] {
+            assert_eq!(significant(x, digits), text);
+        }
+        assert_eq!([short(0.125 + 1.0), short(999.5), short(1.25e-6)], ["1.13", "1000", "1.3e−6"]);
+        assert_eq!([fixed(0.5, 0), fixed(-26.565, 2), fixed(0.0, 1)], ["1", "-26.57", "0.0"]);
+        assert_eq!(percent(1, 8), "13 %");
+    }
+
+    #[test]
+    fn a_rounded_number_is_not_equal() {
+        for (x, text) in [
+            (0.5, "= 0.5"),
+            (0.1 + 0.2, "= 0.3"),
+            (5.0 * 2f64.sqrt(), "≈ 7.0711"),
+            (-0.21375, "= −0.21375"),
+            (0.123_456, "≈ 0.12346"),
+            (1.0 / 3.0, "≈ 0.33333"),
+        ] {
+            assert_eq!(equated(x, 5), text);
+        }
+        assert_eq!(equated(0.5_f64.sqrt(), 17), "≈ 0.7071067811865476");
+        assert_eq!(equated_tuple(&[0.2, -1.0], 5), "= (0.2, −1)");
+        assert_eq!(equated_tuple(&[0.2, 0.7_f64.sqrt()], 5), "≈ (0.2, 0.83666)");
+    }
+
+    #[test]
+    fn a_sum_is_written_as_by_hand() {
+        let sum = |a, b, c| sum([(a, " x"), (b, " y"), (c, "")], written_whole);
+        assert_eq!(sum(1.0, 1.0, -2.0), "x + y − 2");
+        assert_eq!(sum(-1.0, 0.0, 1.0), "−x + 1");
+        assert_eq!(sum(2.0, -0.5, 0.0), "2 x − 0.5 y");
+        assert_eq!(sum(0.0, 0.0, -1.0), "−1");
+        assert_eq!(sum(0.0, -0.0, 0.0), "0");
     }
 
     #[test]

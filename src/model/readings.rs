@@ -3,6 +3,7 @@
 //! list.
 
 use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
+use pinhole_lecture::Rounding;
 use pinhole_lecture::numbers::written;
 
 use crate::model::symbols::{SymbolKind, meaning};
@@ -151,6 +152,28 @@ impl NumberStyle {
         if self.exact && x.is_finite() { shortest(x) } else { written(x, self.digits) }
     }
 
+    /// Returns the sign to write before numbers: `=` if all of them are written exactly, otherwise `≈`.
+    pub(crate) fn relation(self, shown: &[f64]) -> char {
+        if self.exact { '=' } else { Rounding::Significant(self.digits).relation(shown) }
+    }
+
+    /// Formats a number as the right side of an equation: `= 0.5`, but `≈ 0.33333`.
+    pub(crate) fn equated(self, x: f64) -> String {
+        self.equated_value(&ReadingValue::Number(x))
+    }
+
+    /// Formats a value as the right side of an equation, with `≈` before a rounded one.
+    pub(crate) fn equated_value(self, value: &ReadingValue) -> String {
+        let relation = match value {
+            ReadingValue::Number(x) => self.relation(&[*x]),
+            ReadingValue::Uv(uv) => self.relation(&uv.to_array()),
+            ReadingValue::Vector(v) => self.relation(&v.to_array()),
+            ReadingValue::Angle(angle) => self.relation(&[self.shown_degrees(*angle).1]),
+            ReadingValue::Pixel(..) | ReadingValue::Text(_) => '=',
+        };
+        format!("{relation} {}", self.text(value))
+    }
+
     pub(crate) fn vector(self, v: DVec3) -> String {
         format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
     }
@@ -171,7 +194,10 @@ impl NumberStyle {
             ReadingValue::Number(x) => self.number(*x),
             ReadingValue::Uv(uv) => self.uv(*uv),
             ReadingValue::Vector(v) => self.vector(*v),
-            ReadingValue::Angle(angle) => self.degrees(*angle),
+            ReadingValue::Angle(angle) => {
+                let (prefix, degrees) = self.shown_degrees(*angle);
+                format!("{prefix}{}°", self.number(degrees))
+            }
             ReadingValue::Text(text) => text.clone(),
             ReadingValue::Pixel(None, _) => "outside the image".to_owned(),
             ReadingValue::Pixel(Some(position), image) => match position.only_pixel() {
@@ -184,14 +210,15 @@ impl NumberStyle {
         }
     }
 
-    /// Formats the angle between up and view in degrees. A valid camera's angle is below 180 degrees,
-    /// so an angle that rounds to 180 is written as 180 minus the difference.
-    fn degrees(self, UpAngle { angle, conditioning }: UpAngle) -> String {
-        let text = self.number(angle.to_degrees());
-        if text != self.number(180.0) {
-            return format!("{text}°");
+    /// Returns the number of degrees that stands for the angle between up and view, after a prefix. A valid
+    /// camera's angle is below 180 degrees, so an angle that rounds to 180 is written as 180 minus the
+    /// difference.
+    fn shown_degrees(self, UpAngle { angle, conditioning }: UpAngle) -> (&'static str, f64) {
+        let degrees = angle.to_degrees();
+        if self.number(degrees) == self.number(180.0) {
+            ("180° − ", (1.0 / conditioning).asin().to_degrees())
+        } else {
+            ("", degrees)
         }
-        let missing = (1.0 / conditioning).asin().to_degrees();
-        format!("180° − {}°", self.number(missing))
     }
 }

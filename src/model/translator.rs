@@ -10,7 +10,7 @@ use pinhole_exchange::format::{
 };
 use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
 use pinhole_exchange::{Document, limits};
-use pinhole_lecture::numbers::{written, written_whole};
+use pinhole_lecture::numbers::{equated_tuple, written_whole};
 
 use crate::model::symbols::{bold, italic};
 
@@ -286,10 +286,10 @@ fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.direction);
         // Adding 0 makes a negative zero positive.
-        let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| written(x, digits));
+        let is = equated_tuple(&(v + DVec3::ZERO).to_array(), digits);
         // A bold letter with its sign.
         let letter: String = axis.name.chars().map(bold).collect();
-        format!("{} {letter} = ({x}, {y}, {z})", axis.meaning)
+        format!("{} {letter} {is}", axis.meaning)
     };
     let names = ["x of the camera", "y of the camera", "z of the camera"];
     let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));

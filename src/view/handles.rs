@@ -12,7 +12,7 @@
 
 use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::numbers::written;
+use pinhole_lecture::numbers::{equated, equated_tuple};
 
 use crate::model::observer::UP_LENGTH;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
@@ -220,11 +220,8 @@ pub fn label(handle: Handle, document: &Document) -> String {
 /// columns are counted from 1.
 pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
-    let number = |x: f64| written(x, digits);
-    let named = |name: &str, v: DVec3| {
-        let [x, y, z] = v.to_array().map(number);
-        format!("{name} = ({x}, {y}, {z})")
-    };
+    let is = |x: f64| equated(x, digits);
+    let named = |name: &str, v: DVec3| format!("{name} {}", equated_tuple(&v.to_array(), digits));
     let at = match camera.orientation {
         Orientation::At { at, .. } => named("at", at),
         Orientation::View { view, .. } => named("view", view),
@@ -236,21 +233,21 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
         Handle::At => at,
         Handle::Up => named("up", camera.up()),
         Handle::Corner(_) => {
-            format!("width = {}, height = {}", number(viewport.width), number(viewport.height))
+            format!("width {}, height {}", is(viewport.width), is(viewport.height))
         }
-        Handle::Distance => format!("distance = {}", number(viewport.distance)),
+        Handle::Distance => format!("distance {}", is(viewport.distance)),
         Handle::Pixel => match part.selection {
             Selection::Pixel(pixel) => {
                 let first = u32::from(from_one);
                 format!("row {}, column {}", pixel.row + first, pixel.column + first)
             }
-            Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
+            Selection::Uv(uv) => format!("(u, v) {}", equated_tuple(&uv.to_array(), digits)),
         },
         Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => match (part.object, handle) {
             (Some((_, Object::Sphere(sphere))), Handle::Center(_)) => {
                 named("centre", sphere.center)
             }
-            (Some((_, Object::Sphere(sphere))), _) => format!("radius = {}", number(sphere.radius)),
+            (Some((_, Object::Sphere(sphere))), _) => format!("radius {}", is(sphere.radius)),
             (Some((_, Object::Plane(plane))), _) => named("point", plane.point),
             (None, _) => String::new(),
         },

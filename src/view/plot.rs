@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
-use pinhole_lecture::numbers::written as number;
+use pinhole_lecture::numbers::{equated, written as number};
 use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting, UnitOrigin};
 
 use crate::model::inspection::Inspection;
@@ -156,11 +156,11 @@ impl Curve {
 
     /// Describes the unit of f in words.
     pub(crate) fn unit_words(&self, digits: usize) -> String {
-        let unit = number(self.unit.value, digits);
+        let unit = equated(self.unit.value, digits);
         match self.unit.origin {
-            UnitOrigin::SquaredRadius => format!("unit r² = {unit}"),
-            UnitOrigin::RayOrigin => format!("unit |f(p)| = {unit}"),
-            UnitOrigin::OneStep => format!("unit |f(p + d)| = {unit}"),
+            UnitOrigin::SquaredRadius => format!("unit r² {unit}"),
+            UnitOrigin::RayOrigin => format!("unit |f(p)| {unit}"),
+            UnitOrigin::OneStep => format!("unit |f(p + d)| {unit}"),
             UnitOrigin::One => "unit 1".to_owned(),
         }
     }
@@ -196,34 +196,34 @@ impl Curve {
     /// Describes the curve in words.
     pub(crate) fn description(&self, digits: usize) -> String {
         let zeros: Vec<String> =
-            self.derivation.roots().map(|root| number(root.t, digits)).collect();
+            self.derivation.roots().map(|root| equated(root.t, digits)).collect();
         let zero = |k: usize| zeros.get(k).cloned().unwrap_or_else(|| "beyond f64".to_owned());
         match &self.derivation {
             ObjectDerivation::Sphere(sphere) => match sphere.meeting {
                 SphereMeeting::Missed => "D < 0: f is never 0: missed".to_owned(),
                 SphereMeeting::Tangent => {
-                    format!("D = 0: f touches 0 once, at t = {}: tangent, so it hits", zero(0))
+                    format!("D = 0: f touches 0 once, at t {}: tangent, so it hits", zero(0))
                 }
                 SphereMeeting::Through => {
-                    format!("D > 0: in at t = {}, out at t = {}", zero(0), zero(1))
+                    format!("D > 0: in at t {}, out at t {}", zero(0), zero(1))
                 }
                 SphereMeeting::FromInside => format!(
-                    "f < 0 at t = 0: the eye is inside; {} is behind, {} is its first root ahead",
+                    "f < 0 at t = 0: the eye is inside; t {} is behind, t {} is its first root ahead",
                     zero(0),
                     zero(1)
                 ),
                 SphereMeeting::FromSurface => format!(
-                    "f = 0 at t = 0, which is no hit; the hit is at t = {}",
+                    "f = 0 at t = 0, which is no hit; the hit is at t {}",
                     zero(usize::from(sphere.first == Some(1)))
                 ),
                 SphereMeeting::Behind => {
-                    format!("0 only at t = {}, not ahead of the eye: no hit", zeros.join(" and "))
+                    format!("0 only at t {}, not ahead of the eye: no hit", zeros.join(" and t "))
                 }
             },
             ObjectDerivation::Plane(plane) => match plane.meeting {
-                PlaneMeeting::Ahead => format!("straight line, 0 at t = {}", zero(0)),
+                PlaneMeeting::Ahead => format!("straight line, 0 at t {}", zero(0)),
                 PlaneMeeting::Behind => {
-                    format!("0 only at t = {}, behind the eye: no hit", zero(0))
+                    format!("0 only at t {}, behind the eye: no hit", zero(0))
                 }
                 PlaneMeeting::AtOrigin => "0 at t = 0, which is no hit".to_owned(),
                 PlaneMeeting::Parallel => {
@@ -250,7 +250,7 @@ impl Curve {
             (Some(std::cmp::Ordering::Greater), true) => "> 0: on the side that n points to",
             _ => ": on it",
         };
-        format!("f = {} {meaning}", number(f, digits))
+        format!("f {} {meaning}", equated(f, digits))
     }
 }
 

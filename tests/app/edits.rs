@@ -128,7 +128,7 @@ fn a_basis_is_set_by_hand() {
     {
         type_into(&mut window, field, text);
     }
-    assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");
+    assert_says(&window, "d ≈ (−0.56569, −0.1, −0.84853)");
 }
 
 #[test]

@@ -3,11 +3,11 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Unfolded, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
-use super::harness::{type_into, unfolded, window_with};
+use super::harness::{assert_says, type_into, unfolded, window_with};
 
 /// Returns every name and value in the window but those of text that is being typed.
 fn texts(window: &Harness<'_, App>) -> Vec<String> {
@@ -85,6 +85,23 @@ fn every_number_in_the_window_is_written_in_one_way() {
             let faults = faults(&text);
             assert!(faults.is_empty(), "{scene}, {layout:?}: {faults:?} in “{text}”");
         }
+    }
+}
+
+#[test]
+fn the_strip_has_the_digits_of_the_settings_and_calls_no_rounded_number_equal() {
+    let unfolded = Unfolded { ray: true, ..Unfolded::default() };
+    for (digits, uv, u) in [
+        (5, "(u, v) = (−0.21375, 0.11875)", "u ≈ (0.58124, 0, −0.81373)"),
+        (4, "(u, v) ≈ (−0.2138, 0.1188)", "u ≈ (0.5812, 0, −0.8137)"),
+    ] {
+        let settings = Settings { digits, unfolded, ..Settings::default() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let mut window = window_with("look-at", remembered, None);
+        type_into(&mut window, "uv u", "-0.21375");
+        type_into(&mut window, "uv v", "0.11875");
+        assert_says(&window, uv);
+        assert_says(&window, u);
     }
 }
 

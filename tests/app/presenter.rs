@@ -271,7 +271,7 @@ fn the_numbers_stand_below_the_views_and_leave_them_most_of_the_height() {
         let with_numbers = view(&harness);
         let content = harness.ctx.content_rect();
         assert!(with_numbers.height() > 0.55 * content.height(), "{with_numbers} in {content}");
-        for name in ["u = ", "v = ", "w = ", "(u, v) = ", "d = ", "t = ", "hit = "] {
+        for name in ["u ≈ ", "v ≈ ", "w ≈ ", "(u, v) = ", "d ≈ ", "t ≈ ", "hit = "] {
             let number = harness.get_by(|node| {
                 node.role() == Role::Label
                     && node.value().is_some_and(|text| text.starts_with(name))

@@ -2,6 +2,7 @@
 
 use pinhole_core::Camera;
 use pinhole_core::steering::SteerError;
+use pinhole_lecture::numbers::equated;
 
 use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
@@ -147,9 +148,7 @@ impl Player {
             Kind::SwingUp | Kind::Orbit => format!("{:.0}°", 360.0 * self.phase),
             // Its four quarters are different angles.
             Kind::OverTheTop => format!("{:.0} %", 100.0 * self.phase),
-            Kind::Walk => {
-                format!("t = {}", pinhole_lecture::numbers::written(self.phase * self.start.end, 3))
-            }
+            Kind::Walk => format!("t {}", equated(self.phase * self.start.end, 3)),
             Kind::Scan => {
                 let steps = self.kind.steps(&self.start);
                 let so_far = (self.phase * steps as f64).round() as u64;

@@ -9,6 +9,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
+use crate::model::readings::ReadingValue;
 use crate::model::{MistakesView, NumberStyle, Session};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
@@ -188,13 +189,14 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     for ((name, letter, right, wrong), is_wrong) in rows.into_iter().zip(camera.wrong_vectors()) {
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
         let letter = RichText::new(letter).size(TEXT).color(color);
+        let is_wrong_value = style.equated_value(&ReadingValue::Vector(wrong));
         let (right, wrong) = (style.vector(right), style.vector(wrong));
         let both = text_width(ui, &right) + text_width(ui, &wrong) + BESIDE_VECTORS;
         let fits = both <= ui.available_width();
         let wrong = |ui: &mut Ui| {
             sign(ui, false);
             let text = RichText::new(&wrong).strong().color(error_color(ui));
-            ui.add(Label::new(text).wrap()).spoken(format!("wrong {name} = {wrong}"));
+            ui.add(Label::new(text).wrap()).spoken(format!("wrong {name} {is_wrong_value}"));
         };
         ui.horizontal_top(|ui| {
             cell(ui, LETTER, |ui| ui.label(letter));

@@ -10,7 +10,7 @@ use egui::{
     Align2, Color32, Context, FontId, Galley, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea,
     Sense, Slider, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use pinhole_lecture::numbers::written as number;
+use pinhole_lecture::numbers::{equated, equated_tuple, written as number};
 
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
@@ -98,8 +98,7 @@ fn walk(ui: &mut Ui, ray_point_t: &mut Option<f64>, plot: &Plot, first_hit: f64)
 
 /// Returns the coordinates of the ray's point at t, as a formula.
 fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
-    let [x, y, z] = inspection.ray.at(t).to_array().map(|x| number(x, digits));
-    format!("p + t d = ({x}, {y}, {z})")
+    format!("p + t d {}", equated_tuple(&inspection.ray.at(t).to_array(), digits))
 }
 
 /// Returns a text that names the objects that contain the point on the ray, and those on whose surface it is.
@@ -149,7 +148,7 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
         text(ui, &curve.description(digits));
         if let Some((t, values)) = &plot.ray_point_t {
             let reading = curve.reading(values[k], digits);
-            text(ui, &format!("at t = {}: {reading}", number(*t, digits)));
+            text(ui, &format!("at t {}: {reading}", equated(*t, digits)));
         }
     });
     ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
@@ -429,8 +428,8 @@ impl PlotDrawing<'_> {
         let ink = self.colors.ink;
         if let Some((_, t)) = self.first_hit() {
             let at = self.at(t, 0.0);
-            let t = number(t, 5);
-            let texts = [format!("first hit: t = {t}"), format!("hit: t = {t}"), t];
+            let is = equated(t, 5);
+            let texts = [format!("first hit: t {is}"), format!("hit: t {is}"), number(t, 5)];
             let font = Font { size: DRAWN_TEXT + 1.0, color: ink, bold: true };
             let places = || around(at, Vec2::DOWN, 15.0);
             let _ = texts.iter().any(|text| words.write(text, font, places()).is_some());
@@ -442,7 +441,7 @@ impl PlotDrawing<'_> {
                 [(pos2(x + 7.0, y), Align2::LEFT_TOP), (pos2(x - 7.0, y), Align2::RIGHT_TOP)]
             });
             let font = Font { size: DRAWN_TEXT + 2.0, color: self.colors.ray, bold: false };
-            words.write(&format!("t = {}", number(*t, 5)), font, rows);
+            words.write(&format!("t {}", equated(*t, 5)), font, rows);
         }
         // Objects that are hit at the same t share its number.
         let mut written: Vec<String> = Vec::new();

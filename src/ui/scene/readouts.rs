@@ -123,12 +123,12 @@ fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
     LayoutJob::simple_singleline(reading.name.to_owned(), FontId::new(size, theme::bold()), color)
 }
 
-/// Lays out `name = value`.
+/// Lays out `name = value`, or `name ≈ value` if the value is rounded.
 fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f32) -> LayoutJob {
     let visuals = ui.visuals();
     let color = if strong { visuals.strong_text_color() } else { visuals.text_color() };
     let mut job = name_of(ui, reading, strong, size);
-    let value = format!(" = {}", style.text(&reading.value));
+    let value = format!(" {}", style.equated_value(&reading.value));
     job.append(&value, 0.0, TextFormat::simple(FontId::proportional(size), color));
     job
 }
@@ -144,7 +144,7 @@ fn explain(label: Response, reading: &Reading, style: NumberStyle) {
 }
 
 fn written(Reading { name, value, .. }: &Reading, style: NumberStyle) -> String {
-    format!("{name} = {}", style.text(value))
+    format!("{name} {}", style.equated_value(value))
 }
 
 /// Shows readings (named quantities) in a block, one per line, with a button that copies them.
@@ -159,8 +159,7 @@ fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
             let name = ui.label(name_of(ui, reading, true, size));
             point(&name, reading);
             name.on_hover_text(reading.meaning());
-            let value = RichText::new(format!("= {}", style.text(&reading.value)));
-            let value = ui.label(value);
+            let value = ui.label(style.equated_value(&reading.value));
             point(&value, reading);
             value.spoken(written(reading, style));
             ui.end_row();
@@ -254,21 +253,21 @@ fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec
 /// Returns the numbers that decide whether the ray hits an object: the coefficients and the discriminant of a
 /// sphere's quadratic, or the dot products of a plane.
 fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
-    let number = |x| style.number(x);
+    let is = |x| style.equated(x);
     match found {
         ObjectTerms::Sphere(q) => {
-            let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
+            let (a, b, c, d) = (is(q.a), is(q.b), is(q.c), is(q.discriminant));
             let meaning = match q.discriminant {
                 d if d < 0.0 => "< 0: missed",
                 0.0 => ": tangent",
                 _ => "> 0: two roots",
             };
-            format!("a = {a},  b = {b},  c = {c},  D = b² − a c = {d} {meaning}")
+            format!("a {a},  b {b},  c {c},  D = b² − a c {d} {meaning}")
         }
         ObjectTerms::Plane(terms) => {
-            let (rate, offset) = (number(terms.rate), number(terms.offset));
+            let (rate, offset) = (is(terms.rate), is(terms.offset));
             let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
-            format!("n·d = {rate},  n·(point − p) = {offset}{meaning}")
+            format!("n·d {rate},  n·(point − p) {offset}{meaning}")
         }
     }
 }
@@ -281,8 +280,8 @@ pub(crate) fn strip_height(width: f32) -> f32 {
 /// Height of the strip while presenting, in points: two rows.
 pub(crate) const PRESENTED: f32 = 48.0;
 
-/// Maximum number of significant digits in the strip; a row has no space for more.
-const DIGITS: usize = 4;
+/// Number of significant digits below which the strip does not go, even if they do not fit.
+const FEWEST: usize = 3;
 
 /// Distance between two numbers of the strip, as a multiple of the text's size.
 const GAP: f32 = 1.2;
@@ -292,9 +291,9 @@ fn is_narrow(width: f32) -> bool {
     width < 780.0
 }
 
-/// Shows the strip of numbers: the basis, the selected ray and its first hit, as large and with as many
-/// digits as fit. If there are no numbers, shows the reason. While presenting, the basis and the ray have a
-/// row each, and the reason is shown over the picture instead.
+/// Shows the strip of numbers: the basis, the selected ray and its first hit, with the digits of the
+/// settings, or as many as fit. If there are no numbers, shows the reason. While presenting, the basis and
+/// the ray have a row each, and the reason is shown over the picture instead.
 pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let presented = theme::installed(ui.ctx()).presenting;
     if let Some(fault) = derived.fault {
@@ -313,30 +312,23 @@ pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: 
     if presented {
         ui.spacing_mut().item_spacing.y = 0.0;
         for row in [basis, ray.collect()] {
-            let choices = [16.0, 14.0, WRITTEN].map(|size| (DIGITS, size));
-            rows(ui, &[row], choices, 0.5 * PRESENTED, style);
+            rows(ui, &[row], &[16.0, 14.0, WRITTEN], 0.5 * PRESENTED, style);
         }
         return;
     }
     let size = TextStyle::Body.resolve(ui.style()).size;
-    let choices = [(DIGITS, size + 1.0), (DIGITS, size - 1.0), (DIGITS - 1, size - 1.0)];
+    let sizes = [size + 1.0, size - 1.0];
     if is_narrow(ui.available_width()) {
-        rows(ui, &[basis, ray.collect()], choices, 0.0, style);
+        rows(ui, &[basis, ray.collect()], &sizes, 0.0, style);
     } else {
         basis.extend(ray);
-        rows(ui, &[basis], choices, 0.0, style);
+        rows(ui, &[basis], &sizes, 0.0, style);
     }
 }
 
-/// Shows rows of numbers, each at least `height` points high. Each choice is a number of digits and a text
-/// size; the first choice with which all numbers fit is used.
-fn rows(
-    ui: &mut Ui,
-    rows: &[Vec<Reading>],
-    choices: [(usize, f32); 3],
-    height: f32,
-    style: NumberStyle,
-) {
+/// Shows rows of numbers, each at least `height` points high, with the most digits and then with the first
+/// of the text sizes with which all numbers fit.
+fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: NumberStyle) {
     let job = |ui: &Ui, reading: &Reading, (digits, size): (usize, f32)| {
         job_of(ui, reading, style.at_most(digits), true, size)
     };
@@ -347,7 +339,9 @@ fn rows(
         };
         rows.iter().all(|row| width(row) <= ui.available_width())
     };
-    let choice = choices.into_iter().find(fits).unwrap_or(choices[2]);
+    let digits = (FEWEST.min(style.digits)..=style.digits).rev();
+    let choices = digits.flat_map(|digits| sizes.iter().map(move |size| (digits, *size)));
+    let choice = choices.clone().find(fits).or(choices.last()).unwrap_or((FEWEST, WRITTEN));
     for row in rows {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = GAP * choice.1;
@@ -363,15 +357,15 @@ fn rows(
 /// Returns the numbers of a ray in two lines: first its pixel and (u, v), then the object that it hits, and
 /// t.
 pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: NumberStyle) -> String {
-    let style = style.at_most(DIGITS);
     let pixel = inspection.pixel().map(|pixel| format!("{}   ", style.pixel(pixel)));
     let hit = match inspection.first_hit() {
         Some(hit) => {
-            format!("{}   𝑡 = {}", document.title_of(hit.object as usize), style.number(hit.t))
+            format!("{}   𝑡 {}", document.title_of(hit.object as usize), style.equated(hit.t))
         }
         None => "hits nothing".to_owned(),
     };
-    format!("{}(𝑢, 𝑣) = {}\n{hit}", pixel.unwrap_or_default(), style.uv(inspection.uv))
+    let uv = style.equated_value(&ReadingValue::Uv(inspection.uv));
+    format!("{}(𝑢, 𝑣) {uv}\n{hit}", pixel.unwrap_or_default())
 }
 
 /// The readout that was under the mouse in the last egui pass: the id of its label, and the concept that it

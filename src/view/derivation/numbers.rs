@@ -26,25 +26,11 @@ pub struct NumberFormat {
     pub from_one: bool,
 }
 
-/// Maximum number of significant digits of a decimal that is taken to be exact; a longer one is taken to be
-/// rounded. About one in a thousand random numbers has so few digits by chance.
-const EXACT_DIGITS: usize = 12;
-
 impl NumberFormat {
     /// Returns the number as a decimal. The decimal is marked as rounded unless it is exact.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = self.rounding.text(x);
-        if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
-    }
-
-    /// Returns true if the displayed decimal is the number's exact value, disregarding rounding errors in
-    /// the number itself.
-    fn is_whole(self, x: f64) -> bool {
-        let digits = self.rounding.text(x);
-        let shown = digits.parse();
-        let recognised = || NumberForm::recognise(x).filter(|form| form.decimals().is_some());
-        (shown == Ok(x) && significant_digits(&digits) <= EXACT_DIGITS)
-            || recognised().is_some_and(|form| shown == Ok(form.value()))
+        if self.rounding.is_exact(x) { number(&digits) } else { rounded(&digits) }
     }
 
     /// Returns the formula of a number that the user gives. It counts as exact if all its digits are shown.
@@ -73,12 +59,12 @@ impl NumberFormat {
     /// number has no short one, or if its decimal is exact already.
     fn form(self, x: f64) -> Option<NumberForm> {
         let recognised = || NumberForm::recognise(x).filter(|form| form.is_short());
-        if self.exact { recognised().filter(|_| !self.is_whole(x)) } else { None }
+        if self.exact { recognised().filter(|_| !self.rounding.is_exact(x)) } else { None }
     }
 
     fn vector_form(self, v: DVec3) -> Option<VectorForm> {
         let recognised = || VectorForm::recognise(v).filter(|form| form.is_short());
-        let are_whole = || v.to_array().into_iter().all(|x| self.is_whole(x));
+        let are_whole = || v.to_array().into_iter().all(|x| self.rounding.is_exact(x));
         if self.exact { recognised().filter(|_| !are_whole()) } else { None }
     }
 
@@ -134,13 +120,6 @@ impl NumberFormat {
 pub(super) fn related(value: Formula) -> Formula {
     let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([relation.into(), value])
-}
-
-/// Returns the number of significant digits in the text of a number.
-fn significant_digits(text: &str) -> usize {
-    let mantissa = text.split('e').next().unwrap_or_default();
-    let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-    digits.trim_matches('0').len()
 }
 
 /// Returns the formula of a recognised number.

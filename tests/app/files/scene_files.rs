@@ -68,7 +68,7 @@ fn a_number_that_is_being_typed_is_saved_too() {
 fn a_built_in_scene_opens_from_the_menu() {
     let mut window = window("canonical");
     open_scene(&mut window, "forty-five");
-    assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");
+    assert_says(&window, "d ≈ (−0.56569, −0.1, −0.84853)");
 }
 
 #[test]

@@ -214,7 +214,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         ],
     ),
     (10, 3, &[("𝐰 · view / |view|", "1 catches it"), (SAYS, "right: −1 < 0")]),
-    (11, 1, &[("f(x, y)", "1 x + 2 y − 4"), (SAYS, "at t = 0:  f = −4 < 0")]),
+    (11, 1, &[("f(x, y)", "x + 2 y − 4"), (SAYS, "at t = 0:  f = −4 < 0")]),
     // 0.5 + 1 - 4.
     (11, 2, &[("slide t", "(0.5, 0.5)"), (SAYS, "at t = 0.5:  f = −2.5 < 0")]),
     (
@@ -230,19 +230,13 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (
         11,
         4,
-        &[
-            (SAYS, "= 1 t + 1"),
-            (SAYS, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p."),
-        ],
+        &[(SAYS, "= t + 1"), (SAYS, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.")],
     ),
     // t - t + 1.
     (
         11,
         5,
-        &[
-            (SAYS, "= 0 t + 1"),
-            (SAYS, "Parallel: f(p + t d) is 1 at every t, never 0. They never meet."),
-        ],
+        &[(SAYS, "= 1"), (SAYS, "Parallel: f(p + t d) is 1 at every t, never 0. They never meet.")],
     ),
     (11, 6, &[(SAYS, "The line x − 3y + 11 = 0 and the ray (1, 3) + t (−3, −2).")]),
     (12, 1, &[(SAYS, "straight line, 0 at t = 6"), ("p + t d", "(1.2, −0.6, −6)")]),
@@ -255,8 +249,11 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         12,
         5,
         &[
-            (SAYS, "f < 0 at t = 0: the eye is inside; −3 is behind, 5 is its first root ahead"),
-            (SAYS, "0 only at t = −2.5 and −1.5, not ahead of the eye: no hit"),
+            (
+                SAYS,
+                "f < 0 at t = 0: the eye is inside; t = −3 is behind, t = 5 is its first root ahead",
+            ),
+            (SAYS, "0 only at t = −2.5 and t = −1.5, not ahead of the eye: no hit"),
         ],
     ),
     (
@@ -284,7 +281,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         2,
         &[
             ("Camera view", "u 0, v 0: hits object 1 at t = 4"),
-            (SAYS, "0 only at t = −6 and −4, not ahead of the eye: no hit"),
+            (SAYS, "0 only at t = −6 and t = −4, not ahead of the eye: no hit"),
         ],
     ),
     // Half a pixel off the middle; the ball's surface is √682 - 3 away, as in 8.3.

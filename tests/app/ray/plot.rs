@@ -46,13 +46,13 @@ fn every_object_s_curve_says_what_it_does() {
     type_into(&mut window, "eye z", "-5");
     assert_reads(
         &window,
-        "f < 0 at t = 0: the eye is inside; −1 is behind, 1 is its first root ahead",
+        "f < 0 at t = 0: the eye is inside; t = −1 is behind, t = 1 is its first root ahead",
     );
     type_into(&mut window, "eye z", "-5.5");
     type_into(&mut window, "at z", "-5");
     assert_reads(
         &window,
-        "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is its first root ahead",
+        "f < 0 at t = 0: the eye is inside; t = −0.5 is behind, t = 1.5 is its first root ahead",
     );
 }
 
@@ -96,7 +96,7 @@ fn tangent_and_behind_explain_themselves() {
     type_into(&mut window, "at x", "0");
     type_into(&mut window, "at z", "-9");
     type_into(&mut window, "eye z", "-8");
-    assert_reads(&window, "0 only at t = −4 and −2, not ahead of the eye: no hit");
+    assert_reads(&window, "0 only at t = −4 and t = −2, not ahead of the eye: no hit");
     assert_reads(&window, "0 only at t = −2, behind the eye: no hit");
 }
 
@@ -280,7 +280,7 @@ fn no_name_or_text_is_cut_off_in_a_small_window() {
     window.set_size(vec2(1024.0, 768.0) / window.ctx.zoom_factor());
     window.run();
     let bottom = window.ctx.content_rect().bottom();
-    let behind = "small: 0 only at t = −2.5 and −1.5, not ahead of the eye: no hit";
+    let behind = "small: 0 only at t = −2.5 and t = −1.5, not ahead of the eye: no hit";
     let last = window.get_by_label(behind).rect();
     assert!(last.bottom() <= bottom, "{last} of {bottom}");
 }

@@ -179,7 +179,7 @@ impl CameraSketch<'_> {
             Concept::Root { object, number } => {
                 let root = inspection.root_of(object, number).filter(|root| root.t > 0.0);
                 if let Some(root) = root {
-                    self.point(at, pen, &format!("𝑡 = {}", highlighted.number(root.t)), toward);
+                    self.point(at, pen, &format!("𝑡 {}", highlighted.equated(root.t)), toward);
                 }
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {

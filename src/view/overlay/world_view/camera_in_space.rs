@@ -4,7 +4,7 @@
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
-use pinhole_lecture::numbers::written;
+use pinhole_lecture::numbers::equated;
 
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Inspection, Item};
@@ -229,7 +229,7 @@ impl Sketch<'_> {
         let edge = LineStyle { color, ..pen };
         self.point(at, 7.5, edge);
         if let Some(spot) = self.point(at, 4.5, pen) {
-            let text = format!("t = {}", written(t, T_DIGITS));
+            let text = format!("t {}", equated(t, T_DIGITS));
             self.label(edge, &text, [spot.at, DVec2::new(-0.3, -1.0)], BOLD_POINT);
         }
     }

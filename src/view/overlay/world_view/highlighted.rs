@@ -7,7 +7,8 @@
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
-use pinhole_lecture::numbers::written;
+use pinhole_lecture::Rounding;
+use pinhole_lecture::numbers::{equated, written};
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
@@ -36,16 +37,19 @@ impl Highlighted {
         written(x, self.digits.min(LABEL_DIGITS))
     }
 
-    /// Returns the sign to write before rounded numbers: `=` if a label shows all of them exactly;
-    /// otherwise `≈`.
+    /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
+    pub(crate) fn equated(&self, x: f64) -> String {
+        equated(x, self.digits.min(LABEL_DIGITS))
+    }
+
+    /// Returns the sign to write before numbers: `=` if a label shows all of them exactly, otherwise `≈`.
     pub(crate) fn relation(&self, shown: &[f64]) -> char {
-        let is_exact = |x: &f64| self.number(*x).parse() == Ok(*x);
-        if shown.iter().all(is_exact) { '=' } else { '≈' }
+        Rounding::Significant(self.digits.min(LABEL_DIGITS)).relation(shown)
     }
 
     /// Returns a label with the distance from the eye to the viewport.
     pub(crate) fn distance(&self, resolved: &ResolvedCamera) -> String {
-        format!("distance = {}", self.number(resolved.viewport().distance))
+        format!("distance {}", self.equated(resolved.viewport().distance))
     }
 }
 
@@ -299,7 +303,7 @@ impl Sketch<'_> {
             Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, LineStyle { width: ACCOMPANYING, ..pen });
-                let text = format!("𝑡 = {}", lit.number(root.t));
+                let text = format!("𝑡 {}", lit.equated(root.t));
                 self.highlight_point(root.point, pen, &text);
             }
             Concept::Normal => {
