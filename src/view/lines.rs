@@ -9,8 +9,9 @@ use egui::{
     UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
+use pinhole_lecture::Rounding;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
-use pinhole_lecture::numbers::written as number;
+use pinhole_lecture::numbers::{equated, sum, written as number};
 
 use crate::model::lines::{LineHandle, LinesLab, Window};
 use crate::model::symbols::typeset_message;
@@ -77,8 +78,8 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
         Ordering::Equal => ": on the line",
         Ordering::Greater => "> 0",
     };
-    let (t, f) = (number(lab.t, digits), number(f, digits));
-    text(ui, &format!("at t = {t}:  f = {f} {compared}"));
+    let (t, f) = (equated(lab.t, digits), equated(f, digits));
+    text(ui, &format!("at t {t}:  f {f} {compared}"));
 }
 
 /// Formats a number as a factor after a multiplication sign: in parentheses if it is negative.
@@ -87,44 +88,59 @@ fn factor(x: f64, digits: usize) -> String {
     if text.starts_with('−') { format!("({text})") } else { text }
 }
 
-/// Returns `+ x` or `− |x|`.
+/// Returns ` + x` or ` − |x|`, or nothing for 0.
 fn added(x: f64, digits: usize) -> String {
     let sign = if x < 0.0 { '−' } else { '+' };
-    format!("{sign} {}", number(x.abs(), digits))
+    if x == 0.0 { String::new() } else { format!(" {sign} {}", number(x.abs(), digits)) }
+}
+
+/// Returns the name of a sum's term whose factor multiplies `text`: in parentheses where they are needed.
+fn multiplied(factor: f64, text: &str) -> String {
+    let is_bare = text == "t" || factor.abs() == 1.0 && !text.contains(['+', '−']);
+    if is_bare { format!(" {text}") } else { format!(" ({text})") }
 }
 
 /// Returns the name and the formula of each step of the substitution, with the current numbers. The
 /// formulas are in the notation of [`notation::formula`].
 fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
-    let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
-    let (line, p, d) = (s.line, s.ray.p, s.ray.d);
-    let coordinate = |p: f64, d: f64| format!("{} {} t", n(p), added(d, digits));
-    let (x, y) = (coordinate(p.x, d.x), coordinate(p.y, d.y));
-    let (a, b, c) = (n(line.a), line.b, plus(line.c));
-    let sign = if b < 0.0 { '−' } else { '+' };
-    let b_size = n(b.abs());
-    let [dx, dy, px, py] = [d.x, d.y, p.x, p.y].map(m);
-    let rate = format!("{a}·{dx} {sign} {b_size}·{dy}");
+    let n = |x| number(x, digits);
+    let is = |shown: &[f64]| Rounding::Significant(digits).relation(shown);
+    let (ImplicitLine { a, b, c }, ParametricLine { p, d }) = (s.line, s.ray);
+    let [x, y] = [(p.x, d.x), (p.y, d.y)].map(|(p, d)| sum([(p, ""), (d, " t")], n));
+    let [of_x, of_y] = [(a, &x), (b, &y)].map(|(factor, text)| multiplied(factor, text));
+    let all = is(&[a, b, c, p.x, p.y, d.x, d.y]);
+    let products = |of: DVec2| {
+        let [x, y] = [of.x, of.y].map(|x| factor(x, digits));
+        let sign = if b < 0.0 { '−' } else { '+' };
+        format!("{}·{x} {sign} {}·{y}", n(a), n(b.abs()))
+    };
+    let (implicit, put_in) = ([(a, " x"), (b, " y"), (c, "")], [(a, &*of_x), (b, &of_y), (c, "")]);
+    let added_up = sum([(s.rate, " t"), (s.offset, "")], n);
     [
-        ("implicit", format!("f(x, y) = {a} x {sign} {b_size} y {c}")),
-        ("parametric", format!("x = {x},   y = {y}")),
-        ("substituted", format!("f(p + t d) = {a} ({x}) {sign} {b_size} ({y}) {c}")),
-        ("sorted by t", format!("= ({rate}) t + ({a}·{px} {sign} {b_size}·{py} {c})")),
-        ("added up", format!("= {} t {}", n(s.rate), plus(s.offset))),
+        ("implicit", format!("f(x, y) {} {}", is(&[a, b, c]), sum(implicit, n))),
+        ("parametric", format!("x {} {x},   y {} {y}", is(&[p.x, d.x]), is(&[p.y, d.y]))),
+        ("substituted", format!("f(p + t d) {all} {}", sum(put_in, n))),
+        (
+            "sorted by t",
+            format!("{all} ({}) t + ({}{})", products(d), products(p), added(c, digits)),
+        ),
+        ("added up", format!("{} {added_up}", is(&[s.rate, s.offset]))),
         ("zero where", zero(s, digits)),
     ]
 }
 
 fn zero(s: &Substitution, digits: usize) -> String {
-    let (rate, offset) = (number(s.rate, digits), number(s.offset, digits));
+    let minus_offset = 0.0 - s.offset;
+    let quotient = || {
+        let is = Rounding::Significant(digits).relation(&[s.rate, s.offset]);
+        format!("t {is} {} / {}", number(minus_offset, digits), factor(s.rate, digits))
+    };
     match s.meeting {
-        Meeting::Parallel => format!("0 t = {}: for no t", number(-s.offset, digits)),
+        Meeting::Parallel => format!("0 t {}: for no t", equated(minus_offset, digits)),
         Meeting::Coincident => "0 t = 0: for every t".to_owned(),
-        Meeting::At(Crossing { t, .. }) => {
-            let over = factor(s.rate, digits);
-            format!("t = −({offset}) / {over} = {}", number(t, digits))
-        }
-        Meeting::TooFar { .. } => format!("t = −({offset}) / ({rate}), too large"),
+        Meeting::At(Crossing { t, .. }) if s.rate == 1.0 => format!("t {}", equated(t, digits)),
+        Meeting::At(Crossing { t, .. }) => format!("{} {}", quotient(), equated(t, digits)),
+        Meeting::TooFar { .. } => format!("{}, too large", quotient()),
     }
 }
 
@@ -139,11 +155,11 @@ fn verdict(s: &Substitution, digits: usize) -> String {
             "Coincident: f(p + t d) is 0 at every t. Both are the same line.".to_owned()
         }
         Meeting::At(Crossing { t, point, ray_hits }) => {
-            let (t_text, x, y) = (n(t), n(point.x), n(point.y));
+            let (is, x, y) = (equated(t, digits), n(point.x), n(point.y));
             if ray_hits {
-                format!("They meet at t = {t_text}, at ({x}, {y}). t > 0: the ray hits.")
+                format!("They meet at t {is}, at ({x}, {y}). t > 0: the ray hits.")
             } else if t.partial_cmp(&0.0) == Some(Ordering::Less) {
-                format!("Line met but ray missed: t = {t_text} < 0, at ({x}, {y}), behind p.")
+                format!("Line met but ray missed: t {is} < 0, at ({x}, {y}), behind p.")
             } else {
                 format!("They meet at p itself, ({x}, {y}): t = 0 is no hit.")
             }
@@ -177,13 +193,13 @@ pub(crate) struct PlaneView {
     colors: &'static Colors,
 }
 
-/// Draws both lines, but nothing that shows where they meet.
+/// Draws both lines, but nothing that shows where they meet: the trail of points may end there.
 pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     plane.grid();
     plane.implicit(&lab.line());
-    plane.parametric(lab);
+    plane.parametric(&lab.ray, None);
     plane.coordinates(&mut plane.labels());
 }
 
@@ -293,7 +309,7 @@ impl PlaneView {
         }
         let is_ray = lab.ray.check().is_ok();
         if is_ray {
-            self.parametric(lab);
+            self.parametric(&lab.ray, Some(lab));
         }
         for handle in LineHandle::ALL {
             if let Some(at) = self.in_sight(lab, handle) {
@@ -426,20 +442,20 @@ impl PlaneView {
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 
-    /// Draws the parametric line, dashed before p and solid after p; then the points of its trail; then the
-    /// vector d.
-    fn parametric(&self, lab: &LinesLab) {
-        let (ParametricLine { p, d }, ray) = (lab.ray, self.colors.ray);
-        let (first, last) = self.range_of_t(&lab.ray);
+    /// Draws the parametric line, dashed before p and solid after p; then the points of its trail, unless it
+    /// is `None`; then the vector d.
+    fn parametric(&self, line: &ParametricLine, trail: Option<&LinesLab>) {
+        let (ParametricLine { p, d }, ray) = (*line, self.colors.ray);
+        let (first, last) = self.range_of_t(line);
         if first < 0.0 {
             let stroke = Stroke::new(2.0, ray.gamma_multiply(0.75));
-            self.line(lab.ray.at(last.min(0.0)), lab.ray.at(first), stroke, [9.0, 7.2]);
+            self.line(line.at(last.min(0.0)), line.at(first), stroke, [9.0, 7.2]);
         }
         if last > 0.0 {
             let stroke = Stroke::new(3.0, ray);
-            self.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, SOLID);
+            self.line(line.at(first.max(0.0)), line.at(last), stroke, SOLID);
         }
-        for (_, at) in self.generated(lab) {
+        for (_, at) in trail.into_iter().flat_map(|lab| self.generated(lab)) {
             let stroke = Stroke::new(1.5, self.colors.halo);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
@@ -474,9 +490,9 @@ impl PlaneView {
         let points: Vec<(f64, DVec2)> = self.generated(lab).collect();
         let description = match points.as_slice() {
             [] => "no points".to_owned(),
-            [(t, _)] => format!("a point at t = {}", number(*t, 5)),
+            [(t, _)] => format!("a point at t {}", equated(*t, 5)),
             [(from, _), .., (to, _)] => {
-                format!("points from t = {} to t = {}", number(*from, 5), number(*to, 5))
+                format!("points from t {} to t {}", equated(*from, 5), equated(*to, 5))
             }
         };
         let is_whole = |t: f64| t.fract() == 0.0;
@@ -515,7 +531,7 @@ impl PlaneView {
         }
         labels.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
         let result = if crossing.ray_hits { "hit" } else { "ray missed" };
-        let text = format!("{result}: t = {}", number(crossing.t, digits));
+        let text = format!("{result}: t {}", equated(crossing.t, digits));
         let font = Font { size: NAMES, color: self.colors.ink, bold: true };
         let below = |distance| around(at, vec2(0.0, 1.0), distance);
         labels.write(&text, font, below(17.0).chain(below(30.0)));
@@ -550,7 +566,7 @@ impl PlaneView {
         let right = -left_of(lab.ray.d);
         let of_ray = Font { size: NAMES + 1.0, color: self.colors.ray, bold: true };
         let of_t = Font { size: NAMES, color: self.colors.ink, bold: false };
-        let t = format!("t = {}", number(lab.t, digits));
+        let t = format!("t {}", equated(lab.t, digits));
         for (handle, text, font, toward) in [
             // To the left of d, and towards its tail.
             (LineHandle::P, "p", of_ray, -right.rot90() - right),
@@ -588,15 +604,34 @@ mod tests {
         assert_eq!(
             lines,
             [
-                "f(x, y) = 2 x − 1 y + 1",
-                "x = 0 + 1 t,   y = 0 + 1 t",
-                "f(p + t d) = 2 (0 + 1 t) − 1 (0 + 1 t) + 1",
+                "f(x, y) = 2 x − y + 1",
+                "x = t,   y = t",
+                "f(p + t d) = 2 t − t + 1",
                 "= (2·1 − 1·1) t + (2·0 − 1·0 + 1)",
-                "= 1 t + 1",
-                "t = −(1) / 1 = −1",
+                "= t + 1",
+                "t = −1",
             ]
         );
         assert_eq!(verdict, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.");
+    }
+
+    #[test]
+    fn rounded_numbers_are_not_called_equal() {
+        let ray = ParametricLine { p: DVec2::new(1.0, 0.0), d: DVec2::new(-1.0, 1.0 / 3.0) };
+        let s =
+            Substitution::new(ImplicitLine { a: 3.0, b: -1.0, c: 0.0 }, ray).expect("two lines");
+        let lines = steps(&s, 5).map(|(_, text)| text);
+        assert_eq!(
+            lines,
+            [
+                "f(x, y) = 3 x − y",
+                "x = 1 − t,   y ≈ 0.33333 t",
+                "f(p + t d) ≈ 3 (1 − t) − 0.33333 t",
+                "≈ (3·(−1) − 1·0.33333) t + (3·1 − 1·0)",
+                "≈ −3.3333 t + 3",
+                "t ≈ −3 / (−3.3333) = 0.9",
+            ]
+        );
     }
 
     #[test]
@@ -606,7 +641,8 @@ mod tests {
         assert_eq!(lines[5], "0 t = −2: for no t");
         assert_eq!(verdict, "Parallel: f(p + t d) is 2 at every t, never 0. They never meet.");
         let (lines, verdict) = said(3);
-        assert_eq!(lines[4], "= 0 t + 0");
+        assert_eq!(lines[2], "f(p + t d) = (−2 + 2 t) − 2 t + 2");
+        assert_eq!(lines[4], "= 0");
         assert_eq!(verdict, "Coincident: f(p + t d) is 0 at every t. Both are the same line.");
     }
 }

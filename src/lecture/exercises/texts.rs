@@ -5,7 +5,7 @@ use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
 use super::judge::{ENOUGH_DIGITS, Verdict};
 use super::question::{Asked, Given, QuestionPart};
-use crate::numbers::{exact_if_short as short, written_whole as number};
+use crate::numbers::{exact_if_short as short, sum, written_whole as number};
 
 /// Returns the text of a question, one string for each paragraph.
 pub fn question(given: &Given) -> Vec<String> {
@@ -96,35 +96,13 @@ fn sphere_and_ray(ray: &Ray, sphere: &Sphere) -> Vec<String> {
 fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
     let given = format!(
         "The line {} = 0 and the ray {} + *t* {}.",
-        implicit(line),
+        sum([(line.x, "*x*"), (line.y, "*y*"), (line.z, "")], number),
         pair(origin),
         pair(direction)
     );
     let asked = "At which *t*, and where, does the ray's line meet the other? Does the ray itself \
                  (*t* > 0) hit it?";
     vec![given, asked.to_owned()]
-}
-
-/// Formats the left-hand side of a line's equation `a x + b y + c = 0`, for example `2*x* − *y* + 1`.
-fn implicit(line: DVec3) -> String {
-    let mut text = String::new();
-    for (factor, name) in [(line.x, "*x*"), (line.y, "*y*"), (line.z, "")] {
-        if factor == 0.0 {
-            continue;
-        }
-        let sign = match (factor < 0.0, text.is_empty()) {
-            (false, true) => "",
-            (true, true) => "−",
-            (false, false) => " + ",
-            (true, false) => " − ",
-        };
-        text.push_str(sign);
-        if factor.abs() != 1.0 || name.is_empty() {
-            text.push_str(&number(factor.abs()));
-        }
-        text.push_str(name);
-    }
-    text
 }
 
 /// Formats a point of the viewport, for example `(u, v) = (0.2, −0.1)`.

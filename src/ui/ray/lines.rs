@@ -4,7 +4,8 @@
 use egui::accesskit::Role;
 use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Slider, Ui, Vec2};
 use pinhole_core::DVec2;
-use pinhole_lecture::numbers::written as number;
+use pinhole_lecture::Rounding;
+use pinhole_lecture::numbers::{sum, written as number};
 
 use crate::model::lines::{LARGEST, LineHandle, LinesLab};
 use crate::ui::scene::views;
@@ -43,9 +44,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
 
 /// Shows both lines, but not their intersection, while a lesson asks the class where they meet.
 pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
-    let mut lab = lab.clone();
-    lab.set_t(0.0);
-    draw_question(ui, ui.available_rect_before_wrap(), &lab);
+    draw_question(ui, ui.available_rect_before_wrap(), lab);
 }
 
 fn examples(ui: &mut Ui, lab: &mut LinesLab) {
@@ -84,8 +83,8 @@ fn fields(ui: &mut Ui, lab: &mut LinesLab) {
         (Err(_), _) => "no line".to_owned(),
         (Ok(()), None) => "vertical: there is no y = m x + q".to_owned(),
         (Ok(()), Some((m, q))) => {
-            let sign = if q < 0.0 { '−' } else { '+' };
-            format!("y = {} x {sign} {}", number(m, 5), number(q.abs(), 5))
+            let is = Rounding::Significant(5).relation(&[m, q]);
+            format!("y {is} {}", sum([(m, " x"), (q, "")], |x| number(x, 5)))
         }
     };
     text(ui, &format!("the same as  {form}"));

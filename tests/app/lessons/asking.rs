@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::derivation_sections::DerivationSection;
-use pinhole::model::lessons::LessonArgument;
+use pinhole::model::lessons::{LessonArgument, StepId, Which};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 
@@ -58,6 +58,24 @@ fn numbers_and_what_gives_the_answer_away_come_with_the_answer() {
     assert_says(&window, "w = (0, 0, 1)");
     key(&mut window, Key::F5);
     assert_says(&window, "w = (0, 0, 1)");
+}
+
+#[test]
+fn no_point_of_the_ray_stands_at_the_answer_before_it_is_asked() {
+    for step in [3, 4] {
+        let mut window = window("canonical");
+        let id = StepId { lesson: Which::Builtin(10), step: step - 1 };
+        window.state_mut().open_lesson(id, None);
+        window.run();
+        let points = |window: &Window| {
+            let is_point =
+                |shape: &Shape| matches!(shape, Shape::Circle(point) if point.radius == 5.5);
+            window.output().shapes.iter().filter(|clipped| is_point(&clipped.shape)).count()
+        };
+        assert_eq!(points(&window), 0, "11.{step}");
+        key(&mut window, Key::PageDown);
+        assert!(points(&window) > 0, "11.{step}");
+    }
 }
 
 #[test]

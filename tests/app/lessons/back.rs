@@ -107,7 +107,7 @@ fn what_the_texts_of_the_steps_ask_for_does_what_they_say() {
     // 11.5: x − y + 0 is the line that the ray runs on.
     let mut window = at_step(11, 5);
     type_into(&mut window, "c", "0");
-    assert_says(&window, "= 0 t + 0");
+    assert_says(&window, "= 0");
     // 7.5: up (1, 3, 0) is in one plane with w and the old up; (1, 1, 1) is not.
     let mut window = at_step(7, 5);
     type_into(&mut window, "up y", "3");
