@@ -1,14 +1,16 @@
 //! Objects that are edited among many: the scene is changed in place, and looks as if made anew.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole::model::observer::Observer;
+use pinhole::model::overlay_items::OverlayItems;
 use pinhole::model::session::{Session, Settings};
 use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
-use pinhole_core::{Camera, DVec3, Plane, Scene, Shade, Sphere};
+use pinhole_core::{Camera, DVec3, NO_OBJECT, Plane, Scene, Shade, Sphere};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
@@ -177,4 +179,24 @@ fn a_fault_among_many_keeps_the_last_good_scene() {
     let again = deriver.derive(&document, &session, &SIZES);
     assert_same(&again, &good, "good again");
     assert_eq!(deriver.traced(), traced, "nothing has changed since");
+}
+
+#[test]
+fn balls_have_smooth_borders_in_the_world_view_and_their_own_pixels_in_the_camera_view() {
+    let spheres = vec![Item::plain(ball(0.0, 0.0, -5.0, 1.0))].into();
+    let document = Document { spheres, ..Document::default() };
+    let mut session = session(Shade::Object);
+    session.settings.items = OverlayItems::NONE;
+    let ground = Style::Light.colors().background;
+    for purpose in [Purpose::Window, Purpose::Figure { clear: false }] {
+        let sizes = ViewSizes { purpose, ..SIZES };
+        let shown = Deriver::default().derive(&document, &session, &sizes);
+        let (frame, world) = (shown.world_frame.unwrap(), shown.world_view.unwrap());
+        let beside = frame.object.iter().zip(&world.image.pixels);
+        let mixed = beside.filter(|(object, dot)| **object == NO_OBJECT && **dot != ground);
+        assert!(mixed.count() > 20, "{purpose:?}");
+        let camera = shown.camera_view.unwrap();
+        let colors: HashSet<_> = camera.image.pixels.iter().collect();
+        assert_eq!(colors.len(), 2, "{purpose:?}");
+    }
 }

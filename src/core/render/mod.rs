@@ -21,6 +21,7 @@
 //!   and is decided individually by [the ladder](crate#the-ladder), step by step in higher precision
 //!   ([`row_band::fallback`]). So each pixel shows the object that exact arithmetic would find.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
+//! - Smooth edges, if requested: how much of a pixel lies on either side of a border ([`edges`]).
 //!
 //! Each pair of a pixel and a sphere that is in doubt costs 50 to 150 ns if `f64` decides it, as for
 //! spheres that are equal, nearly equal or nested, or on whose surface the eye lies
@@ -36,6 +37,7 @@
 //! [`Counts`](frame::Counts) counts the work that was left out.
 
 pub(crate) mod bvh;
+pub(crate) mod edges;
 pub(crate) mod frame;
 pub(crate) mod outline;
 pub(crate) mod plan;

@@ -3,13 +3,15 @@
 //!
 //! The camera's own picture is lit from its eye, so a sphere is brightest in its middle and looks flat.
 //! The observer's picture is lit from above the observer's left shoulder, as in a printed figure. There
-//! are no shadows: the light passes through other objects, and it also reaches around each sphere.
+//! are no shadows: the light passes through other objects, and it also reaches around each sphere. The
+//! borders of its objects are smooth; the camera's picture keeps its pixels, which are the subject.
 
 use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    DVec3, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Selection, Shade, lambert,
+    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Selection,
+    Shade, edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::Rounding;
@@ -88,7 +90,8 @@ impl WorldViews {
             let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
             buffers.draw(size, view.style, watch, |pixels| {
-                let below = Below { traced: &world.pixels, painted: &painted };
+                let WorldPicture { pixels: traced, edges, .. } = &*world;
+                let below = Below { traced, painted: &painted, edges };
                 overlay::world(view, scene, &backdrop, below, pixels)
             })
         });
@@ -154,6 +157,8 @@ pub(super) struct WorldPicture {
     /// The frame with `t` and objects, which the overlay reads.
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
+    /// The borders between the objects; none if the picture is subsampled.
+    edges: Vec<EdgeBlend>,
     pub(super) enclosing: Enclosing,
     /// The picture's subsampling.
     pub(super) subsampling: Subsampling,
@@ -221,7 +226,13 @@ impl WorldPictures {
                 pixels
             });
             let enclosing = Arc::clone(&trace_key.2);
-            Arc::new(WorldPicture { frame, pixels, enclosing, subsampling })
+            let edges = match subsampling {
+                Subsampling::NONE => {
+                    watched(watch, WorkKind::Trace, || edge_blends(&frame, &scene))
+                }
+                _ => Vec::new(),
+            };
+            Arc::new(WorldPicture { frame, pixels, edges, enclosing, subsampling })
         }))
     }
 
@@ -236,7 +247,7 @@ impl WorldPictures {
         self.backdrop.get(key, |(world, backdrop)| {
             watched(watch, WorkKind::Overlay, || {
                 let mut dots = world.0.pixels.clone();
-                backdrop.paint(&world.0.frame, &mut dots);
+                backdrop.paint(&world.0.frame, &world.0.edges, &mut dots);
                 Arc::new(dots)
             })
         })

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use egui::Color32;
-use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
+use pinhole_core::{DVec2, EdgeBlend, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
 use rayon::prelude::*;
 
 use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
@@ -20,13 +20,17 @@ pub struct Backdrop {
 }
 
 impl Backdrop {
-    /// Paints the layers over the observer's traced and shaded picture.
-    pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
+    /// Paints the layers over the observer's traced and shaded picture, and smooths the borders of its
+    /// objects.
+    pub fn paint(&self, frame: &Frame<f32>, edges: &[EdgeBlend], dots: &mut [Color32]) {
         let layers = Layers::new(frame, self);
         let bands = dots.par_chunks_mut(BAND * layers.width.max(1)).enumerate();
         bands.for_each(|(band, dots)| {
             layers.paint_parts(band * BAND, dots, |_| 0..layers.width, |_, _, _| ());
         });
+        if layers.is_traced() && dots.len() == frame.t.len() {
+            smooth(edges.iter(), dots);
+        }
     }
 }
 
@@ -114,7 +118,7 @@ const PAINT_TOLERANCE: f32 = 1e-6;
 const HALF_VIEWPORT: f64 = 0.5;
 
 /// Number of rows of screen pixels that are painted at a time.
-const BAND: usize = 32;
+pub(crate) const BAND: usize = 32;
 
 /// Opacity of a plane's drawn part up to which it does not hide lines behind it.
 const SEEN_THROUGH: f32 = 0.25;
@@ -216,6 +220,29 @@ impl<'a> Layers<'a> {
             let start = row * self.width;
             dots.copy_from_slice(&traced[start + part.start..start + part.end]);
         });
+    }
+
+    /// Smooths the borders between traced objects where [`Layers::paint_viewport`] painted, except where the
+    /// camera's picture hides them.
+    pub(crate) fn smooth_viewport(&self, edges: &[EdgeBlend], dots: &mut [Color32]) {
+        let Some(viewport) = self.viewport.as_ref().filter(|_| self.is_traced()) else { return };
+        let is_hidden = |at: DVec2, edge: &EdgeBlend| {
+            let [own, other] = [edge.pixel, edge.from].map(|pixel| self.frame.t[pixel as usize]);
+            let spot = viewport.spot(at).filter(|_| viewport.picture.is_some());
+            spot.is_some_and(|spot| is_nearer(spot.t as f32, own.min(other)))
+        };
+        let row_of = |edge: &EdgeBlend| edge.pixel as usize / self.width;
+        let rows = edges.chunk_by(|a, b| row_of(a) == row_of(b));
+        let painted = rows.flat_map(|edges| {
+            let row = row_of(&edges[0]);
+            let y = row as f64 + 0.5;
+            let part = viewport.flat.span(y, self.width, HALF_VIEWPORT);
+            edges.iter().filter(move |edge| {
+                let column = edge.pixel as usize - row * self.width;
+                part.contains(&column) && !is_hidden(DVec2::new(column as f64 + 0.5, y), edge)
+            })
+        });
+        smooth(painted, dots);
     }
 
     /// Paints all layers over a part of each row, starting at row `top`. Calls `before` on the pixels of
@@ -354,13 +381,27 @@ impl<'a> Layers<'a> {
     }
 }
 
+/// Mixes the pixels at the borders between objects with those of their neighbours.
+fn smooth<'a>(edges: impl Iterator<Item = &'a EdgeBlend>, dots: &mut [Color32]) {
+    // No pixel may change before its neighbours have read it.
+    let mut mixed: Vec<(usize, Color32)> = Vec::new();
+    for EdgeBlend { pixel, from, share } in edges {
+        let (pixel, other) = (*pixel as usize, dots[*from as usize]);
+        match mixed.last_mut() {
+            Some((last, color)) if *last == pixel => *color = mix(other, *color, *share),
+            _ => mixed.push((pixel, mix(other, dots[pixel], *share))),
+        }
+    }
+    mixed.into_iter().for_each(|(pixel, color)| dots[pixel] = color);
+}
+
 /// Returns true if a layer at `t` is nearer than the traced object in the same screen pixel, or at the same
 /// t.
 fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// Returns a blend of two opaque colours: `top` with weight `share`, and `bottom` with the rest.
+/// Returns a blend of two colours: `top` with weight `share`, and `bottom` with the rest.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     // The lowest bits of the sum 2^23 + x hold x as an integer. This avoids the special cases of a cast.

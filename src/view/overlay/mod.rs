@@ -45,7 +45,7 @@ pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of
 use camera_view::CameraSketch;
 use drawing::{circle, dot, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
-use layers::{Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
+use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
 use paint::{Fills, StretchedPicture};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
 use style::{BOLD_POINT, LabelFont, MARK, POINT, VECTOR};

@@ -36,10 +36,39 @@ fn with_nothing_on_only_the_background_changes() {
     assert_eq!(stage.painted(&stage.view(), &mut after).labels, []);
     let sphere = opaque(color_of(0));
     let background = Style::Light.colors().background;
-    for (before, after) in before.iter().zip(&after) {
-        assert_eq!(*after, if *before == sphere { sphere } else { background });
+    let seen = traced_scene(&stage.scene, &[]);
+    let edges = edge_blends(&stage.frame, &seen);
+    for (pixel, (before, after)) in before.iter().zip(&after).enumerate() {
+        if edges.iter().all(|edge| edge.pixel as usize != pixel) {
+            assert_eq!(*after, if *before == sphere { sphere } else { background });
+        }
     }
     assert!(after.contains(&sphere) && after.contains(&background));
+}
+
+#[test]
+fn a_border_that_the_picture_hides_does_not_show_through() {
+    let camera = Camera { image: image(64, 64), ..Camera::CANONICAL };
+    let scene = Scene::new(vec![sphere(0.0, 0.0, -5.0, 0.7)], vec![]).expect("a scene");
+    let mut stage = Stage::seen_by(camera, scene, Observer::new(DVec3::ZERO, 0.0, 0.0, 4.0));
+    let (raster, colors) = (Raster::full(camera.image), [Color32::WHITE, Color32::BLACK]);
+    let pixels = (0..64 * 64).map(|k| colors[(k + k / 64) % 2]).collect();
+    stage.picture = Some(Arc::new(Picture { raster, image: camera.image, pixels }));
+    let mixed = |stage: &Stage| {
+        let mut dots = stage.dots();
+        stage.painted(&stage.view(), &mut dots);
+        let inside = |k: &usize| {
+            let at = [(k % SIZE.0 as usize) as f32 + 0.5, (k / SIZE.0 as usize) as f32 + 0.5];
+            pick(stage.resolve(), &stage.frame, at).is_some()
+        };
+        let plain = [colors[0], colors[1], Style::Light.colors().background, opaque(color_of(0))];
+        let inside = (0..dots.len()).filter(inside);
+        inside.filter(|k| !plain.contains(&dots[*k])).count()
+    };
+    stage.items = OverlayItems::NONE.with(Item::Picture, true);
+    assert_eq!(mixed(&stage), 0);
+    stage.items = OverlayItems::NONE;
+    assert!(mixed(&stage) > 50, "without the picture, the ball's border is seen");
 }
 
 #[test]

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{
     Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, Raster, ResolvedCamera, Rgb, Scene,
-    Selection, Shade, Sphere, shade, trace_as,
+    Selection, Shade, Sphere, edge_blends, shade, trace_as,
 };
 
 pub(super) use super::*;
@@ -123,9 +123,11 @@ impl Stage {
     /// Paints a world view over the observer's shaded picture.
     fn painted(&self, view: &WorldView, dots: &mut [Color32]) -> Drawing {
         let (traced, backdrop) = (dots.to_vec(), view.backdrop(self.scene()));
-        backdrop.paint(&view.frame, dots);
-        let painted = dots.to_vec();
-        world(view, self.scene(), &backdrop, Below { traced: &traced, painted: &painted }, dots)
+        let seen = traced_scene(&self.scene, &self.enclosing);
+        let edges = &edge_blends(&view.frame, &seen)[..];
+        backdrop.paint(&view.frame, edges, dots);
+        let (traced, painted) = (&traced, &dots.to_vec());
+        world(view, self.scene(), &backdrop, Below { traced, painted, edges }, dots)
     }
 
     /// Returns the observer's picture with flat shading.

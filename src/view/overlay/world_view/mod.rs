@@ -9,13 +9,14 @@ pub(super) mod sketch;
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera};
+use pinhole_core::{Camera, DVec2, DVec3, EdgeBlend, Frame, Ray, ResolvedCamera};
+use rayon::prelude::*;
 
 use crate::model::{AnswerMark, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    Backdrop, Bowl, ColoredScene, Drawing, Fills, Flat, GhostCamera, Grid, Handles, Highlighted,
-    Layers, Picture, Same, Screen, Sketch, Style, ViewportLayer, camera_uv_at, dot, place_labels,
-    wide,
+    BAND, Backdrop, Bowl, ColoredScene, Drawing, Fills, Flat, GhostCamera, Grid, Handles,
+    Highlighted, Layers, Picture, Same, Screen, Sketch, Style, ViewportLayer, camera_uv_at, dot,
+    place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -71,6 +72,8 @@ pub struct Below<'a> {
     pub traced: &'a [Color32],
     /// The observer's picture with the backdrop painted over it.
     pub painted: &'a [Color32],
+    /// The borders between the objects of the observer's picture.
+    pub edges: &'a [EdgeBlend],
 }
 
 /// Paints the world view. Returns the drawing, whose labels the caller must draw.
@@ -153,15 +156,17 @@ impl WorldView {
     }
 
     fn paint(&self, layers: &Layers, marks: &Fills, below: Below<'_>, dots: &mut [Color32]) {
-        let Below { traced, painted } = below;
+        let Below { traced, painted, edges } = below;
         let [width, height] = self.size();
-        if [dots.len(), traced.len(), painted.len()] != [width * height; 3] {
+        if [dots.len(), traced.len(), painted.len()] != [width * height; 3] || dots.is_empty() {
             return dots.fill(Color32::BLACK);
         }
-        marks.paint_after(width, dots, |top, dots| {
-            dots.copy_from_slice(&painted[top * width..][..dots.len()]);
-            layers.paint_viewport(top, traced, dots);
+        dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
+            dots.copy_from_slice(&painted[band * BAND * width..][..dots.len()]);
+            layers.paint_viewport(band * BAND, traced, dots);
         });
+        layers.smooth_viewport(edges, dots);
+        marks.paint_after(width, dots, |_, _| ());
     }
 
     fn screen(&self) -> Screen {
