@@ -7,6 +7,8 @@ pub const HANDLE_REACH: f64 = 11.0;
 pub const RAY_POINT_REACH: f32 = 14.0;
 /// Maximum distance, in points, at which the mouse pointer counts as being over a mark.
 pub const MARK_REACH: f32 = 8.0;
+/// Maximum distance, in points, at which the dragged tip of up snaps to the line of view.
+pub const VIEW_LINE_REACH: f64 = 9.0;
 /// Maximum movement, in points, for which a press on a handle counts as a click.
 pub const CLICK: f32 = 2.0;
 

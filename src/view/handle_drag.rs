@@ -9,7 +9,7 @@ use pinhole_core::{
     Viewport,
 };
 
-use crate::model::interaction::STEP_POINTS;
+use crate::model::interaction::{STEP_POINTS, VIEW_LINE_REACH};
 use crate::model::session::Settings;
 use crate::model::session::handles::{Corner, Drag, Handle, HandleValues};
 
@@ -59,8 +59,15 @@ impl HandleDrag<'_> {
     /// # Errors
     /// Returns an error if the handle cannot be dragged there.
     pub fn to(&self, uv: DVec2) -> Result<Dragged, SteerError> {
-        let Drag { at, begun_at, .. } = *self.drag;
-        self.put(self.observer.dragged(at, begun_at, uv, self.along()?)?)
+        let Drag { at, begun_at, before, toward, .. } = *self.drag;
+        let point = self.observer.dragged(at, begun_at, uv, self.along()?)?;
+        match self.parallel_up(point).filter(|_| self.handle == Handle::Up) {
+            Some(up) => {
+                let values = HandleValues { camera: self.with_up(up)?, ..before };
+                Ok(Dragged { values, toward, up_went_along: false })
+            }
+            None => self.put(point),
+        }
     }
 
     /// Returns the result of moving the handle to a point in the world, or as close to it as possible.
@@ -84,7 +91,11 @@ impl HandleDrag<'_> {
                 dragged.up_went_along = steered.up_went_along;
                 steered.camera
             }
-            Handle::Up => self.up(point)?,
+            Handle::Up => {
+                let (up, length) =
+                    ((point - values.camera.eye) / self.drag.length, self.drag.length);
+                self.with_up(self.readable(values.camera.up(), up, 1.0 / length)?)?
+            }
             Handle::Corner(corner) => self.corner(corner, point)?,
             Handle::Distance => self.distance(point)?,
             Handle::Pixel => {
@@ -151,17 +162,34 @@ impl HandleDrag<'_> {
         steered
     }
 
-    /// Returns the camera with the tip of its up vector dragged to `tip`. Up may become parallel to the
-    /// view direction; the input fields then show the fault.
-    fn up(&self, tip: DVec3) -> Result<Camera, SteerError> {
-        let (camera, length) = (self.drag.before.camera, self.drag.length);
-        let new = self.readable(camera.up(), (tip - camera.eye) / length, 1.0 / length)?;
+    /// Returns the camera with another up vector. It may be parallel to the view direction; the input
+    /// fields then show the fault.
+    fn with_up(&self, up: DVec3) -> Result<Camera, SteerError> {
+        let camera = self.drag.before.camera;
         let orientation = match camera.orientation {
-            Orientation::At { at, .. } => Orientation::At { at, up: new },
-            Orientation::View { view, .. } => Orientation::View { view, up: new },
+            Orientation::At { at, .. } => Orientation::At { at, up },
+            Orientation::View { view, .. } => Orientation::View { view, up },
             Orientation::Basis(_) => return Err(SteerError::NoUp),
         };
         Ok(Camera { orientation, ..camera })
+    }
+
+    /// Returns an up vector parallel to the view direction if the observer sees the tip of up near the line
+    /// of view; otherwise `None`. No hand would find such a vector exactly. It is the view direction times a
+    /// power of two, because other multiples would be rounded and then not be parallel.
+    fn parallel_up(&self, tip: DVec3) -> Option<DVec3> {
+        let (camera, observer) = (self.drag.before.camera, self.observer);
+        let view = camera.view();
+        let (along, uv) = (self.drag.length * view, observer.project(tip).uv);
+        // The foot, on the line of view, of its common perpendicular with the observer's ray to the tip.
+        let ray = observer.ray(uv);
+        let normal = along.cross(ray.direction);
+        let share = (ray.origin - camera.eye).cross(ray.direction).dot(normal) / normal.dot(normal);
+        let seen = observer.project(camera.eye + share * along);
+        let pixels = f64::from(observer.image().height()) / observer.viewport().height;
+        let is_near = pixels * seen.uv.distance(uv) < VIEW_LINE_REACH * f64::from(self.scale);
+        let multiple = share.signum() * 2.0_f64.powi(share.abs().log2().round() as i32);
+        (share.is_normal() && seen.depth > 0.0 && is_near).then_some(multiple * view)
     }
 
     /// Returns the camera with a corner of its viewport moved to a point, or as close to it as possible;

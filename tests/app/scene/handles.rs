@@ -7,12 +7,13 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::fault::Fault;
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::Settings;
 use pinhole::model::session::handles::Handle;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, Selection};
+use pinhole_core::{BasisError, Camera, CameraError, DVec3, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{at_of, camera};
@@ -145,6 +146,23 @@ fn there_and_back_is_no_change_and_escape_gives_back() {
         harness.get_by_label("Edit").click();
         harness.run();
         assert!(says(&harness, "Undo Ctrl+Z"), "{handle}: a drag that was given back is no step");
+    }
+}
+
+/// The lecture's central failure case, which no hand would hit exactly.
+#[test]
+fn up_that_is_dragged_onto_the_line_of_view_is_parallel_to_it() {
+    for scene in ["canonical", "look-at"] {
+        let mut harness = window(scene);
+        let to = node_at(&harness, "at handle") + vec2(3.0, 2.0) - node_at(&harness, "up handle");
+        drag(&mut harness, "up handle", to);
+        let camera = camera(&harness);
+        let parallel = BasisError::UpParallelToView { up: camera.up(), view: camera.view() };
+        let fault = harness.state().derived().fault;
+        assert_eq!(fault, Some(Fault::Camera(CameraError::Basis(parallel))), "{scene}");
+        // And it can be dragged away again.
+        drag(&mut harness, "up handle", vec2(0.0, -60.0));
+        assert_eq!(harness.state().derived().fault, None, "{scene}");
     }
 }
 
