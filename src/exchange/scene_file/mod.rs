@@ -184,12 +184,12 @@ fn note_of_block(block: &str) -> String {
 
 /// Returns the comment block for a note, with a newline at its end. It is empty for an empty note.
 ///
-/// Control characters, which TOML does not allow in comments, are replaced by spaces.
+/// ASCII control characters, which TOML does not allow in comments, are replaced by spaces.
 fn note_to_block(note: &str) -> String {
     if note.is_empty() {
         return String::new();
     }
-    let clean = |c: char| if c.is_control() && c != '\t' { ' ' } else { c };
+    let clean = |c: char| if c.is_ascii_control() && c != '\t' { ' ' } else { c };
     note.split('\n')
         .map(|line| {
             let line: String = line.chars().map(clean).collect();
@@ -249,8 +249,17 @@ mod tests {
 
     #[test]
     fn notes_survive() {
-        for note in ["one line", "two\nlines", "an end\n", "\n", " indented", "#hash", "tab\there"]
-        {
+        for note in [
+            "one line",
+            "two\nlines",
+            "an end\n",
+            "\n",
+            " indented",
+            "#hash",
+            "tab\there",
+            "\u{85}",
+            "\u{2028}\u{9f}",
+        ] {
             assert_eq!(note_of_block(split_note(&note_to_block(note)).0), note);
         }
         assert_eq!(note_to_block(""), "");
