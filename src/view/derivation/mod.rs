@@ -331,9 +331,9 @@ impl Derivation {
         // Writing to a string cannot fail.
         for section in &self.sections {
             let _ = writeln!(out, "\\subsection*{{{}}}", latex::text(&section.title));
-            let lines: Vec<String> = section.lines.iter().map(latex_line).collect();
-            if !lines.is_empty() {
-                let lines = lines.join(" \\\\\n");
+            if !section.lines.is_empty() {
+                let lines = section.lines.iter();
+                let lines = latex::aligned(lines.map(|line| (&line.formula, line.note.as_str())));
                 let _ = writeln!(out, "\\begin{{align*}}\n{lines}\n\\end{{align*}}");
             }
         }
@@ -361,14 +361,6 @@ impl Derivation {
             let _ = writeln!(out, "\n{}", left_out(self.left_out));
         }
         out
-    }
-}
-
-fn latex_line(line: &DerivedLine) -> String {
-    let formula = latex::aligned(&line.formula);
-    match line.note.as_str() {
-        "" => format!("  {formula}"),
-        note => format!("  {formula} && \\text{{{}}}", latex::text(note)),
     }
 }
 

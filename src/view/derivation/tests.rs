@@ -412,27 +412,31 @@ fn as_latex_and_as_markdown() {
         \subsection*{Basis}
         \begin{align*}
           \mathbf{eye} &= \left( 0, 0, 0 \right) \\
-          \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) && \text{set by hand} \\
-          \mathbf{v} &= \left( 0, 1, 0 \right) && \text{set by hand} \\
-          \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) && \text{set by hand} \\
-          \left| \mathbf{u} \right| &= 1 && \text{of length 1} \\
-          \left| \mathbf{v} \right| &= 1 && \text{of length 1} \\
-          \left| \mathbf{w} \right| &= 1 && \text{of length 1} \\
-          \mathbf{u} \cdot \mathbf{v} &= 0 && \text{perpendicular} \\
-          \mathbf{v} \cdot \mathbf{w} &= 0 && \text{perpendicular} \\
-          \mathbf{w} \cdot \mathbf{u} &= 0 && \text{perpendicular} \\
-          \left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} &= 1 && \text{right-handed}
+          \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \quad \text{set by hand} \\
+          \mathbf{v} &= \left( 0, 1, 0 \right) \quad \text{set by hand} \\
+          \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \quad \text{set by hand} \\
+          \left| \mathbf{u} \right| &= 1 \quad \text{of length 1} \\
+          \left| \mathbf{v} \right| &= 1 \quad \text{of length 1} \\
+          \left| \mathbf{w} \right| &= 1 \quad \text{of length 1} \\
+          \mathbf{u} \cdot \mathbf{v} &= 0 \quad \text{perpendicular} \\
+          \mathbf{v} \cdot \mathbf{w} &= 0 \quad \text{perpendicular} \\
+          \mathbf{w} \cdot \mathbf{u} &= 0 \quad \text{perpendicular} \\
+          \left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} &= 1 \quad \text{right-handed}
         \end{align*}
         \subsection*{Pixel to ray}
         \begin{align*}
           \mathit{distance} &= 1 \\
-          \left( u, v \right) &= \left( 0.2, -0.1 \right) && \text{the corner of four pixels, no pixel's centre} \\
+          \left( u, v \right) &= \left( 0.2, -0.1 \right) \\
+          &\quad \text{the corner of four pixels, no pixel's centre} \\
           u \mathbf{u} &= 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \\
           v \mathbf{v} &= -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right) \\
           -\mathit{distance} \mathbf{w} &= -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \\
-          \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
-          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} && \text{the length of a step of $t$ = 1} \\
-          \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) && \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
+          \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} \\
+          &= \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \\
+          &= \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
+          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \quad \text{the length of a step of $t$ = 1} \\
+          \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
+          &\quad \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
         \end{align*}
         1 more object is not listed
     "#]].assert_eq(&derivation.written_in(Markup::Latex));
@@ -474,7 +478,8 @@ fn every_derivation_is_balanced_and_has_all_its_lines() {
         let latex = derivation.written_in(Markup::Latex);
         assert!(is_balanced(&latex), "{scene}: {latex}");
         let breaks = latex.matches(" \\\\\n").count();
-        assert_eq!(breaks + latex.matches(r"\begin{align*}").count(), lines, "{scene}: {latex}");
+        assert!(breaks + latex.matches(r"\begin{align*}").count() >= lines, "{scene}: {latex}");
+        assert!(latex.is_ascii(), "{scene}: {latex}");
         let markdown = derivation.written_in(Markup::Markdown);
         assert!(is_balanced(&markdown), "{scene}: {markdown}");
         assert_eq!(markdown.matches("\n- $").count(), lines, "{scene}: {markdown}");

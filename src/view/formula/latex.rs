@@ -2,7 +2,8 @@
 
 use pinhole_exchange::is_hidden;
 
-use super::{Arrangement, Formula, Operator};
+use super::layout::{self, FRACTION, pieces, upright};
+use super::{Arrangement, Face, Formula, Operator, TextMeasure, left_width};
 
 /// Writes a formula for LaTeX's math mode.
 pub(crate) fn math(formula: &Formula) -> String {
@@ -32,13 +33,121 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// Writes a formula for math mode. Puts `&` before its first relation, where an `align` environment aligns
-/// lines.
-pub(crate) fn aligned(formula: &Formula) -> String {
-    let parts = formula.parts();
-    match parts.iter().position(Formula::is_relation) {
-        Some(at) => format!("{} &{}", row(&parts[..at]), row(&parts[at..])),
-        None => format!("& {}", row(parts)),
+/// Width of the text on a page of the class `article` at 10 pt, in ems.
+const PAGE: f32 = 34.5;
+
+/// The widths of LaTeX's own font, Computer Modern, rounded up.
+struct ComputerModern;
+
+impl TextMeasure for ComputerModern {
+    fn width(&mut self, text: &str, face: Face, size: f32) -> f32 {
+        let is_number = text.starts_with(|c: char| c.is_ascii_digit());
+        let em = |c: char| match c {
+            '0'..='9' => 0.5,
+            'e' if is_number => 2.0,
+            '(' | ')' => 0.39,
+            '.' | ',' | ' ' | '·' => 0.34,
+            '=' | '≈' | '+' | '−' | '×' => 0.78,
+            'm' | 'w' => 0.85,
+            _ if face == Face::Bold => 0.6,
+            _ => 0.55,
+        };
+        size * text.chars().map(em).sum::<f32>()
+    }
+}
+
+/// Writes formulas, each with a note, which may be empty, as the lines of an `align*` environment. They are
+/// aligned at their first relations. Formulas that are too wide for a page are broken before relations,
+/// then before operators; then their vectors are written as columns.
+pub(crate) fn aligned<'a>(lines: impl Iterator<Item = (&'a Formula, &'a str)> + Clone) -> String {
+    let left = |formula| left_width(formula, 1.0, &mut ComputerModern);
+    let room = PAGE - lines.clone().map(|(formula, _)| left(formula)).fold(0.0, f32::max);
+    let rows = lines.flat_map(|(formula, note)| {
+        let mut rows = Rows { done: Vec::new(), open: String::new(), used: 0.0, room };
+        rows.formula(formula.parts());
+        rows.note(note);
+        rows.done.push(rows.open);
+        rows.done
+    });
+    rows.map(|row| format!("  {row}")).collect::<Vec<_>>().join(" \\\\\n")
+}
+
+/// Builds the rows of one line in an `align*` environment.
+struct Rows {
+    done: Vec<String>,
+    /// The unfinished row.
+    open: String,
+    /// Width of the unfinished row after its `&`, in ems.
+    used: f32,
+    /// Maximum width of a row after its `&`, in ems.
+    room: f32,
+}
+
+impl Rows {
+    fn formula(&mut self, parts: &[Formula]) {
+        let at = parts.iter().position(Formula::is_relation).unwrap_or(0);
+        self.open = if at > 0 { format!("{} &", row(&parts[..at])) } else { "&".to_owned() };
+        // A fraction in a displayed formula has text of full size.
+        let is_fraction = |part: &Formula| matches!(part, Formula::Fraction(..));
+        let width = |parts: &[Formula]| {
+            let width = layout::row(parts, 1.0, &mut ComputerModern).width;
+            if parts.iter().any(|part| part.has(&is_fraction)) { width / FRACTION } else { width }
+        };
+        let is_binary =
+            |part: &Formula| matches!(part, Formula::Operator(operator) if operator.is_binary());
+        for side in pieces(&parts[at..], Formula::is_relation) {
+            if width(side) <= self.room {
+                self.add(&row(side), width(side), "&");
+                continue;
+            }
+            if self.used > 0.0 {
+                self.end_row("&");
+            }
+            for (k, term) in pieces(side, is_binary).into_iter().enumerate() {
+                let indent = if k == 0 { "&" } else { r"&\qquad " };
+                let columns: Vec<Formula> = term.iter().map(upright).collect();
+                let is_wide = width(term) + 2.0 > self.room;
+                let term = if is_wide { &columns } else { term };
+                self.add(&row(term), width(term), indent);
+            }
+        }
+    }
+
+    /// Adds a note, in as many rows as it needs.
+    fn note(&mut self, note: &str) {
+        let width = |text: &str| 1.0 + ComputerModern.width(text, Face::Upright, 1.0);
+        if note.is_empty() {
+            return;
+        }
+        if self.used + width(note) <= self.room {
+            return self.add(&format!(r"\quad \text{{{}}}", text(note)), width(note), "&");
+        }
+        let mut line = String::new();
+        for word in note.split(' ').chain([""]) {
+            if !line.is_empty() && (word.is_empty() || width(&line) + width(word) > self.room) {
+                self.end_row(r"&\quad ");
+                self.open.push_str(&format!(r"\text{{{}}}", text(line.trim_end())));
+                line.clear();
+            }
+            line.extend([word, " "]);
+        }
+    }
+
+    /// Begins a new row with `indent`.
+    fn end_row(&mut self, indent: &str) {
+        self.done.push(std::mem::replace(&mut self.open, indent.to_owned()));
+        self.used = if indent == "&" { 0.0 } else { 2.0 };
+    }
+
+    /// Adds text of this width, in ems, to the row if it fits; otherwise begins a new row with `indent`.
+    fn add(&mut self, text: &str, width: f32, indent: &str) {
+        if self.used > 0.0 && self.used + width > self.room {
+            self.end_row(indent);
+        } else if self.used > 0.0 {
+            self.open.push(' ');
+        }
+        self.open.push_str(text);
+        self.used += width;
     }
 }
 
@@ -87,6 +196,9 @@ fn letter(c: char) -> String {
         '^' => r"\textasciicircum{}".to_owned(),
         '“' => "``".to_owned(),
         '”' => "''".to_owned(),
+        '\u{1d400}'..='\u{1d419}' => format!(r"$\mathbf{{{}}}$", plain(0x1d400, 'A')),
+        '\u{1d434}'..='\u{1d44d}' => format!("${}$", plain(0x1d434, 'A')),
+        'ℎ' => "$h$".to_owned(),
         '\u{1d41a}'..='\u{1d433}' => format!(r"$\mathbf{{{}}}$", plain(0x1d41a, 'a')),
         '\u{1d44e}'..='\u{1d467}' => format!("${}$", plain(0x1d44e, 'a')),
         c if is_hidden(c) => String::new(),
@@ -108,8 +220,8 @@ fn word(text_of: &str) -> String {
         "cos" => return r"\cos".to_owned(),
         _ => {}
     }
-    if let Some(degrees) = text_of.strip_suffix('°') {
-        return format!(r"{}^{{\circ}}", number(degrees));
+    if text_of.ends_with('°') {
+        return number(text_of);
     }
     let is_name = !text_of.is_empty() && text_of.chars().all(|c| c.is_ascii_alphabetic());
     if is_name {
@@ -119,8 +231,11 @@ fn word(text_of: &str) -> String {
     }
 }
 
-/// Writes digits, possibly with an exponent.
+/// Writes digits, possibly with an exponent or a degree sign.
 fn number(digits: &str) -> String {
+    if let Some(degrees) = digits.strip_suffix('°') {
+        return format!(r"{}^{{\circ}}", number(degrees));
+    }
     let digits = digits.replace('−', "-");
     match digits.split_once('e') {
         _ if digits.contains(' ') => format!(r"\text{{{digits}}}"),
@@ -168,6 +283,7 @@ mod tests {
                 row([word("normalize"), parentheses(negative(UP))]),
                 r"\operatorname{normalize} \left( -\mathbf{up} \right)",
             ),
+            (number("81.189°"), r"81.189^{\circ}"),
             (word("no ray & no_hit"), r"\text{no ray \& no\_hit}"),
             (number("-1.5e-7"), r"-1.5 \cdot 10^{-7}"),
             (number("beyond f64"), r"\text{beyond f64}"),
@@ -191,15 +307,39 @@ mod tests {
     #[test]
     fn lines_meet_at_their_first_relation() {
         let chain = row([UP, Operator::Equals.into(), UP, Operator::Equals.into(), UP]);
-        assert_eq!(aligned(&chain), r"\mathbf{up} &= \mathbf{up} = \mathbf{up}");
-        assert_eq!(aligned(&UP), r"& \mathbf{up}");
+        assert_eq!(
+            aligned([(&chain, ""), (&UP, "a note")].into_iter()),
+            "  \\mathbf{up} &= \\mathbf{up} = \\mathbf{up} \\\\\n  &\\mathbf{up} \\quad \\text{a note}"
+        );
+    }
+
+    #[test]
+    fn a_formula_wider_than_a_page_is_broken() {
+        let vector = || tuple(["-0.67542", "0.012464", "-0.0089027"].map(number));
+        let sum = row([vector(), Operator::Plus.into(), vector(), Operator::Plus.into(), vector()]);
+        let chain = row([UP, Operator::Equals.into(), UP, Operator::Approximately.into(), sum]);
+        let vector = math(&vector());
+        let note = "a note that has a row of its own";
+        let expected = [
+            r"\mathbf{up} &= \mathbf{up}".to_owned(),
+            format!(r"&\approx {vector} + {vector}"),
+            format!(r"&\qquad + {vector}"),
+        ];
+        let rows = aligned([(&chain, "")].into_iter());
+        assert_eq!(rows.split(" \\\\\n").map(str::trim).collect::<Vec<_>>(), expected);
+        let rows = aligned([(&chain, note)].into_iter());
+        assert!(rows.ends_with(&format!(r"&\quad \text{{{note}}}")), "{rows}");
+        let digits = || number("-0.6754249051872036");
+        let wide =
+            row([UP, Operator::Equals.into(), tuple([digits(), digits(), digits(), digits()])]);
+        assert!(aligned([(&wide, "")].into_iter()).contains(r"\begin{bmatrix}"));
     }
 
     #[test]
     fn text_has_nothing_that_latex_takes_for_a_command() {
         assert_eq!(
-            text("50 % of {a_b} \\ “x” − 𝐮 𝑡"),
-            r"50 \% of \{a\_b\} \textbackslash{} ``x'' $-$ $\mathbf{u}$ $t$"
+            text("50 % of {a_b} \\ “x” − 𝐮 𝐔 𝑡 𝐷 ℎ"),
+            r"50 \% of \{a\_b\} \textbackslash{} ``x'' $-$ $\mathbf{u}$ $\mathbf{U}$ $t$ $D$ $h$"
         );
     }
 }

@@ -113,7 +113,7 @@ const STROKE: f32 = 0.066;
 /// Size of superscripts and subscripts, relative to the surrounding text.
 const SMALL: f32 = 0.72;
 /// Size of numerators and denominators, relative to the surrounding text.
-const FRACTION: f32 = 0.88;
+pub(super) const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
@@ -406,7 +406,7 @@ fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
 }
 
 /// Splits a row into pieces. A new piece starts at each part for which `begins` returns true.
-fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
+pub(super) fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
     let mut cuts = vec![0];
     cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
     cuts.push(parts.len());
@@ -442,7 +442,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: Measure<'_>) -> L
 }
 
 /// Returns the formula with its vectors written as columns.
-fn upright(formula: &Formula) -> Formula {
+pub(super) fn upright(formula: &Formula) -> Formula {
     match formula {
         Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Arrangement::Column),
         Formula::Norm(inner) => Formula::Norm(Box::new(upright(inner))),
