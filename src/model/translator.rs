@@ -194,14 +194,14 @@ pub struct ConventionRow {
     pub ours: String,
     /// The other format's form of it.
     pub theirs: String,
-    /// True if the other format has the opposite sign.
+    /// True if the two forms are opposite, such as axes with opposite directions.
     pub flipped: bool,
     /// True if the other format's convention differs from Pinhole's.
     pub differs: bool,
 }
 
-/// Returns how a program counts pixels, as a rule, and the coordinates of this pixel's centre by that rule,
-/// in an image of this size.
+/// Returns two texts: the rule by which a program assigns coordinates to the centres of pixels, and the
+/// coordinates of this pixel's centre by that rule, in an image of this size.
 fn counted(
     pixels: PixelConvention,
     Pixel { row, column }: Pixel,
@@ -234,8 +234,9 @@ fn counted(
     [rule, format!("({}, {})", written_whole(a), written_whole(b))]
 }
 
-/// Returns the table that compares a format's conventions with Pinhole's, with the numbers of this camera.
-/// `pixel` is the example in the row about pixels; `digits` is the number of significant digits.
+/// Returns the table that compares a format's conventions with Pinhole's, one in each row. It also shows the
+/// values that they give for the subject's camera, such as its axes and its field of view, rounded to
+/// `digits` significant digits, and for `pixel`, an example in the rows about pixels.
 fn rows(
     conventions: &Conventions,
     subject: &ExportScene,
@@ -280,7 +281,8 @@ fn rows(
     table
 }
 
-/// Returns the rows about the camera's axes, with their vectors.
+/// Returns the rows about the camera's axes x, y and z. They give each axis as a vector of the world, in
+/// Pinhole's convention and in the format's.
 fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<ConventionRow> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {

@@ -80,7 +80,7 @@ pub(super) struct FrameTimes {
     /// Time from the first input event that the frame handles until the frame was presented; `None` for
     /// a frame without input, such as one of an animation.
     pub(super) since_input: Option<Duration>,
-    /// Time from the start of the app's pass until the frame was presented. The other durations are
+    /// Time from the start of the app's pass until the frame was presented. The three durations below are
     /// parts of this one.
     pub(super) frame: Duration,
     /// Time for the app's pass, including egui's own work before and after it.
@@ -137,7 +137,8 @@ mod tests {
     use crate::model::session::Settings;
     use crate::model::store::Remembered;
 
-    /// Returns the window's context and the app in the state after the window has opened.
+    /// Runs the app's first pass for a window with this geometry and zoom, as before the window's first
+    /// frame. Returns the egui context and the app after that pass.
     fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
         let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
         let settings = Settings { zoom, ..Settings::default() };

@@ -1,5 +1,5 @@
-//! The certainty with which a ray's first hit is decided: the step of the ladder that was needed, and
-//! the margin in bits.
+//! How certainly a ray's first hit is decided: the step of the ladder that was needed, and the margin
+//! in bits.
 //!
 //! Every decision is the sign of a number that is known within an error bound. A pixel's answer rests on
 //! one statement for each object: the first object *is hit*, and each other object is *not hit before
@@ -30,11 +30,11 @@ use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
 
-/// The certainty with which a ray's first hit is decided; for a miss, the certainty that there is
-/// no hit.
+/// How certainly a ray's first hit or, if it hits nothing, its miss is decided: the step of [the
+/// ladder](crate#the-ladder) that was needed, and the margin by which this step decided.
 ///
-/// A decision is the sign of a value that a step of [the ladder](crate#the-ladder) computed with an
-/// error bound. Its margin is
+/// A decision is the sign of a value that a step of the ladder computed with an error bound. Its
+/// margin is
 ///
 /// ```text
 /// margin = log2(|value| / bound)      so that     |exact value| >= (2^margin - 1) * bound
@@ -65,30 +65,33 @@ pub struct Certificate {
 pub struct Hardest {
     /// The question that was decided.
     pub question: Question,
-    /// The object that the question is about.
+    /// The index of the object that the question is about.
     pub object: u32,
     /// The error bound of the value that decides, divided by the denominator that [`Question`] gives; at
     /// [`Step::Exact`], the bound of double-double, which did not suffice.
     pub bound: f64,
 }
 
-/// A question about a ray and an object. Each case gives the value whose sign is the answer, divided by
-/// a denominator that makes it dimensionless. d is the ray's direction, q the vector from the eye to a
-/// sphere's centre, r the sphere's radius, and D the discriminant; n is a plane's normal, and p the
-/// vector from the eye to the plane's point.
+/// A question about a ray and an object. The sign of a value is the answer. Each case gives this
+/// value, divided by a denominator that makes it dimensionless.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Question {
-    /// Whether the eye is inside a sphere: `(|q|^2 - r^2) / (|q|^2 + r^2)`; or on which side of a
-    /// plane: `n.p / (|n| |p|)`.
+    /// On which side of the object the eye is: outside or inside a sphere, by the sign of
+    /// `(|q|^2 - r^2) / (|q|^2 + r^2)`, where q is the vector from the eye to the sphere's centre and
+    /// r its radius; or on which side of a plane, by the sign of `n.p / (|n| |p|)`, where n is the
+    /// plane's normal and p the vector from the eye to the plane's point.
     Side,
-    /// Whether the line meets a sphere: `D / (|d|^2 |q|^2)`, the squared sine of the sphere's angular
-    /// radius minus the squared sine of the angle between the ray and the sphere's centre.
+    /// Whether the ray's line meets a sphere, by the sign of `D / (|d|^2 |q|^2)`, where d is the ray's
+    /// direction, q the vector from the eye to the sphere's centre, r its radius, and
+    /// `D = (q.d)^2 - |d|^2 (|q|^2 - r^2)` the discriminant. This quotient is the squared sine of the
+    /// sphere's angular radius minus the squared sine of the angle between d and q.
     Meets,
-    /// Whether a sphere's centre is ahead: `q.d / (|q| |d|)`; or whether the ray goes along a plane's
-    /// normal or against it: `n.d / (|n| |d|)`.
+    /// Whether a sphere's centre is ahead of the eye, by the sign of `q.d / (|q| |d|)`, where d is the
+    /// ray's direction and q the vector from the eye to the centre; or whether the ray goes along a
+    /// plane's normal n or against it, by the sign of `n.d / (|n| |d|)`.
     Ahead,
-    /// Whether the object is hit after the first one: the difference of the two `t`, divided by their
-    /// sum.
+    /// Whether the object, hit at t, comes after the first hit, at t_first, by the sign of
+    /// `(t - t_first) / (|t| + |t_first|)`.
     Order,
 }
 
@@ -129,8 +132,8 @@ impl Certificate {
         Certificate { step: Step::Exact, margin: 0.0, hardest }
     }
 
-    /// Compares the certainty of two certificates. A lower step is more certain; at equal steps, a
-    /// larger margin is.
+    /// Compares two certificates: the less certain one is `Greater`. A higher step is less certain; at
+    /// equal steps, a smaller margin is.
     fn compare(&self, other: &Certificate) -> Ordering {
         self.step.cmp(&other.step).then(other.margin.total_cmp(&self.margin))
     }
@@ -162,8 +165,8 @@ fn surest<const N: usize>(ways: [Option<Certificate>; N]) -> Option<Certificate>
 const PASSED: [(f64, f64); 2] = [(1.0 / 512.0, 40.0), (1.0 / 32.0, Certificate::MOST)];
 
 impl Scene {
-    /// Returns the certainty with which [`Scene::first_hit_of`] decides. The certificate does not depend
-    /// on the order in which objects are examined.
+    /// Returns the certificate of the ray's first hit, or of its miss, as [`Scene::first_hit_of`]
+    /// decides it. The certificate does not depend on the order in which objects are examined.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -182,8 +185,9 @@ impl Scene {
         certificate(&ObjectsFromOrigin::for_one_ray(self, ray), ray)
     }
 
-    /// Returns [`Scene::certificate_of`] for a camera's pixels in these rows and columns, row by row.
-    /// The rows are computed in parallel; `done` is called with the number of rows just finished.
+    /// Returns the [certificates](Scene::certificate_of) of a camera's view rays for the pixels in
+    /// these rows and columns, row by row. The rows are computed in parallel; `done` is called with
+    /// the number of rows just finished.
     pub fn certificates(
         &self,
         camera: &ResolvedCamera,
@@ -206,7 +210,9 @@ impl Scene {
     }
 }
 
-/// Returns the certainty with which the ray's first hit is decided.
+/// Returns the certificate of the ray's first hit, or of its miss: the highest step of the ladder that
+/// any decision needed, and the least margin at that step. Spheres that are far from the ray's line
+/// are left out where [`PASSED`] shows that they do not matter.
 fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     let scene = objects.scene;
     let first = objects.first_hit(ray, &mut Steps::default());
@@ -225,7 +231,8 @@ fn certificate(objects: &ObjectsFromOrigin, ray: &ExactRay) -> Certificate {
     found
 }
 
-/// Returns the certainty that `first` is the first hit among the given spheres and all planes.
+/// Returns the certificate of the statement that `first` is the first hit among the given spheres and
+/// all planes or, if it is `None`, that the ray hits none of them.
 pub(crate) fn certificate_among(
     objects: &ObjectsFromOrigin,
     ray: &ExactRay,

@@ -31,8 +31,8 @@ use crate::scene::sphere_predicates::RootSide;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 ///
-/// The first frame of a scene with many spheres builds a spatial index over them, which the scene keeps.
-/// Clones share the spheres and the index, so cloning copies only the planes.
+/// The first frame of a scene with many spheres builds a spatial index over them, which the scene
+/// keeps. Clones share the spheres and the spatial index, so cloning copies only the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     spheres: Arc<Spheres>,
@@ -60,17 +60,19 @@ impl Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
     }
 
-    /// Replaces the object of this index by another one of the same kind.
+    /// Replaces the object with this index by another one of the same kind. Objects are counted from
+    /// 0, the spheres first, then the planes.
     ///
-    /// This takes about a microsecond, however many spheres there are: an existing index is kept and
-    /// updated. But if clones of this scene exist when a sphere is replaced, all spheres and their index
-    /// are copied first (80 bytes per sphere), so that the clones do not change.
+    /// This takes about a microsecond, however many spheres there are: if the spatial index over the
+    /// spheres has been built, it is updated, not built again. But if clones of this scene exist when
+    /// a sphere is replaced, all spheres and the spatial index are copied first (80 bytes per sphere),
+    /// so that the clones do not change.
     ///
     /// # Errors
     /// Returns an error if the new object is invalid; the scene is then unchanged.
     ///
     /// # Panics
-    /// Panics if the scene has no object of this kind at the index.
+    /// Panics if no object of this kind has this index.
     ///
     /// ```
     /// use pinhole_core::*;
@@ -91,21 +93,21 @@ impl Scene {
         Ok(())
     }
 
-    /// Returns the spheres, objects 0, 1, ...
+    /// Returns the spheres. Their indices are 0, 1, ...
     pub fn spheres(&self) -> &[Sphere] {
         &self.spheres.list
     }
 
-    /// Returns the index over the spheres, or `None` if there are fewer than
-    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call makes the index in
-    /// parallel. It must not be made from within parallel work: while a thread waits, it may take other
-    /// work, and could then call this function again.
+    /// Returns the spatial index over the spheres, or `None` if there are fewer than
+    /// [`INDEX_FROM`](crate::scene::sphere_index::INDEX_FROM). The first call builds the spatial index
+    /// in parallel. It must not be made from within parallel work: while a thread waits, it may take
+    /// other work, and could then call this function again.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         self.spheres.index()
     }
 
     /// Returns the indices of the spheres that strictly contain a point, in ascending order. The
-    /// decisions are exact. If there is an index, only spheres near the point are examined.
+    /// decisions are exact. With a spatial index, only spheres near the point are examined.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
         let position = point.to_array();
         // Rounding keeps order: if a rounded difference is above `half`, so is the exact one.
@@ -116,9 +118,10 @@ impl Scene {
         around
     }
 
-    /// Returns the spheres near the ray's line, in ascending order of their indices, possibly with a few
-    /// others. A sphere is near if its distance from the line is less than `share` times a sum of sizes:
-    /// the absolute coordinates of the ray's origin and of the vector to the sphere, and the radius.
+    /// Returns the indices of the spheres near the ray's line, in ascending order, possibly with a few
+    /// others. A sphere is near if its distance from the line is less than `share` times a sum of
+    /// sizes: the absolute coordinates of the ray's origin and of the vector to the sphere, and the
+    /// radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
         let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {
@@ -128,9 +131,9 @@ impl Scene {
         })
     }
 
-    /// Makes the index over the spheres, if there are many; otherwise the first query makes it. Call
-    /// this function before parallel work whose parts query the index: a thread that waits for the index
-    /// could otherwise start another part, and query the index again.
+    /// Builds the spatial index over the spheres, if there are many; otherwise the first query builds
+    /// it. Call this function before parallel work whose parts query the spatial index: a thread that
+    /// waits for it could otherwise start another part, and query it again.
     pub fn make_index(&self) {
         let _ = self.index();
     }
@@ -150,7 +153,8 @@ impl Scene {
         self.len() == 0
     }
 
-    /// Returns the object of this index, or `None` if there is none.
+    /// Returns the object with this index, or `None` if the scene has no such object. Objects are
+    /// counted from 0, the spheres first, then the planes.
     pub fn object(&self, index: u32) -> Option<Object> {
         let index = index as usize;
         match self.spheres().get(index) {
@@ -227,9 +231,9 @@ impl Scene {
         Some((index, object.rounded_t(ray, root, steps_of_t)))
     }
 
-    /// Returns, in ascending order, the indices of the spheres whose bounding boxes satisfy `may`, which
-    /// is called with the centre and the half extents of a box. If `may` is true for a box, it must be
-    /// true for every box that contains that box.
+    /// Returns, in ascending order, the indices of the spheres whose bounding boxes satisfy `may`,
+    /// which is called with the centre and the half extents of a box. If `may` is true for a box, it
+    /// must be true for every box that contains that box.
     fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
         if let Some(index) = self.index() {
             return index.spheres_where(may);

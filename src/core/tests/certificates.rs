@@ -1,4 +1,4 @@
-//! Tests of certificates, which say for each pixel how hard its hit was to decide, against the exact
+//! Tests of certificates, which tell for each pixel how hard its hit was to decide, against the exact
 //! reference.
 
 use std::collections::BTreeSet;
@@ -8,8 +8,8 @@ use pinhole_reference::{Family, FrameCase, View};
 
 use crate::common::{given, margins};
 
-/// Returns the exact value whose sign a pixel's hardest decision depends on, in the unit of
-/// [`Question`]; `None` if the decision is not needed for the exact numbers.
+/// Returns the exact value whose sign answers the hardest question about a pixel, divided by the
+/// denominator that [`Question`] gives; `None` if the reference finds no such value.
 fn exact_value(case: &FrameCase, view: &View, pixel: Pixel, hardest: &Hardest) -> Option<f64> {
     let (object, Pixel { row, column }) = (hardest.object as usize, pixel);
     let (asked, eye) = (&case.objects[object], case.camera.eye);
@@ -27,9 +27,11 @@ fn exact_value(case: &FrameCase, view: &View, pixel: Pixel, hardest: &Hardest) -
     }
 }
 
-/// Asserts that the certificate's margin is right: `|2^margin - |exact| / bound| <= 1`, because the
-/// computed value differs from the exact one by at most the error bound. If integers decided, asserts
-/// instead that double-double could not have.
+/// Asserts that a certificate's margin is right. `exact` is the exact value whose sign was decided.
+/// The computed value is `2^margin` times the error bound, and may differ from the exact one by at
+/// most the error bound, so `|2^margin - |exact| / bound|` must be at most 1. If exact integers
+/// decided, asserts instead that the margin is 0, and that `exact` is too close to 0 for double-double
+/// to decide.
 #[track_caller]
 fn assert_margin(certificate: &Certificate, exact: f64, about: &str) {
     let Certificate { step, margin, hardest, .. } = *certificate;
@@ -49,7 +51,8 @@ fn assert_margin(certificate: &Certificate, exact: f64, about: &str) {
     }
 }
 
-/// Asserts that the exact value has the sign that was decided.
+/// Asserts that the exact value has the sign that was decided. `first` is the object that the
+/// reference finds to be hit first.
 #[track_caller]
 fn assert_sign(certificate: &Certificate, first: Option<u32>, exact: f64, about: &str) {
     let Hardest { question, object, .. } = certificate.hardest.unwrap();
@@ -78,8 +81,9 @@ fn is_less_sure(one: &Certificate, other: &Certificate) -> bool {
     (one.step, -one.margin) > (other.step, -other.margin)
 }
 
-/// Returns the step and the margin of the least certain certificate of all scenes that consist only of
-/// the first hit's object and one other object.
+/// Computes a ray's certificate in small scenes: one with only the object that the ray hits first and,
+/// for each other object, one with both. Returns the step and the margin of the least certain of these
+/// certificates.
 fn by_pairs(scene: &Scene, ray: &ExactRay) -> (Step, f64) {
     let first = scene.first_hit_of(ray).map(|hit| hit.object);
     let others = (0..scene.len() as u32).filter(|index| Some(*index) != first);

@@ -32,8 +32,8 @@ pub(super) const FORMAT: Format = Format {
     extra,
 };
 
-/// Returns the template's values for the objects: their nodes, and the glTF tables (meshes, materials,
-/// buffers) to which the nodes refer.
+/// Returns the template's values for the objects: their nodes, and the top-level arrays of the glTF
+/// file (meshes, materials, accessors, buffer views and buffers) to which the nodes refer.
 fn extra(subject: &ExportScene, notes: &mut Vec<String>) -> Result<ExtraValues, String> {
     let mut nodes = Vec::new();
     let mut tables = String::new();
@@ -104,9 +104,10 @@ fn nodes_of(subject: &ExportScene, notes: &mut Vec<String>) -> (Vec<String>, Vec
     (nodes, colors)
 }
 
-/// Returns the glTF tables for objects in these colours: for each colour a material and two meshes, and
-/// the buffer with the vertices of both shapes. The numbers of vertices, and their positions in the
-/// buffer, are constants in the template.
+/// Returns the glTF file's top-level arrays for objects in these colours. Each colour has a material
+/// and two meshes, a sphere and a square. All meshes share one buffer, with the vertices and triangles
+/// of one sphere and one square. The numbers of vertices and of triangles' indices, and their
+/// positions in the buffer, are constants in the template.
 fn tables_of(colors: &[Rgb]) -> Result<String, String> {
     let material = |color: &Rgb| {
         format!(

@@ -1,4 +1,4 @@
-//! Chooses the given numbers of the questions: the lecture's own, and random ones whose answers are as
+//! Chooses the values given in the questions: the lecture's own, and random ones whose answers are as
 //! simple.
 
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -8,8 +8,9 @@ use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 use super::question::{Exercise, Given};
 use crate::mistakes::SplitMix64;
 
-/// Returns the numbers of the lecture's own question. Only in the question on view and up, these
-/// vectors are twice as long, which changes no right answer, but reveals who forgets to normalize.
+/// Returns the values given in a question, as in the lecture. Only the view and up vectors of
+/// [`Exercise::ViewUp`] are twice as long as in the lecture, which changes no right answer, but
+/// reveals who forgets to normalize.
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
@@ -38,7 +39,7 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
     }
 }
 
-/// Returns random given numbers for a question. The same seed gives the same numbers.
+/// Returns random values for a question. The same seed gives the same values.
 pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
     // In different exercises, the same seed gives unrelated numbers.
     let mut dice = Dice(SplitMix64(seed ^ ((exercise as u64) << 56)));

@@ -44,7 +44,7 @@ pub struct Written<T> {
 /// A vector as the student wrote it.
 pub type WrittenVector = Written<DVec3>;
 
-/// The answer for a pixel's view ray.
+/// A student's answer to the question what a pixel's view ray is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayAnswer {
     /// The pixel.
@@ -55,7 +55,7 @@ pub struct RayAnswer {
     pub direction: WrittenVector,
 }
 
-/// The answer to the question what a pixel's view ray hits first.
+/// A student's answer to the question what a pixel's view ray hits first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HitAnswer {
     /// The pixel.
@@ -76,7 +76,8 @@ pub struct GivenHit {
 }
 
 impl<T> Written<T> {
-    /// Creates a number or vector that was written with all its digits, so that it is not rounded.
+    /// Creates a number or vector that was written with all its digits, and so has a rounding error of
+    /// 0.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
     }
@@ -154,8 +155,8 @@ pub(super) struct Precision {
 }
 
 impl Precision {
-    /// Returns the precision of these answers; `None` if they are written with all their digits, or
-    /// contain no numbers.
+    /// Returns the precision of these answers; `None` if they are written with all their digits (more
+    /// than 12), or contain no numbers.
     pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
         /// A number with more significant digits than this counts as written with all its digits.
         const MANY: i32 = 12;

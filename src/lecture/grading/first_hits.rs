@@ -25,7 +25,7 @@ pub(super) struct PossibleHit {
     is_sure: bool,
 }
 
-/// All acceptable first hits of a ray.
+/// All hits that are acceptable as the first hit of a ray (see the module's documentation).
 #[derive(Clone, Debug, Default)]
 pub(super) struct FirstHits {
     pub(super) hits: Vec<PossibleHit>,
@@ -46,7 +46,7 @@ pub(super) fn work(scene: &Scene, pipeline: &Pipeline) -> usize {
     if meets_far_off(pipeline) { scene.spheres().len() } else { 1 }
 }
 
-/// A ray of a pipeline's camera, with its tolerance.
+/// A ray of a pipeline's camera, with the tolerance for answers.
 struct Sight<'a> {
     camera: &'a PipelineCamera,
     tolerance: f64,
@@ -55,7 +55,8 @@ struct Sight<'a> {
 }
 
 impl FirstHits {
-    /// Finds the acceptable first hits of the ray in this direction.
+    /// Finds all hits that a program with this camera and its pipeline may report as the first hit of
+    /// the ray in this direction, given the tolerance and rounding errors.
     pub(super) fn find(
         scene: &Scene,
         camera: &PipelineCamera,
@@ -69,7 +70,8 @@ impl FirstHits {
     }
 }
 
-/// Finds the acceptable hits of the ray in this direction with each object, as if it were the only one.
+/// Finds, for each object as if it were the only one, the hits that a program with this camera and its
+/// pipeline may report for the ray in this direction.
 pub(super) fn hits_of_each(
     scene: &Scene,
     camera: &PipelineCamera,
@@ -214,7 +216,8 @@ impl<'a> Sight<'a> {
 
 impl PossibleHit {
     /// Returns the hit if a part of its range of t is in front of the eye (`t > 0`); otherwise `None`.
-    /// If a part is not, the object need not be hit.
+    /// If another part is not in front of the eye, `is_sure` becomes false, because the program may
+    /// miss the object.
     fn in_front(self) -> Option<PossibleHit> {
         let is_sure = self.is_sure && self.least > 0.0;
         (self.most > 0.0).then_some(PossibleHit { is_sure, ..self })
@@ -230,7 +233,7 @@ struct Terms {
     away_squared: f64,
     /// The distance from the centre to the ray's line.
     distance: f64,
-    /// The t at which both roots would coincide.
+    /// The t of both roots if they coincided.
     vertex: f64,
 }
 

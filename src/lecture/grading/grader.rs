@@ -131,8 +131,9 @@ impl<'a> Grader<'a> {
         grade
     }
 
-    /// Returns the answers, each with its rounding error according to the digits with which it is
-    /// written, and the number of digits; `None` if they have as many digits as they should.
+    /// Returns, for answers that are written with fewer digits than they should be, the answers with
+    /// the rounding errors that this implies, and the least number of significant digits of any
+    /// answer; otherwise `None`.
     fn few_digits(&self) -> Option<(Answers, u32)> {
         let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
@@ -172,9 +173,9 @@ impl<'a> Grader<'a> {
         truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
-    /// Grades a picture, whose shading is not known, with the shading that fits best. This is the one
-    /// with which most pixels agree or, if no single mistake explains the picture so, the one with
-    /// which the fewest mistakes explain it.
+    /// Grades a picture, whose shading is not known, by comparing it with the right picture in the
+    /// shading that fits best. This is the one with which most pixels agree or, if no single mistake
+    /// explains the picture so, the one with which the fewest mistakes explain it.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
         let (pictures, right) = right_pictures(self.truth, &self.given);
         let context = self.context(right, self.digits);
@@ -211,8 +212,9 @@ impl<'a> Grader<'a> {
         best
     }
 
-    /// Returns, for each answer, its error and whether it is right: within the tolerance, or such that
-    /// a program without mistakes may have given it.
+    /// Returns, for each answer, its error and whether it is right. An answer is right if its error is
+    /// within the tolerance, or if a program without mistakes could give it, such as a miss of a
+    /// sphere that the ray grazes.
     fn judged(&self, answers: &dyn Fits, right: &PipelineCamera) -> Vec<Judged> {
         let judged = |index| {
             let error = answers.error(index);

@@ -1,5 +1,5 @@
 //! Tests of lines in two dimensions: the lecture's examples, decisions that rounding must not change,
-//! and values that are compared with arithmetic of 5000 bits.
+//! and comparisons of the computed values with those of 5000-bit floating-point arithmetic.
 
 use std::cmp::Ordering;
 
@@ -37,14 +37,14 @@ fn big(x: f64) -> Big {
     Big::try_from(x).unwrap().with_precision(5000).value()
 }
 
-/// Returns random numbers with any significand and an exponent between -60 and 60.
+/// Generates random numbers with any significand and an exponent between -60 and 60.
 fn number() -> impl Strategy<Value = f64> {
     (any::<u64>(), -60..60_i32).prop_map(|(bits, exponent)| {
         f64::from_bits(bits & !(0x7ff << 52) | (1023 << 52)) * 2_f64.powi(exponent)
     })
 }
 
-/// Returns few different values, so that coincidences are frequent.
+/// Generates numbers with few different values, so that coincidences are frequent.
 fn small() -> impl Strategy<Value = f64> {
     (-3..=3).prop_map(f64::from)
 }

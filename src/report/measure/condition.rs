@@ -1,8 +1,9 @@
-//! The condition number of `t`, which says how sensitive the true `t` is to changes of the ray and the
-//! object, and the backward error of a computed `t`, which is the smallest change of them for which it
-//! would be exact (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
-//! sections 1.5 and 1.6). Their product bounds the relative error of `t`. They thus separate the
-//! sensitivity of the problem from the error of the method.
+//! The condition number of `t`, which tells how sensitive the true `t` is to changes of the ray and
+//! the object, and the backward error of a computed `t`, which is the smallest relative change of the
+//! ray and the object for which it would be exact (Higham, *Accuracy and Stability of Numerical
+//! Algorithms*, 2nd ed., SIAM 2002, sections 1.5 and 1.6). The product of the two numbers bounds the
+//! relative error of `t`. They thus separate the sensitivity of the problem from the error of the
+//! method.
 //!
 //! Let o and d be the ray's origin and direction, and c and r the sphere's centre and radius. If they
 //! change by do, dd, dc and dr, the root of `|o + t d - c| = r` moves, to first order, by
@@ -31,9 +32,9 @@ use pinhole_reference::{Hit, Real};
 /// times the backward error is an upper bound of the error in ulps.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
-/// The true hit of a ray with an object, in the numbers from which condition number and backward error
-/// are computed. All lengths are divided by the distance from the origin to the hit, so that they stay
-/// in the range of `f64`.
+/// The true hit of a ray with an object, given by the numbers from which condition number and backward
+/// error are computed. All lengths are divided by the distance from the origin to the hit, so that
+/// they stay in the range of `f64`.
 pub(super) struct Problem {
     /// The true `t`.
     t: f64,
@@ -71,8 +72,8 @@ impl Problem {
         }
     }
 
-    /// Returns the signed relative error `(t' - t) / t` of a computed `t'`, the argument; `None` if it
-    /// is outside the range of `f64`.
+    /// Returns the signed relative error `(t' - t) / t` of a computed `t'`, which is the argument,
+    /// where t is the true one; `None` if the error is outside the range of `f64`.
     fn moved(&self, truth: &Hit, t: f64) -> Option<f64> {
         if !t.is_finite() {
             return None;
@@ -97,14 +98,16 @@ impl Problem {
         are_two && (moved - to_other).abs() < 0.5 * moved.abs()
     }
 
-    /// Returns the condition number of `t`; `None` if the ray is tangent, so that it is infinite, or if
-    /// a length is outside the range of `f64`.
+    /// Returns the condition number of `t`: the largest relative change of `t` per relative change of
+    /// the ray and the object, k in the module's documentation. Returns `None` if it is infinite,
+    /// because the ray is tangent to the sphere, or if a length is outside the range of `f64`.
     pub(super) fn condition(&self) -> Option<f64> {
         let condition = (self.fixed + 1.0) / self.cosine.abs();
         condition.is_finite().then_some(condition)
     }
 
-    /// Returns the backward error of a computed `t`, in units of 2^-53; `None` if it is outside the
+    /// Returns the backward error of a computed `t`, in units of 2^-53: the smallest relative change
+    /// of the ray and the object for which this `t` is exact. Returns `None` if it is outside the
     /// range of `f64`.
     pub(super) fn backward_error(&self, truth: &Hit, t: f64) -> Option<f64> {
         let moved = self.moved(truth, t)?;
@@ -170,7 +173,7 @@ mod tests {
         assert!((condition / expected - 1.0).abs() < 1e-4, "{condition} {expected}");
     }
 
-    /// Lengths whose products underflow to zero.
+    /// Tests lengths whose products underflow to zero.
     #[test]
     fn no_size_makes_the_backward_error_vanish() {
         let tiny = 1e-315;

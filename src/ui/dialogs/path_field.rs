@@ -134,8 +134,9 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the field. Returns the path of a file once the user has chosen it. In the window's own list, the
-    /// user must confirm before an existing file is overwritten.
+    /// Shows the field. Returns the path of a file once the user has chosen it; sets `cancel` to true if the
+    /// user cancels instead. In the window's own list, the user must confirm before an existing file is
+    /// overwritten.
     pub(crate) fn ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = match self.is_desktops {
             true => self.desktop_ui(ui, cancel),
@@ -232,8 +233,9 @@ impl PathField {
         chosen
     }
 
-    /// Returns the chosen path. A file to write gets its extension; its path is returned only if there
-    /// is no such file yet, or the user has confirmed that it may be overwritten.
+    /// Returns a chosen path once it may be used. A file to read may be used at once. A file to write gets
+    /// its extension, if it has none, and may be used if it does not exist yet or if the user has confirmed
+    /// that it is to be overwritten; until then, shows a warning and returns `None`.
     fn check_overwriting(&mut self, ui: &mut Ui, chosen: Option<PathBuf>) -> Option<PathBuf> {
         let Some(ending) = self.question.writes else { return chosen };
         let chosen = chosen.and_then(|mut path| {

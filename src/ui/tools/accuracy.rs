@@ -42,7 +42,7 @@ pub(crate) const LEGEND: f32 = 44.0;
 /// Maximum width of the table, in points; the plot gets the rest of the width.
 const TABLE: f32 = 560.0;
 
-/// Shows the choice of a method; `name` is for screen readers.
+/// Shows a drop-down list of the methods; `name` is the list's name for screen readers.
 fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
     combo(ui, name, 150.0, chosen.name(), |ui| {
         for method in Method::of_frames() {
@@ -52,12 +52,13 @@ fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
     });
 }
 
-/// Returns the description of a method.
+/// Returns a method's description and, on the next line, its source.
 fn hint(method: Method) -> String {
     format!("{}\n{}", method.about(), method.source())
 }
 
-/// Shows, above the error map, its name and the choice of the method whose errors it shows.
+/// Shows a line above the error map: the title, and a drop-down list of the methods. The map shows the errors
+/// of the method that the user chooses there.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
         ui.label(MAP);

@@ -27,13 +27,14 @@ pub struct NumberFormat {
 }
 
 impl NumberFormat {
-    /// Returns the number as a decimal. The decimal is marked as rounded unless it is exact.
+    /// Returns a number as a formula, in decimals. It is marked as rounded unless the decimals are exact.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         if self.rounding.is_exact(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Returns the formula of a number that the user gives. It counts as exact if all its digits are shown.
+    /// Returns the formula of a number that the user has given. It counts as exact if all its digits are
+    /// shown.
     pub(super) fn given(self, name: Given, x: f64) -> Formula {
         let digits = self.rounding.text(x);
         let shown = match self.form(x) {
@@ -68,25 +69,27 @@ impl NumberFormat {
         if self.exact { recognised().filter(|_| !are_whole()) } else { None }
     }
 
-    /// Returns the number in its exact form if it has one, or else as a decimal.
+    /// Returns a number as a formula: in exact form, such as `1/sqrt(2)`, if the settings ask for it and a
+    /// short one is recognised; otherwise as a decimal.
     pub(super) fn scalar(self, x: f64) -> Formula {
         self.form(x).map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the vector in its exact form if it has one, or else with its coordinates as decimals.
+    /// Returns a vector as a formula: in exact form, such as `(1, 0, 1)/sqrt(2)`, if the settings ask for it
+    /// and a short one is recognised; otherwise with its coordinates as decimals.
     pub(super) fn vector(self, v: DVec3) -> Formula {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// Returns the number as a denominator: in its exact form if that is not itself a fraction, or else as
-    /// a decimal.
+    /// Returns a number as the formula of a denominator: in exact form, as [`NumberFormat::scalar`] does, if
+    /// that is not itself a fraction; otherwise as a decimal.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below && form.denominator == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// Returns the formula of a vector whose exact form was recognised. Coordinates that are exact as
-    /// decimals are written as decimals.
+    /// Returns the formula of a vector whose exact form was recognised. Coordinates that decimals give
+    /// exactly are written as decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));

@@ -40,8 +40,9 @@ pub(super) struct WorldViews {
 }
 
 impl WorldViews {
-    /// Returns the observer's picture and the world view drawn over it, with the camera's picture on
-    /// the viewport. Returns `None` if the view is not shown.
+    /// Returns two pictures: the observer's picture of the scene, and the world view, which is a copy of it
+    /// with the camera drawn in it. There, the camera's viewport shows the camera's own picture. Returns
+    /// `None` if the world view is not shown or cannot be drawn.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -107,7 +108,8 @@ pub(super) struct CameraViews {
 }
 
 impl CameraViews {
-    /// Returns the camera view of a picture; `None` if the view is not shown.
+    /// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the
+    /// view is not shown.
     pub(super) fn get(
         &mut self,
         derived: &Derived,
@@ -131,7 +133,7 @@ impl CameraViews {
     }
 }
 
-/// Returns the camera view of a picture, without a highlighted concept and without the loupe.
+/// Returns the inputs of the camera view of a picture, without a highlighted concept and without the loupe.
 pub(super) fn camera_view(
     Inputs { session, sizes, .. }: Inputs<'_>,
     good: &GoodPicture,
@@ -154,7 +156,7 @@ pub(super) fn camera_view(
 /// The observer's picture of the scene.
 #[derive(Debug)]
 pub(super) struct WorldPicture {
-    /// The frame with `t` and objects, which the overlay reads.
+    /// The traced frame, in which the overlay looks up the object and its `t` at each pixel.
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
     /// The borders between the objects; none if the picture is subsampled.

@@ -86,8 +86,8 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
     pub(crate) last_row: T,
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
-    /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
-    /// pixels are decided individually, by the ladder.
+    /// Value of `w^2`, the square of half a row's width, below which a row is *thin*: so close to the
+    /// outline's top or bottom that its pixels are decided individually, by the ladder.
     pub(crate) thin: T,
     /// True if the sphere is so wide that the rounding error of the root S must be corrected, too, as
     /// [`wide`](crate::render::rows::span::SpanLanes::wide) does.
@@ -98,7 +98,7 @@ pub(crate) struct Outline<T = f64, Mask = bool> {
 #[derive(Clone, Default)]
 pub(crate) struct Outlines {
     pub(crate) lanes: Outline<Lane8, u64>,
-    /// Upper bounds of `w^2`.
+    /// Upper bounds of `w^2`, the square of half a row's width.
     pub(crate) size: Lane8,
     /// Lanes in which all fields above are valid.
     pub(crate) is_plain: u64,
@@ -320,7 +320,7 @@ struct Kinds<S: Simd> {
     corrects_root: <S::f64s as SimdBase<S>>::Mask,
     /// Lanes in which the kernel that corrects the rounding error of the root is accurate enough.
     can_correct_root: <S::f64s as SimdBase<S>>::Mask,
-    /// The square root of the `w^2` below which a row is thin.
+    /// The square root of [`Outline::thin`].
     thin: S::f64s,
     /// The square of the least b.
     least: S::f64s,
@@ -403,8 +403,9 @@ pub(crate) struct Extents<'a> {
     raster: &'a Raster,
     /// Relative error of centres and rays, see [`Extents::new`].
     doubt: f64,
-    /// Number of columns per unit of `u / distance`.
+    /// Number of columns per unit of the slope `u / distance`.
     columns_per_slope: f64,
+    /// Number of rows per unit of the slope `v / distance`.
     rows_per_slope: f64,
 }
 
@@ -468,21 +469,23 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// Returns whether the formula for the tangents neither overflows nor underflows.
+/// Returns whether the formula for the tangents to a sphere with the centre `q`, in camera
+/// coordinates, neither overflows nor underflows.
 fn is_in_plain_range(q: DVec3, radius: f64) -> bool {
     q.abs().max_element() < 1e100 && radius > 1e-100
 }
 
 /// Returns the slopes of the two tangents from the eye to a circle of `radius` around `(x, depth)`,
-/// where `depth > radius`.
+/// where `depth > radius`. The slope of a line through the eye is its sideways offset per unit of
+/// depth, `u / distance` or `v / distance`.
 fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
     let denominator = (depth - radius) * (depth + radius);
     let swing = radius * (x * x + denominator).sqrt();
     ((x * depth - swing) / denominator, (x * depth + swing) / denominator)
 }
 
-/// Returns the rows or columns whose centres can lie between two slopes; `count` of them span the
-/// viewport.
+/// Returns the range of columns, or of rows, whose centres can lie between the view rays with the
+/// slopes `from` and `to`, as [`tangents`] returns them. `count` columns or rows span the viewport.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
     /// Allowance, in rows or columns, for the rounding errors of their centres (below 1e-10 if there are
     /// 65536).

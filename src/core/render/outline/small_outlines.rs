@@ -13,8 +13,8 @@ use crate::scene::sphere_index::SphereSlots;
 
 /// One `f32` for each sphere of a SIMD vector of spheres.
 pub(crate) type Singles = [f32; MOST_SINGLE_LANES];
-/// One `f64` for each sphere of a SIMD vector of spheres, in two halves, because a vector holds half as
-/// many `f64` as `f32`.
+/// One `f64` for each sphere of a SIMD vector of spheres, in two halves, because a SIMD vector holds
+/// half as many `f64` as `f32`.
 pub(crate) type Halves = [[f64; MOST_LANES]; 2];
 
 /// The largest square of half a row's width at which `f32` can hold both column numbers, counted from
@@ -26,10 +26,11 @@ const MOST_SIZE: f32 = 4_194_304.0;
 /// result.
 const UP: f32 = 1.0 + 1e-5;
 
-/// Outlines of small spheres, in nearly the form of [`Outline`](crate::render::outline::Outline): on row
-/// `middle_row + row + j`, a sphere covers the columns within w of `middle + shear j`, and `w^2` is a
-/// polynomial in j with the coefficients `square`. In these columns, with
-/// `S^2 = w^2 - (c - middle - shear j)^2`, the first hit at column c is at
+/// Outlines of small spheres, in nearly the form of [`Outline`](crate::render::outline::Outline). Let
+/// c be a column number, and j a row number counted from the row of the sphere's centre,
+/// `middle_row + row`. On row j, a sphere covers the columns c within w of `middle + shear j`, where w
+/// is half the width of the row, and `w^2` is a polynomial in j with the coefficients `square`. In
+/// these columns, with `S^2 = w^2 - (c - middle - shear j)^2`, the first hit is at
 ///
 /// ```text
 /// t = Q / (1 + e)      e = slope (c - column) + row_slope j + inverse S
@@ -55,8 +56,8 @@ pub(crate) struct SmallOutlines {
     pub(crate) middle: Halves,
     pub(crate) shear: Halves,
     pub(crate) square: [Halves; 3],
-    /// Value of `w^2` below which a row is *thin*: so close to the outline's top or bottom that its
-    /// pixels are decided individually, by the ladder.
+    /// Value of `w^2`, the square of half a row's width, below which a row is *thin*: so close to the
+    /// outline's top or bottom that its pixels are decided individually, by the ladder.
     pub(crate) thin: Halves,
     /// A whole number, at most the first covered row.
     pub(crate) first_row: Singles,
@@ -154,7 +155,7 @@ impl<S: Simd> Doubles<S> {
 
 /// Bounds for a SIMD vector of spheres. w, S and e are those of [`SmallOutlines`].
 struct Bounds<S: Simd> {
-    /// Upper bound of `w^2` in any row.
+    /// Upper bound of `w^2`, the square of half a row's width, in any row.
     size: S::f32s,
     /// Error bound of `w^2`.
     square_doubt: S::f32s,
@@ -209,7 +210,7 @@ impl<S: Simd> Bounds<S> {
         Bounds { size, square_doubt, middle, half, reach, of_root, of_position, error }
     }
 
-    /// Finds the `w^2` below which a row is thin, as
+    /// Finds the value [`SmallOutlines::thin`], as
     /// [`Outlines::find`](crate::render::outline::Outlines::find) does, with the upper bound
     /// `1.005 h / Z^2` of `h / c`. `g` is `h / Z^2`.
     #[inline(always)]

@@ -37,13 +37,14 @@ fn select<S: Simd>(mask: MaskOf<S>, yes: Lanes<S>, no: Lanes<S>) -> Lanes<S> {
     Lanes(mask.select(yes.0, no.0))
 }
 
-/// A sphere's polynomials.
+/// A sphere's quadratic equation, as polynomials in a pixel's position in a patch.
 pub(crate) struct SphereKernel {
     conic: Conic,
-    /// `c` times `factor`.
+    /// The coefficient `c = |q|^2 - r^2` of [`SphereTerms`], times `factor`.
     c: f64,
     /// Factor from the polynomials' units to those of `t`.
     factor: f64,
+    /// `Greater` if the eye is outside the sphere, `Equal` if on it, `Less` if inside.
     side: Ordering,
     thresholds: Thresholds,
 }
@@ -64,8 +65,9 @@ impl SphereKernel {
         Some(SphereKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
-    /// Finds a range of m that contains all hits of row k; `None` if the row has none. m and k are
-    /// counted from the middle of the patch, as in [`Conic`].
+    /// Finds a range of the column coordinate m that contains all hits of the row with the coordinate
+    /// k; `None` if the row has none. m and k are counted in half columns and half rows from the
+    /// middle of the patch, as in [`Conic`].
     pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if self.side != Ordering::Greater {
             return Some(EVERYWHERE);
@@ -107,9 +109,10 @@ impl SphereKernel {
         (low <= high).then_some([low, high])
     }
 
-    /// Computes the first hit's `t`, or [`MISS`] or [`DOUBT`], for the pixels of row k at the positions
-    /// `m`, both counted from the middle of the patch, as in [`Conic`]. `m` and `t` must have the same
-    /// length, a multiple of a SIMD vector's.
+    /// Computes the first hit's `t`, or [`MISS`] or [`DOUBT`], for the pixels at the column
+    /// coordinates `m` of the row with the coordinate `k`. Both are counted in half columns and half
+    /// rows from the middle of the patch, as in [`Conic`]. `m` and `t` must have the same length, a
+    /// multiple of a SIMD vector's.
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, t: &mut [f64]) {
         let row = self.conic.row(k);
@@ -159,33 +162,37 @@ impl SphereKernel {
 /// All columns.
 pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Moves a bound of m in the direction `side` (1 or -1) by 4, which is two columns, plus a fraction of m
-/// that covers its rounding error.
+/// Moves a bound of the column coordinate m in the direction `side` (1 or -1) by 4, which is two
+/// columns, plus a fraction of m that covers its rounding error.
 fn generous(m: f64, side: f64) -> f64 {
     m + side * (4.0 + 1e-6 * m.abs())
 }
 
-/// A plane's rate, `normal . direction`, as a linear polynomial in a pixel's position (m, k), counted
-/// from the middle of the patch as in [`Conic`].
+/// A plane, whose hit in a pixel is at `t = offset / rate`. The rate, `normal . direction`, is a
+/// linear polynomial in the pixel's position (m, k), counted in half columns and half rows from the
+/// middle of the patch, as in [`Conic`].
 pub(crate) struct PlaneKernel {
-    /// The offset, in the units of `t`.
+    /// The offset `normal . (point - eye)`, in such units that the quotient is `t`.
     offset: f64,
+    /// The rate's coefficients of 1, m and k.
     rate: [f64; 3],
-    /// If the rate times `sign` is above this value, the pixel is a hit whose `t` is accurate enough.
+    /// Threshold of a hit: where `sign` times the rate is above this value, the pixel is a hit whose
+    /// `t` is accurate enough.
     hit: f64,
-    /// If the rate times `-sign` is above this value, the pixel is a miss.
+    /// Threshold of a miss, not negative: where `sign` times the rate is below the negative of this
+    /// value, the pixel is a miss.
     miss: f64,
-    /// 1 or -1: the offset's sign.
+    /// 1, or -1 if the offset is negative. A pixel is a hit if its rate has this sign.
     sign: f64,
 }
 
 impl PlaneKernel {
-    /// Computes the polynomial.
+    /// Computes the rate's coefficients and the thresholds.
     ///
-    /// Let n be the normal, S a bound of the length of the directions in the patch, and P their relative
-    /// error. The rate is off by `|n| S (DOT + P)`, and by the rounding of two products and two sums
-    /// when the polynomial is evaluated. The relative error of `t` is that error divided by the rate,
-    /// plus the offset's, plus that of its own operations.
+    /// Let n be the normal, S a bound of the length of the directions in the patch, P their relative
+    /// error, and DOT that of a dot product. The rate is off by `|n| S (DOT + P)`, and by the rounding
+    /// of two products and two sums when the polynomial is evaluated. The relative error of `t` is
+    /// that error divided by the rate, plus the offset's, plus that of its own operations.
     pub(crate) fn new(
         seen: &PlaneFromOrigin,
         factor: f64,

@@ -21,8 +21,8 @@ pub(crate) struct Span {
     pub(crate) outline: Outline,
     /// The numerator of `t` (see [`Outline`]), in two parts.
     numerator: [f32; 2],
-    /// Change of b (see [`Outline`]) from one column to the next, in two parts. If the root S is
-    /// corrected, the first part has 12 bits.
+    /// Change of b (see [`Outline`]) from one column to the next, in two parts. If
+    /// [`Outline::corrects_root`] is true, the first part has 12 bits.
     b_column: [f32; 2],
 }
 
@@ -172,8 +172,8 @@ impl Span {
         }
     }
 
-    /// Draws the part of a row between two columns of the raster. Returns whether a pixel is too close
-    /// to the known hit to call.
+    /// Draws the part of a row between two columns of the raster. Returns whether there is a pixel in
+    /// which the sphere's hit and the known hit are too close to call.
     #[inline(always)]
     fn draw_row<S: Simd>(
         &self,
@@ -444,10 +444,10 @@ pub(crate) struct SpanRow<T = f32> {
     pub(crate) right: T,
     /// b at the pivot, in two parts.
     pub(crate) b: [T; 2],
-    /// The column at which b is given: the middle or, if the root is corrected, the end at which b is
-    /// larger.
+    /// The column at which b is given: the middle of the row or, if [`Outline::corrects_root`] is
+    /// true, the end at which b is larger.
     pub(crate) pivot: T,
-    /// The product `left right`, used only if the root is corrected.
+    /// The product `left right`, used only if [`Outline::corrects_root`] is true.
     pub(crate) offset: T,
     /// Lower bound of `t` of all hits.
     pub(crate) nearest: T,
@@ -489,25 +489,35 @@ impl<S: Simd> SpanLanes<S> {
         }
     }
 
-    /// Computes `t` in some columns: by [`SpanLanes::wide`] if the root is to be corrected, otherwise by
-    /// [`SpanLanes::narrow`].
+    /// Computes `t` in some columns: by [`SpanLanes::wide`] if the rounding error of the root S is to
+    /// be corrected, otherwise by [`SpanLanes::narrow`].
     #[inline(always)]
     pub(crate) fn t(&self, columns: S::f32s, corrects_root: bool) -> S::f32s {
         if corrects_root { self.wide(columns).0 } else { self.narrow(columns).0 }
     }
 
-    /// Computes `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, within an ulp, for a
-    /// sphere whose S is small compared with b (see [`Outline`]).
+    /// Computes `t = numerator / (b + S)` (see [`Outline`]) in each column c, within an ulp, for a
+    /// sphere whose root S is small compared with b. With the ends of the row, `start = first - left`
+    /// and `end = last + right`, and the value b_pivot of b at the column `pivot`,
+    /// `S^2 = (c - start) (end - c)` and `b = b_pivot + b_column (c - pivot)`.
     ///
-    /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or right,
-    /// and their product by u more, so S is off by `5/2 u` and its own rounding. The part of b that
-    /// varies is off by 3 u of itself, and its sum with S by u: in all `(4.5 S + 4 |b - b_pivot|) u`.
-    /// `Kinds::new` in `render/outline` chooses this kernel only where that is at most 0.42 u of the
-    /// denominator. The error of `S^2` itself moves S by at most `2^-28` of b, as `Outlines::find`
-    /// derives, which adds u / 16: together less than 0.49 u, which leaves room for terms of second
-    /// order below half an ulp of t. With the last rounding, t is within an ulp; `tests/ladder.rs`
-    /// checks it against the reference. The quotient is corrected by the rounding error of the sum with
-    /// `b_pivot` and by its own residual.
+    /// The errors, with `u = 2^-24`, are:
+    ///
+    /// - Each factor of `S^2` is off by 2 u of itself: by the rounding of `left` or `right`, and by
+    ///   that of the sum `(c - first) + left` or `(last - c) + right`. Their product is rounded by u
+    ///   more. So S is off by `5/2 u` of itself, and by u for its own rounding.
+    /// - The varying part of b, `b - b_pivot`, is off by 3 u of itself.
+    /// - The sum of S and `b - b_pivot` is rounded by u. Together with the errors above, this makes
+    ///   at most `(4.5 S + 4 |b - b_pivot|) u`. `Kinds::new` in `render/outline` chooses this kernel
+    ///   only where that is at most 0.42 u of the denominator `b + S`.
+    /// - The error of the outline's `w^2` moves S by at most `2^-28` of b, as `Outlines::find`
+    ///   derives, which adds u / 16.
+    ///
+    /// All this is less than 0.49 u of the denominator, which leaves room for terms of second order
+    /// below half an ulp of t. The last rounding adds another half, so t is within an ulp;
+    /// `tests/ladder.rs` checks it against the reference. The last sum of the denominator, that of
+    /// `row.b[0]`, the first part of b_pivot, and all other terms, adds no error: the quotient is
+    /// corrected by the rounding error of this sum and by its own residual.
     #[inline(always)]
     fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
@@ -525,23 +535,31 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// Computes `t` like [`SpanLanes::narrow`], for a sphere whose S is not small compared with b. Let m
-    /// and n be the numbers of columns from the first and to the last pixel. Then
+    /// Computes `t` like [`SpanLanes::narrow`], for a sphere whose root S is not small compared with
+    /// b. For a pixel in column c, let `m = c - first` and `n = last - c`. Then
     ///
     /// ```text
     /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
     /// ```
     ///
-    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The root is
-    /// corrected by `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both
-    /// quotients, since `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they
-    /// multiply is small.
+    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The computed
+    /// root of `S^2` is corrected by `(S^2 - root^2) / (2 root)`. With the computed `sum = b + root`,
+    /// one reciprocal `i = 1 / (root sum)` serves both quotients, since `1 / sum = i root` and
+    /// `1 / root = i sum` are right to 3 u, with `u = 2^-24`, and what they multiply is small.
     ///
-    /// Two errors remain. One is the rounding of the second term of `S^2`, by 4 u of itself, which is at
-    /// most `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`. The other is the third power
-    /// of the ratio of `rest` to the sum. `rest` is at most `2^-12` of the variation of b, which is less
-    /// than four times the sum. From the pivot, the end at which b is larger, b only decreases, so the
-    /// rest of that sum is exact (Dekker, Numerische Mathematik 18, 1971).
+    /// Two errors remain:
+    ///
+    /// - The second term of `S^2`, in parentheses, is rounded by 4 u of itself. It is at most
+    ///   `2 w + 1`, with w half the width of the row, so S is off by less than `2 sqrt(2 w + 1) u`.
+    /// - The quotient is corrected by the first and second powers of `rest / sum`, but not by the
+    ///   third, where `rest` is the error of the computed sum. It is at most `2^-12` of the variation
+    ///   of b, which is less than four times the sum.
+    ///   second powers of `rest / sum`, but not by the third. `rest` is at most `2^-12` of the
+    ///   variation of b, which is less than four times the sum.
+    ///
+    /// The rounding error of the sum of `row.b[0]` and the change of b from the pivot is found
+    /// exactly: the pivot is the end at which b is larger, so b only decreases from there (Dekker,
+    /// Numerische Mathematik 18, 1971).
     #[inline(always)]
     fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);

@@ -60,15 +60,16 @@ pub struct Paint<C, F> {
 
 /// The sRGB curve in both directions, as tables.
 pub(crate) struct Srgb {
-    /// Table from bytes to linear light, in [parts](PARTS).
+    /// Table from bytes to linear light, from 0 to [`PARTS`].
     linear: [f32; 256],
-    /// Table from linear light, in parts, to the byte whose light is nearest. At 0, where the curve is
-    /// steepest, a byte spans 20 parts.
+    /// Table from linear light, from 0 to [`PARTS`], to the byte whose light is nearest. At 0, where
+    /// the curve is steepest, 20 entries share a byte.
     bytes: Vec<u8>,
 }
 
-/// The number of parts into which full light is divided; linear light is measured in these parts. It is
-/// a power of two, so that light in parts has the same digits as light from 0 to 1.
+/// The value that stands for the brightest linear light, that of the byte 255. Linear light is
+/// measured from 0 to `PARTS`, instead of 0 to 1, so that it can index a table. `PARTS` is a power of
+/// two, so that this scaling rounds nothing.
 pub(crate) const PARTS: usize = 1 << 16;
 
 static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
@@ -90,13 +91,14 @@ impl Srgb {
         Srgb { linear: linear.map(|light| light * PARTS as f32), bytes }
     }
 
-    /// Returns the byte's light, in parts.
+    /// Returns the byte's linear light, from 0 to [`PARTS`].
     #[inline(always)]
     pub(crate) fn linear_of(&self, byte: u8) -> f32 {
         self.linear[usize::from(byte)]
     }
 
-    /// Returns the byte nearest to this much light, in parts. More than full light counts as full light.
+    /// Returns the byte whose linear light is nearest to this value, from 0 to [`PARTS`]. A larger
+    /// value counts as `PARTS`.
     #[inline(always)]
     pub(crate) fn byte_of(&self, linear: u32) -> u8 {
         self.bytes[(linear as usize).min(PARTS)]

@@ -21,8 +21,8 @@ pub(crate) const AMBIENT: f64 = 0.15;
 /// The fraction of light that comes from the eye.
 pub(crate) const FROM_EYE: f64 = 0.85;
 
-/// Red, green and blue of a pixel: linear light, in parts of full light ([`PARTS`]), for
-/// [`Shade::Lambert`]; bytes for all other shadings.
+/// Red, green and blue of a pixel: linear light, from 0 to [`PARTS`], for [`Shade::Lambert`]; bytes
+/// for all other shadings.
 pub(crate) type Tones = [u32; 3];
 
 /// Converts hits to colours like [`shade`](fn@crate::shade), but for any rays, not only those of a

@@ -136,8 +136,8 @@ impl<'a> Checker<'a> {
         format!("row {row}, column {column}: {object} at t = {:?}", pixel.t)
     }
 
-    /// Finds, for each pixel, the interval of `t` of the object that it shows. Adds wrong pixels to
-    /// `faults`, and returns those for which `f64` is inconclusive.
+    /// Fills in `own`, for each pixel the interval of `t` of the object that it shows. Adds wrong
+    /// pixels to `faults`, and returns those for which `f64` is inconclusive.
     fn find_own(&mut self, faults: &mut Faults) -> Vec<Candidate> {
         let of_pixel = |pixel: usize| {
             let (t, object) = (self.frame.t[pixel], self.frame.object[pixel]);
@@ -186,8 +186,8 @@ impl<'a> Checker<'a> {
         in_doubt
     }
 
-    /// Finds the objects that pixels should perhaps show instead. Adds those pixels to `faults` for
-    /// which this is certain.
+    /// Finds the objects that pixels should perhaps show instead of the one that they show. Adds those
+    /// pixels to `faults` for which this is certain.
     fn find_others(&self, faults: &mut Faults) -> Vec<Candidate> {
         let found = (0..self.seen.len() as u32).into_par_iter().map(|index| {
             let (mut candidates, mut nearer) = (Vec::new(), Vec::new());
@@ -206,8 +206,8 @@ impl<'a> Checker<'a> {
         candidates
     }
 
-    /// Finds the pixels in which an object may be (`candidates`), or certainly is (`nearer`), in front
-    /// of the object that they show.
+    /// Finds the pixels in which the object with this index may be (added to `candidates`), or
+    /// certainly is (added to `nearer`), in front of the object that the pixel shows.
     fn look_for(&self, index: u32, candidates: &mut Vec<Candidate>, nearer: &mut Vec<Candidate>) {
         let seen = &self.seen[index as usize];
         let spheres = self.scene.spheres();
@@ -326,11 +326,14 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// What `f64` with error bounds says about the object that a pixel shows.
+/// The result of checking, in `f64` with error bounds, the object that a pixel shows.
 enum Own {
-    /// The ray hits it, the shown `t` is right, and the true `t` lies between these numbers.
+    /// The ray hits the object, the shown `t` is right, and the true `t` lies between these numbers.
+    /// Both are infinite if the pixel shows no object.
     Sure([f64; 2]),
+    /// The error bounds are too large to decide.
     InDoubt,
+    /// The ray misses the object, or the shown `t` is wrong.
     Wrong,
 }
 
