@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::fault::Fault;
+use pinhole::model::session::ViewLayout;
 
-use super::harness::{assert_says, choose_object, texts_with, type_into, window};
+use super::harness::{assert_says, choose_object, show, texts_with, type_into, window};
 
 #[test]
 fn the_last_good_picture_stays_and_the_reason_is_written() {
@@ -16,12 +17,30 @@ fn the_last_good_picture_stays_and_the_reason_is_written() {
     assert!(matches!(app.derived().fault, Some(Fault::Camera(_))));
     assert!(Arc::ptr_eq(&before, &app.derived().camera_view.clone().unwrap().image));
     let reason = "eye and at are the same point (0, 0, 0): move one of them";
-    // Across the picture, beside the field, and where the numbers were.
-    let places = window.query_all_by_value(reason).filter(|node| node.value().is_some()).count();
-    assert!(places >= 3, "{places}: {:?}", texts_with(&window, reason));
+    assert_eq!(texts_with(&window, reason), [reason], "across the picture");
     type_into(&mut window, "at z", "-1");
     assert!(window.state().derived().fault.is_none());
     assert_says(&window, "w = (0, 0, 1)");
+}
+
+#[test]
+fn the_reason_is_said_once_on_every_page() {
+    let mut window = window("canonical");
+    window.get_by_label("Experiments").click();
+    window.run();
+    type_into(&mut window, "up y", "0");
+    type_into(&mut window, "up z", "1");
+    let reason = "up (0, 0, 1) is parallel to the view direction (0, 0, −5): turn one of them";
+    for layout in [ViewLayout::Both, ViewLayout::World, ViewLayout::Camera, ViewLayout::Plot] {
+        show(&mut window, layout);
+        assert_eq!(texts_with(&window, reason), [reason], "{layout:?}");
+    }
+    // The derivation marks the line at which it fails.
+    show(&mut window, ViewLayout::Derivation);
+    let failing = format!("𝐮 = normalize(up × 𝐰); {reason}");
+    let mut said = texts_with(&window, reason);
+    said.sort();
+    assert_eq!(said, [reason.to_owned(), failing]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The camera as numbers (eye, orientation, viewport and image), and the fields of the selected ray.
 
-use egui::{Context, Grid, Label, RichText, Ui};
+use egui::{Context, Grid, RichText, Ui};
 use pinhole_core::{
     BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
     Viewport,
@@ -10,7 +10,8 @@ use pinhole_lecture::numbers::written;
 use super::{section, teaching};
 use crate::model::session::Settings;
 use crate::model::symbols::{SymbolKind, meaning, typeset_message};
-use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, vector_color, vector_row};
+use crate::ui::widgets::{NumberField, ResponseExt as _, vector_color, vector_row};
+use crate::view::typesetting::theme::error_color;
 
 /// Shows the fields that edit the camera. The setting `keep_pixel_shape` locks the aspect ratio of the
 /// pixels: the viewport's width / height, divided by the image's W / H. The setting `keep_picture` locks the
@@ -32,10 +33,6 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     let mut unfolded = settings.unfolded.viewport || camera.viewport.check().is_err();
     section(ui, "Viewport and image", &mut unfolded, |ui| {
         Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
-        if let Err(fault) = camera.viewport.check() {
-            // The message is below the grid, where its text wraps; in a cell it would widen the panel.
-            ui.label(fault_text(ui, fault));
-        }
         let hint = "Editing width, height, W or H changes another of them to match";
         ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
         pixel_shape(ui, camera);
@@ -73,7 +70,9 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
 fn orientation(ui: &mut Ui, camera: &mut Camera) {
     let fault = camera.basis().err();
     let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
-        let color = vector_color(ui, name);
+        // The picture says what is wrong; here only the name of the field is marked.
+        let is_wrong = fault.is_some_and(|fault| is_at_fault(&fault, field));
+        let color = if is_wrong { Some(error_color(ui)) } else { vector_color(ui, name) };
         let color = color.unwrap_or(ui.visuals().text_color());
         let label = ui.label(RichText::new(name).strong().color(color));
         if let Some(words) = meaning(SymbolKind::Vector, name) {
@@ -81,11 +80,6 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         }
         ui.horizontal(|ui| vector_row(ui, name, value));
         ui.end_row();
-        if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-            ui.label("");
-            ui.add(Label::new(fault_text(ui, fault)).wrap());
-            ui.end_row();
-        }
     };
     row(ui, "eye", "eye", &mut camera.eye);
     match &mut camera.orientation {
@@ -105,7 +99,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
     }
 }
 
-/// Returns true if the error message belongs under this field.
+/// Returns true if the error is about this field.
 fn is_at_fault(fault: &BasisError, field: &str) -> bool {
     let at_fault = match fault {
         BasisError::NotFinite { field, .. } => field,
@@ -123,16 +117,21 @@ fn is_at_fault(fault: &BasisError, field: &str) -> bool {
 fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     let before = *camera;
     let (mut columns, mut rows) = (camera.image.width(), camera.image.height());
-    ui.label("width");
+    let wrong = camera.viewport.check().err().map(|fault| fault.field);
+    let named = |ui: &mut Ui, name: &'static str| {
+        let color = if wrong == Some(name) { error_color(ui) } else { ui.visuals().text_color() };
+        ui.label(RichText::new(name).color(color));
+    };
+    named(ui, "width");
     NumberField::new("width", &mut camera.viewport.width).show(ui);
     pixels(ui, "W", &mut columns);
-    ui.label("height");
+    named(ui, "height");
     NumberField::new("height", &mut camera.viewport.height).show(ui);
     pixels(ui, "H", &mut rows);
     if let Ok(image) = ImageSize::new(columns, rows) {
         camera.image = image;
     }
-    ui.label("distance");
+    named(ui, "distance");
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
     ui.end_row();
     keep(ui.ctx(), &before, camera, settings);

@@ -13,7 +13,6 @@ use pinhole_core::{BasisError, Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
 use crate::model::session::Settings;
-use crate::model::symbols::typeset_message;
 use crate::ui::widgets::{NumberField, ResponseExt as _};
 use crate::view::typesetting::theme::error_color;
 
@@ -165,20 +164,16 @@ const SENSITIVE: f64 = 2.0;
 /// Conditioning above which the camera is called very sensitive.
 const VERY_SENSITIVE: f64 = 20.0;
 
-/// Shows the dial of this camera.
+/// Shows the dial of this camera. If up is parallel to the view direction, the needle points to the scale's
+/// end; no other invalid camera has a dial.
 fn dial(ui: &mut Ui, camera: &Camera) {
     match camera.up_angle() {
         Ok(UpAngle { conditioning, .. }) => {
             face(ui, conditioning);
             words(ui, conditioning);
         }
-        Err(fault) => {
-            if matches!(fault, BasisError::UpParallelToView { .. }) {
-                face(ui, f64::INFINITY);
-            }
-            let text = format!("No camera: {}", typeset_message(fault));
-            ui.label(RichText::new(text).size(15.0).color(error_color(ui)));
-        }
+        Err(BasisError::UpParallelToView { .. }) => face(ui, f64::INFINITY),
+        Err(_) => {}
     }
 }
 

@@ -14,7 +14,7 @@ use pinhole_lecture::numbers::{equated, equated_tuple, written as number};
 
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
-use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, fault_text, inside, keep_arrows};
+use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
@@ -35,9 +35,6 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let Session { ray_point_t, settings: Settings { plot_compressed, digits, .. }, .. } = session;
     let digits = *digits;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    if let Some(fault) = derived.fault {
-        ui.label(fault_text(ui, fault).strong());
-    }
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();

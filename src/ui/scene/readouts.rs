@@ -12,7 +12,7 @@ use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols::{SymbolKind, meaning};
-use crate::ui::widgets::{ResponseExt as _, fault_text, vector_color};
+use crate::ui::widgets::{ResponseExt as _, vector_color};
 use crate::view::derive::Derived;
 use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme;
@@ -22,9 +22,6 @@ const HITS: f32 = 280.0;
 
 /// Shows the blocks Basis, Ray and Hits side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
-    if let Some(fault) = derived.fault {
-        ui.label(fault_text(ui, fault).strong());
-    }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             // This is as wide as the widest numbers, so that nothing moves sideways while they change.
@@ -292,17 +289,12 @@ fn is_narrow(width: f32) -> bool {
 }
 
 /// Shows the strip of numbers: the basis, the selected ray and its first hit, with the digits of the
-/// settings, or as many as fit. If there are no numbers, shows the reason. While presenting, the basis and
-/// the ray have a row each, and the reason is shown over the picture instead.
+/// settings, or as many as fit. While presenting, the basis and the ray have a row each.
 pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let presented = theme::installed(ui.ctx()).presenting;
-    if let Some(fault) = derived.fault {
-        if !presented {
-            ui.label(fault_text(ui, fault).strong());
-        }
+    let Some(resolved) = derived.resolved.as_ref().filter(|_| derived.fault.is_none()) else {
         return;
-    }
-    let Some(resolved) = &derived.resolved else { return };
+    };
     let mut basis = of_basis(resolved, None);
     let ray = derived.inspection.iter().flat_map(|inspection| {
         let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());

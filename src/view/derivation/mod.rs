@@ -193,8 +193,11 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
         let title = section.label().to_owned();
         derivation.sections.push(DerivedSection { section, object: None, title, lines });
     };
+    let mut fails = false;
     if sections.shows(DerivationSection::Basis) {
-        add(DerivationSection::Basis, camera::basis_lines(camera, numbers));
+        let lines = camera::basis_lines(camera, numbers);
+        fails = lines.iter().any(|line| line.is_fault);
+        add(DerivationSection::Basis, lines);
     }
     let selected = inputs.resolved.zip(inputs.inspection).and_then(|(resolved, inspection)| {
         let (exact, derived) = exact_ray(resolved, selection)?;
@@ -208,7 +211,10 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
             None => {
                 let selection = selection.inside(camera.image);
                 let mut lines = camera::ray_givens(camera, selection, None, numbers);
-                lines.extend(fault.as_ref().map(fault_line));
+                // The line of the basis that fails gives the reason.
+                let without_reason = |line| DerivedLine { note: String::new(), ..line };
+                let no_ray = fault.as_ref().map(fault_line);
+                lines.extend(if fails { no_ray.map(without_reason) } else { no_ray });
                 lines
             }
         };

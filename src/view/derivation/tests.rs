@@ -291,7 +291,7 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
         Pixel to ray
           distance = 1
           (u, v) = (0.2, −0.1)
-          no ray; up (0, 0, 2) is parallel to the view direction (0, 0, −1): turn one of them
+          no ray
 
         sphere 0 “ball”
           centre = (0, 0, −5)
