@@ -215,7 +215,14 @@ impl OpenScene {
                 let shows_differences = known.is_some_and(|known| known.shows_differences);
                 *ghost = Some(Ghost { camera: *camera, shows_differences });
             }
-            (GhostAction::Drop, _) => *ghost = None,
+            (GhostAction::Drop, _) => {
+                *ghost = None;
+                // Without a ghost, half of the comparison would be empty.
+                let layout = &mut self.session.settings.layout;
+                if *layout == ViewLayout::Compare {
+                    *layout = ViewLayout::Both;
+                }
+            }
             (GhostAction::Swap, Some(known)) => {
                 let next = std::mem::replace(&mut known.camera, *camera);
                 self.replace_camera(next);

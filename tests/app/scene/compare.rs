@@ -152,6 +152,14 @@ fn without_a_ghost_the_layout_says_how_to_get_one() {
 }
 
 #[test]
+fn a_removed_ghost_leaves_no_empty_half() {
+    let mut harness = comparing("canonical");
+    press(&mut harness, Modifiers::SHIFT, Key::G);
+    assert_eq!(harness.state().session().settings.layout, ViewLayout::Both);
+    assert!(harness.query_by_role_and_label(Role::Image, "Ghost").is_none());
+}
+
+#[test]
 fn another_scene_has_no_ghost() {
     let mut harness = comparing("canonical");
     open_scene(&mut harness, "look-at");
