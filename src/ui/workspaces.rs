@@ -1,7 +1,7 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, pos2};
+use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2};
 
 use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
@@ -18,7 +18,7 @@ use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
 use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
-use crate::ui::widgets::{ResponseExt as _, ViewTexture};
+use crate::ui::widgets::{ResponseExt as _, ViewTexture, button_width};
 use crate::view::derive::{Derived, SecondPicture};
 
 /// Returns the page of a layout.
@@ -156,18 +156,17 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
         });
         readouts::ui(ui, derived, document, style);
     } else {
-        readouts::strip(ui, derived, document, style);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            switched = ui.button("All numbers").clicked();
-            if !context.has_lesson {
-                ui.button("Present").asks(LookAction::Present);
-                let exercises = LookAction::Layout(ViewLayout::Exercises);
-                ui.button("Practise").asks(exercises);
-                let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
-                ui.button("Start the lecture").asks(Leave::GoTo(lecture));
-            }
+        let area = ui.available_rect_before_wrap();
+        // Numbers that are too wide must not move the buttons.
+        let mut above = ui.new_child(UiBuilder::new().max_rect(area));
+        readouts::strip(&mut above, derived, document, style);
+        let top = above.min_rect().bottom() + ui.spacing().item_spacing.y;
+        let builder = UiBuilder::new().max_rect(area.with_min_y(top));
+        let builder = builder.layout(Layout::right_to_left(Align::Center));
+        ui.scope_builder(builder, |ui| {
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+            switched = strip_buttons(ui, context.has_lesson);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
                 let shows_all = context.session.settings.items.shows(Item::ViewAndUp);
                 let dragged = if shows_all { "eye, at or up" } else { "eye" };
                 ui.weak(format!("Drag {dragged}. Click a pixel."));
@@ -178,6 +177,31 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     if switched {
         context.session.settings.unfolded.numbers = !all;
     }
+}
+
+/// Shows the buttons at the strip's right end, from the right; unless a lesson is open, with those that start
+/// something. In a narrow window, only the most important ones are shown. Returns true if all numbers are
+/// asked for.
+fn strip_buttons(ui: &mut Ui, has_lesson: bool) -> bool {
+    const LECTURE: &str = "Start the lecture";
+    const NUMBERS: &str = "All numbers";
+    let mut room = ui.available_width() - if has_lesson { 0.0 } else { button_width(ui, LECTURE) };
+    let [numbers, practise, present] = [NUMBERS, "Practise", "Present"].map(|text| {
+        room -= button_width(ui, text);
+        room >= 0.0
+    });
+    let switched = numbers && ui.button(NUMBERS).clicked();
+    if !has_lesson {
+        if present {
+            ui.button("Present").asks(LookAction::Present);
+        }
+        if practise {
+            ui.button("Practise").asks(LookAction::Layout(ViewLayout::Exercises));
+        }
+        let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
+        ui.button(LECTURE).asks(Leave::GoTo(lecture));
+    }
+    switched
 }
 
 const DERIVATION: Page = Page {

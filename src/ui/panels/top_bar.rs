@@ -1,7 +1,7 @@
 //! The bar at the top: the menus, the four workspaces, and the pages of the open workspace.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
+use egui::{MenuBar, PopupCloseBehavior, RichText, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
@@ -19,7 +19,7 @@ use crate::ui::action::{
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
-use crate::ui::widgets::{ResponseExt as _, text_width};
+use crate::ui::widgets::{ResponseExt as _, button_width};
 use crate::view::derivation::Markup;
 
 /// Shows the bar, and applies or requests what the user chooses. `steps` are the names of the steps that
@@ -82,7 +82,7 @@ fn pages(ui: &mut Ui, there: Available, settings: &mut Settings) {
         return;
     }
     ui.separator();
-    let width: f32 = pages.iter().map(|page| width_of(ui, page.label())).sum();
+    let width: f32 = pages.iter().map(|page| button_width(ui, page.label())).sum();
     let open = settings.layout.label();
     let mut choices = |ui: &mut Ui| {
         for page in &pages {
@@ -108,12 +108,6 @@ fn ghost(ui: &mut Ui, there: Available, settings: &mut Settings) {
             request(ui.ctx(), GhostAction::Freeze);
         }
     }
-}
-
-/// Returns the width of a button with this text, including the space after the button.
-fn width_of(ui: &Ui, text: &str) -> f32 {
-    let font = TextStyle::Button.resolve(ui.style());
-    text_width(ui, text, font) + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
 }
 
 fn lessons_menu(ui: &mut Ui) {

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use egui::accesskit::{Node, Role};
 use egui::{
     Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, Key, Layout, Painter, Rect,
-    Response, RichText, Sense, Stroke, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder,
-    Vec2, vec2,
+    Response, RichText, Sense, Stroke, TextStyle, TextureHandle, TextureId, TextureOptions, Ui,
+    UiBuilder, Vec2, vec2,
 };
 
 use crate::model::symbols::typeset_message;
@@ -115,6 +115,12 @@ pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl
 /// Returns the width of a line of text in this font, in points.
 pub(crate) fn text_width(ui: &Ui, text: &str, font: FontId) -> f32 {
     ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
+}
+
+/// Returns the width of a button with this text, including the space after the button.
+pub(crate) fn button_width(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    text_width(ui, text, font) + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
 }
 
 /// Returns a message in the colour of errors.
