@@ -163,7 +163,7 @@ impl Default for Settings {
             layout: ViewLayout::Both,
             shade: Shade::Lambert,
             items: OverlayItems::default(),
-            loupe_pixels: 9,
+            loupe_pixels: 5,
             digits: 5,
             exact_forms: true,
             count_from_one: false,

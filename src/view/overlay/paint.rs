@@ -2,7 +2,7 @@
 //! picture is stretched over a view without smoothing.
 
 use egui::Color32;
-use pinhole_core::{ImageSize, Raster};
+use pinhole_core::{DVec2, ImageSize, Raster};
 use rayon::prelude::*;
 use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDash, Transform};
 
@@ -114,6 +114,11 @@ impl Picture {
     }
 }
 
+/// Distance of the screen pixels that are compared in search of outlines.
+const SAMPLE: usize = 8;
+/// Change of a colour's component from which it is an outline.
+const OUTLINE: u8 = 32;
+
 /// A picture stretched over a buffer of screen pixels, nearest-neighbour. Of n screen pixels in a row,
 /// number k shows the pixel `floor((2k + 1) W / (2n))` of the image's W: the one that [`Raster::shown_on`]
 /// traces for it.
@@ -131,6 +136,28 @@ impl StretchedPicture<'_> {
     pub(crate) fn color(&self, row: usize, column: usize) -> Color32 {
         let width = self.picture.raster.columns().len();
         self.picture.pixels[self.rows[row] * width + self.columns[column]]
+    }
+
+    /// Returns how many outlines, that is, abrupt changes of colour, are met on lines across and down a
+    /// rectangle of screen pixels.
+    pub(crate) fn outlines_in(&self, from: DVec2, to: DVec2) -> usize {
+        let samples = |from: f64, to: f64, count: usize| -> Vec<usize> {
+            let [from, to] = [from, to].map(|at| at.clamp(0.0, count as f64) as usize);
+            (from..to).step_by(SAMPLE).collect()
+        };
+        let rows = samples(from.y, to.y, self.rows.len());
+        let columns = samples(from.x, to.x, self.columns.len());
+        let differs = |a: [usize; 2], b: [usize; 2]| {
+            let [a, b] = [a, b].map(|[row, column]| self.color(row, column).to_array());
+            a.iter().zip(b).any(|(a, b)| a.abs_diff(b) > OUTLINE)
+        };
+        let across = rows.iter().flat_map(|row| {
+            columns.windows(2).filter(move |pair| differs([*row, pair[0]], [*row, pair[1]]))
+        });
+        let down = columns.iter().flat_map(|column| {
+            rows.windows(2).filter(move |pair| differs([pair[0], *column], [pair[1], *column]))
+        });
+        across.count() + down.count()
     }
 
     /// Fills a band of rows of the buffer, of which `top` is the first.

@@ -12,10 +12,14 @@ use crate::view::overlay::{
 };
 
 /// Maximum side of the square of magnified pixels, in points.
-const CELLS: f64 = 216.0;
+const CELLS: f64 = 240.0;
 /// Maximum fractions of the view's width and height that the loupe takes. It takes less than half of the
 /// height, so that it does not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
+/// Distance of the loupe from the view's edges, in points.
+const MARGIN: f64 = 10.0;
+/// Half the length of the cross at the selected position, as a fraction of a magnified pixel's side.
+const ARM: f64 = 0.22;
 /// Height of the loupe's text, in points.
 const TEXT: f32 = 15.0;
 /// Size of the loupe's rim, in points: its width at the left, for the row labels, and its height at the top
@@ -73,7 +77,8 @@ impl Inset {
         Some((loupe, position, at, Inset::new(view, loupe.shown_pixels, &position, at)))
     }
 
-    /// Places the loupe in the corner of the view farthest from the selected position.
+    /// Places the loupe in the corner of the view where it hides the fewest outlines in the picture, and not
+    /// the selected position. Among equal corners, it takes the one farthest from that position.
     fn new(view: &CameraView, pixels: u32, position: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
         let pixels = f64::from(pixels);
@@ -83,11 +88,15 @@ impl Inset {
         let cell = cell.max(4.0 * scale);
         let cells = DVec2::splat(pixels * cell);
         let size = cells + DVec2::new(rim.x + 6.0 * scale, 2.0 * rim.y);
-        let margin = 10.0 * scale;
-        let corner = |at: f64, extent: f64, size: f64| {
-            if at > 0.5 * extent { margin } else { extent - size - margin }
-        };
-        let from = DVec2::new(corner(at.x, extent.x, size.x), corner(at.y, extent.y, size.y));
+        let margin = DVec2::splat(scale * MARGIN);
+        let corners = [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE];
+        let mut places = corners.map(|corner| margin + corner * (extent - size - 2.0 * margin));
+        let distance = |from: &DVec2| at.distance(at.clamp(*from, *from + size));
+        places.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+        let picture = view.picture.0.on(view.size);
+        let free = places.into_iter().filter(|from| distance(from) >= margin.x);
+        let from = free.min_by_key(|from| picture.outlines_in(*from, *from + size));
+        let from = from.unwrap_or(places[0]);
         let middle = |edge: Option<u32>, index: u32| edge.map_or(f64::from(index) + 0.5, f64::from);
         let pixel = position.pixel;
         Inset {
@@ -127,16 +136,19 @@ impl CameraSketch<'_> {
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);
         let touched = position.touching(view.resolved.image());
-        for pixel in &touched {
-            let corner =
-                |k: u32| inset.to_screen(f64::from(pixel.column + k), f64::from(pixel.row + k));
-            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).about(Concept::Pixel));
+        // One frame around all of them leaves the pixels themselves in sight.
+        if let (Some(first), Some(last)) = (touched.first(), touched.last()) {
+            let corner = |pixel: &Pixel, k: u32| {
+                inset.to_screen(f64::from(pixel.column + k), f64::from(pixel.row + k))
+            };
+            let pen = pen(colors.ray, 2.5).about(Concept::Pixel);
+            self.frame(corner(first, 0), corner(last, 1), pen);
         }
         let per_pixel = view.dots_per_pixel();
         let spot = inset.to_screen(at.x / per_pixel.x, at.y / per_pixel.y);
         for axis in [DVec2::X, DVec2::Y] {
-            let arm = 0.8 * inset.cell * axis;
-            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).about(Concept::Pixel));
+            let arm = ARM * inset.cell * axis;
+            self.line(&[spot - arm, spot + arm], pen(colors.ray, 2.5).about(Concept::Pixel));
         }
         self.loupe_labels(loupe, &touched, &inset);
     }
