@@ -3,16 +3,18 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::Concept;
 use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::observer::Observer;
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::practice::exercises::Exercises;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
-use pinhole_core::DVec3;
+use pinhole::view::overlay::Shape;
+use pinhole_core::{DVec2, DVec3};
 
 use super::{Window, answer, at_step, key, press, shown_step};
-use crate::harness::{assert_says, drag_from, show, texts_with, type_into};
+use crate::harness::{assert_says, command, drag_from, show, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.
 fn own_items(items: OverlayItems) -> OverlayItems {
@@ -157,4 +159,53 @@ fn a_step_is_the_same_however_it_is_reached() {
         assert_eq!(direct.state().session().selection, walked.state().session().selection);
         assert_eq!(direct.state().session().settings, walked.state().session().settings);
     }
+}
+
+/// Returns the pixels of the camera view that have about this colour.
+fn colored(window: &Window, [r, g, b]: [u8; 3]) -> usize {
+    let view = window.state().derived().camera_view.clone().unwrap();
+    let is_close = |pixel: &&egui::Color32| {
+        let apart = [(pixel.r(), r), (pixel.g(), g), (pixel.b(), b)];
+        apart.iter().all(|(a, b)| a.abs_diff(*b) < 24)
+    };
+    view.image.pixels.iter().filter(is_close).count()
+}
+
+#[test]
+fn the_loupe_of_2_2_hides_no_sphere() {
+    let mut window = at_step(2, 2);
+    for size in [egui::vec2(1280.0, 1000.0), egui::vec2(1920.0, 1080.0)] {
+        window.set_size(size);
+        window.run();
+        let spheres = [[0xe6, 0x9f, 0x00], [0x56, 0xb4, 0xe9]];
+        let seen = |window: &Window| spheres.map(|color| colored(window, color));
+        let with_loupe = seen(&window);
+        command(&mut window, "Overlay: loupe");
+        let without = seen(&window);
+        command(&mut window, "Overlay: loupe");
+        for (seen, all) in with_loupe.into_iter().zip(without) {
+            assert!(seen as f64 > 0.7 * all as f64, "{seen} of {all} pixels at {size}");
+        }
+    }
+}
+
+#[test]
+fn the_ray_of_1_2_does_not_end_at_a_wall_that_is_not_drawn() {
+    let window = at_step(1, 2);
+    let app = window.state();
+    assert!(!app.session().settings.items.shows(Item::Planes));
+    let (shown, frame) = (app.derived().world_view.clone().unwrap(), &app.derived().world_frame);
+    let hit = app.derived().inspection.as_ref().unwrap().first_hit().unwrap().point;
+    let seen = frame.as_ref().unwrap().camera();
+    let share = seen.project(hit).uv / DVec2::new(seen.viewport().width, seen.viewport().height);
+    let [width, height] = shown.image.size.map(|n| n as f64);
+    let hit = DVec2::new((0.5 + share.x) * width, (0.5 - share.y) * height);
+    let ends = shown.marks.iter().filter(|mark| mark.concept == Some(Concept::Ray));
+    let ends = ends.filter_map(|mark| match &mark.shape {
+        Shape::Line { points, .. } => Some([points[0], points[points.len() - 1]]),
+        _ => None,
+    });
+    let apart = |[x, y]: [f32; 2]| hit.distance(DVec2::new(x.into(), y.into()));
+    let nearest = ends.flatten().map(apart).fold(f64::INFINITY, f64::min);
+    assert!(nearest > 20.0, "the ray ends {nearest} pixels from the wall");
 }

@@ -3,7 +3,7 @@
 //! observer's target, with a grid, and each sphere around the camera, cut away.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Sphere};
+use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Root, Sphere};
 use pinhole_lecture::numbers::equated;
 
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
@@ -178,6 +178,15 @@ impl Sketch<'_> {
         }
     }
 
+    /// Returns the first hit, unless neither it nor the plane that is hit is drawn: a ray that ended there
+    /// would end in empty air.
+    fn drawn_hit<'a>(&self, inspection: &'a Inspection) -> Option<&'a Root> {
+        let is_drawn =
+            [Item::Planes, Item::Hit].into_iter().any(|item| self.view.items.shows(item));
+        let spheres = self.scene.spheres().len();
+        inspection.first_hit().filter(|hit| is_drawn || (hit.object as usize) < spheres)
+    }
+
     /// Draws the selected pixel on the viewport, its ray, the hit, and the normal at the hit.
     fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
         let view = self.view;
@@ -188,7 +197,7 @@ impl Sketch<'_> {
             self.pixel(resolved, pixel);
         }
         let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
-        let hit = inspection.first_hit();
+        let hit = self.drawn_hit(inspection);
         let end = match hit {
             Some(hit) => Some(hit.point),
             None => unit(ray.direction).map(|d| ray.origin + 100.0 * far * d),
@@ -217,7 +226,7 @@ impl Sketch<'_> {
     /// it.
     fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
-        let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
+        let (at, last) = (ray.at(t), self.drawn_hit(inspection).map_or(f64::INFINITY, |hit| hit.t));
         let color = self.colors.ray;
         let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
         if t < 0.0 {
