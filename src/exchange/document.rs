@@ -118,6 +118,9 @@ const PALETTE: [Rgb; 6] = [
     [0x00, 0x72, 0xb2],
 ];
 
+/// The colour of the walls in the built-in scenes and in questions, a grey that leaves the eye to the rest.
+pub const WALL_COLOR: Rgb = [0x9a, 0x9a, 0x92];
+
 /// Returns the default colour of the sphere or plane with this index among the objects of its kind.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]

@@ -1,7 +1,7 @@
 //! The open exercise, the typed answers, and the feedback on them. The questions and the right answers
 //! come from [`pinhole_lecture`]. No score is kept, and nothing is stored or sent.
 
-use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::document::{Document, Item, WALL_COLOR};
 use pinhole_lecture::exercises::{
     Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows,
 };
@@ -151,11 +151,12 @@ impl Exercises {
     /// Returns a document with the question's camera and objects; `None` if the question has no camera.
     pub(crate) fn document(&self) -> Option<Document> {
         let question = &self.question;
+        let wall = |plane| Item { color: Some(WALL_COLOR), ..Item::plain(plane) };
         Some(Document {
             note: format!("{}.", question.exercise.title()),
             camera: question.camera()?,
             spheres: Vec::from_iter(question.sphere().map(Item::plain)).into(),
-            planes: Vec::from_iter(question.plane().map(Item::plain)).into(),
+            planes: Vec::from_iter(question.plane().map(wall)).into(),
             ..Document::default()
         })
     }

@@ -431,6 +431,20 @@ fn the_questions_camera_opens_and_asks_about_changes_first() {
 }
 
 #[test]
+fn a_question_s_wall_is_grey() {
+    let mut window = open(Exercise::Turned);
+    click(&mut window, "Show this scene");
+    let view = window.state().derived().world_view.clone().unwrap();
+    let is_colored = |pixel: &&egui::Color32| {
+        let [r, g, b, _] = pixel.to_array();
+        r.max(g).max(b) - r.min(g).min(b) > 48
+    };
+    let colored = view.image.pixels.iter().filter(is_colored).count();
+    let share = colored as f64 / view.image.pixels.len() as f64;
+    assert!(share < 0.1, "{share} of the view is coloured");
+}
+
+#[test]
 fn a_verdict_moves_no_button() {
     let mut window = open(Exercise::EyeAtUp);
     let rect =
