@@ -42,6 +42,10 @@ const LARGE_ENOUGH: f64 = 0.15;
 /// An observer that turned around a more distant target would lose sight of the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
+/// Height in the picture, as a fraction of half of it, above which the sky must be seen over a sphere that is
+/// out of scale, such as a planet on which the camera stands.
+const HORIZON: f64 = 0.75;
+
 /// Number of iterations when an observer is fitted. The arrows have a fixed size on the screen, so their
 /// size in the world depends on the observer and is measured again in each iteration.
 const ROUNDS: usize = 6;
@@ -111,6 +115,8 @@ struct Subject {
     near_size: f64,
     /// The points of planes that the camera sees.
     walls: Vec<Root>,
+    /// The spheres that are out of scale. They need not be in sight, but their horizon should be.
+    planets: Vec<Bound>,
     /// The point around which the observer turns, halfway between the camera's eye and the objects.
     middle: DVec3,
 }
@@ -260,7 +266,7 @@ impl Subject {
             .map_or((DVec3::Z, DVec3::X), |resolved| (resolved.basis().w, resolved.basis().u));
         balls.extend(resolved.iter().flat_map(|resolved| frustum_corners(resolved, 1.0)));
         balls.extend(given_at(camera).map(|at| Bound { center: at, radius: 0.0 }));
-        let spheres = spheres_in_scale(scene, eye, near_size);
+        let (spheres, planets) = spheres_in_scale(scene, eye, near_size);
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
         if let Some(resolved) = resolved {
             let t = (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
@@ -279,7 +285,7 @@ impl Subject {
         let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
         let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
         let arrows = Arrows::new(camera, items);
-        Subject { balls, arrows, eye, back, right, near_size, walls, middle }
+        Subject { balls, arrows, eye, back, right, near_size, walls, planets, middle }
     }
 
     /// Returns the nearest observer in this direction that sees all balls and the tips of all arrows.
@@ -331,7 +337,7 @@ impl Subject {
 
     /// Returns the score of an observer. It is higher if the camera is large enough in the picture, if its
     /// view direction is seen from the side, if the picture on its viewport and the planes are seen from
-    /// the front, and if no ball hides the camera.
+    /// the front, if no ball hides the camera, and if the horizon of a planet is in sight.
     fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -348,6 +354,20 @@ impl Subject {
         let facing = facing / self.walls.len().max(1) as f64;
         (size / LARGE_ENOUGH).min(1.0) + 1.2 * sideways + from_front + 0.2 * facing
             - if hidden { 0.6 } else { 0.0 }
+            - if self.loses_horizon(observer) { 1.0 } else { 0.0 }
+    }
+
+    /// Returns true if a sphere that is out of scale fills the picture up to [`HORIZON`].
+    fn loses_horizon(&self, observer: &Observer) -> bool {
+        let (back, (_, up)) = (observer.back(), observer.right_and_up());
+        let stand = observer.target() + observer.distance() * back;
+        let upwards = HORIZON * 0.5 * extent_of_fov(FOV, 1.0) * up - back;
+        self.planets.iter().any(|ball| {
+            let from_center = stand - ball.center;
+            let outside = from_center.length_squared() - ball.radius * ball.radius;
+            let b = from_center.dot(upwards);
+            outside > 0.0 && b < 0.0 && b * b > upwards.length_squared() * outside
+        })
     }
 }
 
@@ -397,8 +417,9 @@ fn balls_of(scene: &Scene) -> impl Iterator<Item = Bound> {
     scene.spheres().iter().take(ASKED_SPHERES).map(ball)
 }
 
-/// Returns the spheres by ascending radius, up to the first one that is out of scale with the smaller ones.
-fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
+/// Returns the spheres by ascending radius, up to the first one that is out of scale with the smaller ones;
+/// and the remaining ones.
+fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> (Vec<Bound>, Vec<Bound>) {
     let is_tame = |ball: &Bound| ball.center.abs().max_element() < 1e12;
     let mut balls: Vec<Bound> = balls_of(scene).filter(is_tame).collect();
     balls.sort_by(|a, b| a.radius.total_cmp(&b.radius));
@@ -410,7 +431,7 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
         }
         fits
     });
-    balls.truncate(in_scale.count());
+    let planets = balls.split_off(in_scale.count());
     // A sphere that contains the eye cannot be wholly in sight of an observer near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
     // A distant speck must not move the observer so far away that everything else becomes a speck.
@@ -418,7 +439,7 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Bound> {
     if balls.iter().any(can_be_seen) {
         balls.retain(can_be_seen);
     }
-    balls
+    (balls, planets)
 }
 
 fn lies_between(ball: &Bound, a: DVec3, b: DVec3) -> bool {

@@ -7,11 +7,11 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
 use pinhole::model::observer::{Observer, UP_LENGTH};
 use pinhole::model::overlay_items::Item;
-use pinhole::model::session::ViewLayout;
+use pinhole::model::session::{Scheme, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::arrow_length;
-use pinhole_core::{DVec2, DVec3, Sphere};
+use pinhole::view::overlay::{Style, arrow_length};
+use pinhole_core::{DVec2, DVec3, NO_OBJECT, Sphere};
 
 use super::camera;
 use crate::harness::{click_at, command, show, type_into, window_with};
@@ -384,4 +384,63 @@ fn the_lesson_on_the_viewport_compares_like_with_like() {
     }
     assert_eq!(lessons[2].steps[1].document.camera.viewport.distance, 2.0);
     assert_eq!(lessons[2].steps[1].selection, lessons[1].steps[0].selection);
+}
+
+#[test]
+fn the_basis_of_lesson_5_points_neither_at_the_observer_nor_away_from_it() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    for step in 0..3 {
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(4), step }, None);
+        harness.run();
+        let eye = harness.state().derived().world_frame.as_ref().unwrap().camera().eye();
+        let camera = camera(&harness);
+        let toward = (eye - camera.eye).normalize();
+        let basis = *camera.resolve().unwrap().basis();
+        for (name, axis) in [("u", basis.u), ("v", basis.v), ("w", basis.w)] {
+            let seen = axis.cross(toward).length();
+            assert!(seen > 0.5, "5.{}: {seen} of {name} is seen", step + 1);
+        }
+    }
+}
+
+#[test]
+fn the_planet_s_horizon_is_in_sight_and_v_stands_out_from_the_ground() {
+    for size in SIZES {
+        let mut harness = window_with("planet", Remembered::default(), None);
+        harness.set_size(size);
+        harness.run();
+        let app = harness.state();
+        let frame = app.derived().world_frame.clone().unwrap();
+        let (rows, columns) = (frame.raster().rows().len(), frame.raster().columns().len());
+        let is_sky = |row: &usize| frame.object[row * columns + columns / 2] == NO_OBJECT;
+        let sky = (0..rows).filter(is_sky).count() as f64 / rows as f64;
+        assert!(sky > 0.08, "{sky} of the view's height at {size}");
+        let [r, g, b] = app.document().color_of(0);
+        for is_dark in [false, true] {
+            let v = Style::new(Scheme::default(), is_dark).colors().basis[1];
+            let apart = [r.abs_diff(v.r()), g.abs_diff(v.g()), b.abs_diff(v.b())];
+            assert!(apart.into_iter().max() > Some(64), "{apart:?}");
+        }
+    }
+}
+
+#[test]
+fn the_lecture_s_button_is_whole_in_every_window() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    for size in [vec2(1280.0, 1000.0), vec2(640.0, 480.0), vec2(520.0, 400.0)] {
+        harness.set_size(size);
+        harness.run();
+        let area = harness.get_by_role_and_label(Role::Image, "World view").rect();
+        let buttons = ["Start the lecture", "Practise", "Present", "All numbers"];
+        let there = buttons.map(|button| {
+            let mut found = harness.query_all_by_role_and_label(Role::Button, button);
+            found.find(|found| found.rect().top() > area.bottom()).map(|found| found.rect())
+        });
+        assert!(there[0].is_some(), "{size}");
+        for (name, rect) in buttons.into_iter().zip(there) {
+            let Some(rect) = rect else { continue };
+            let is_whole = rect.left() >= area.left() && rect.right() <= size.x;
+            assert!(is_whole, "{name} at {size}: {rect} beside {area}");
+        }
+    }
 }
