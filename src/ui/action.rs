@@ -270,6 +270,12 @@ pub enum LookAction {
     Vote,
     /// Start or end presenter mode.
     Present,
+    /// While presenting, switch between the light and the dark theme.
+    SwitchTheme,
+    /// While presenting, turn the screen black.
+    Blank,
+    /// Take the pen's next colour.
+    NextPenColor,
     /// Fill the window with this layout.
     Fill(ViewLayout),
 }
@@ -381,6 +387,8 @@ pub(crate) struct Available {
     pub(crate) ghost: bool,
     /// True if a student's answers are open.
     pub(crate) answers: bool,
+    /// True while presenting.
+    pub(crate) presenting: bool,
 }
 
 impl Action {
@@ -394,6 +402,9 @@ impl Action {
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway) => there.answers,
+            Action::Look(
+                LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,
+            ) => there.presenting,
             _ => true,
         }
     }

@@ -2,17 +2,19 @@
 
 use egui::accesskit::Role;
 use egui::epaint::Shape;
-use egui::{Color32, Key, Modifiers, Rect, pos2, vec2};
+use egui::{Color32, Key, Modifiers, Rect, Theme, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::presenting::{WRITTEN, zoom};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, ThemeName, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
 
-use crate::harness::{assert_says, says, show, texts_with, unfolded, window, window_with};
+use crate::harness::{
+    assert_says, click_at, drag_from, says, show, texts_with, unfolded, window, window_with,
+};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
@@ -340,9 +342,9 @@ fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
     let (document, observer) =
         (harness.state().document().clone(), harness.state().session().observer);
     let view = harness.get_by_label("World view").rect();
-    crate::harness::drag_from(&mut harness, view.center(), vec2(60.0, 40.0));
+    drag_from(&mut harness, view.center(), vec2(60.0, 40.0));
     let pen = harness.state().session().pen.clone().unwrap();
-    assert_eq!(pen.lines.len(), 1);
+    assert_eq!(pen.strokes.len(), 1);
     let drawn = |harness: &Harness<'_, App>| {
         let is_line = |shape: &Shape| matches!(shape, Shape::Path(path) if path.points.len() >= 2);
         harness.output().shapes.iter().filter(|clipped| is_line(&clipped.shape)).count()
@@ -377,4 +379,65 @@ fn presenting_fills_the_screen_and_the_window_comes_back() {
         harness.run();
         assert!(sent(&harness).is_empty(), "once");
     }
+}
+
+#[test]
+fn a_hall_sees_light_ground_and_the_window_s_own_comes_back() {
+    let settings = Settings { theme: ThemeName::Dark, ..unfolded() };
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let mut harness = window_with("canonical", remembered, None);
+    let is_dark = |harness: &Harness<'_, App>| harness.ctx.theme() == Theme::Dark;
+    assert!(is_dark(&harness));
+    press(&mut harness, Key::F5);
+    assert!(!is_dark(&harness));
+    press(&mut harness, Key::T);
+    assert!(is_dark(&harness));
+    press(&mut harness, Key::T);
+    assert!(!is_dark(&harness));
+    press(&mut harness, Key::F5);
+    assert!(is_dark(&harness));
+    assert_eq!(harness.state().session().settings.theme, ThemeName::Dark);
+}
+
+#[test]
+fn b_and_a_point_blank_the_screen_and_any_key_brings_it_back() {
+    let mut harness = window("canonical");
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 0 }, None);
+    harness.run();
+    let is_blank = |harness: &Harness<'_, App>| harness.query_by_label("Blank screen").is_some();
+    press(&mut harness, Key::B);
+    assert!(!is_blank(&harness), "it is a key of presenting");
+    press(&mut harness, Key::F5);
+    for blanks in [Key::B, Key::Period] {
+        press(&mut harness, blanks);
+        assert!(is_blank(&harness), "{blanks:?}");
+        // The class has not seen what the next step would show.
+        press(&mut harness, Key::PageDown);
+        assert!(!is_blank(&harness));
+        assert_eq!(harness.state().lesson().unwrap().id().step, 0);
+    }
+    press(&mut harness, Key::B);
+    press(&mut harness, Key::B);
+    assert!(!is_blank(&harness));
+    press(&mut harness, Key::B);
+    click_at(&mut harness, pos2(300.0, 300.0));
+    assert!(!is_blank(&harness));
+    press(&mut harness, Key::B);
+    press(&mut harness, Key::Escape);
+    assert!(!is_blank(&harness) && harness.state().session().presenting.is_some());
+}
+
+#[test]
+fn the_pen_has_three_colours() {
+    let mut harness = window("canonical");
+    press(&mut harness, Key::F5);
+    press(&mut harness, Key::P);
+    let pen = |harness: &Harness<'_, App>| harness.state().session().pen.clone().unwrap();
+    for stroke in 0..4 {
+        drag_from(&mut harness, pos2(300.0, 200.0 + 20.0 * stroke as f32), vec2(80.0, 0.0));
+        press(&mut harness, Key::C);
+    }
+    let colors: Vec<_> = pen(&harness).strokes.iter().map(|stroke| stroke.color).collect();
+    let [first, second, third, fourth] = colors[..] else { panic!("{colors:?}") };
+    assert!(first != second && second != third && third != first && fourth == first);
 }

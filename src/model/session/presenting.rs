@@ -1,7 +1,7 @@
-//! Presenter mode: the size of its text, the state to which it returns, and the pen's strokes over the
-//! views.
+//! Presenter mode: its theme, the size of its text, the state to which it returns, and the pen's strokes
+//! over the views.
 
-use crate::model::session::ViewLayout;
+use crate::model::session::{ThemeName, ViewLayout};
 
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,9 +11,18 @@ pub struct Presenting {
     pub replaced: Option<(ViewLayout, ViewLayout)>,
     /// True if the spotlight was on when presenter mode began.
     pub spotlight_before: bool,
+    /// The window's theme meanwhile.
+    pub theme: ThemeName,
+    /// True while the screen is black.
+    pub is_blank: bool,
 }
 
 impl Presenting {
+    /// Begins presenting. The theme is light, since a dark ground is hard to see in a bright hall.
+    pub fn begin(spotlight_before: bool) -> Presenting {
+        Presenting { spotlight_before, theme: ThemeName::Light, ..Presenting::default() }
+    }
+
     /// Fills the window with the views of the layout `full`.
     pub fn fill(&mut self, full: ViewLayout, layout: &mut ViewLayout) {
         self.replaced = Some((full, self.before(*layout)));
@@ -57,23 +66,38 @@ pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     larger * smallest_text / WRITTEN
 }
 
-/// The strokes drawn over the views since the pen was taken up.
+/// The pen, and the strokes drawn over the views since it was taken up.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Pen {
-    /// The strokes as polylines. Coordinates are fractions of the drawing area's width and height.
-    pub lines: Vec<Vec<[f32; 2]>>,
+    /// The strokes.
+    pub strokes: Vec<PenStroke>,
+    /// Number of the pen's colour, below [`PEN_COLORS`].
+    pub color: usize,
+}
+
+/// Number of the pen's colours.
+pub const PEN_COLORS: usize = 3;
+
+/// A stroke of the pen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PenStroke {
+    /// Number of its colour.
+    pub color: usize,
+    /// The corners of its polyline, as fractions of the drawing area's width and height.
+    pub points: Vec<[f32; 2]>,
 }
 
 impl Pen {
     /// Begins a stroke.
     pub fn press(&mut self, at: [f32; 2]) {
-        self.lines.push(vec![at]);
+        self.strokes.push(PenStroke { color: self.color, points: vec![at] });
     }
 
     /// Extends the last stroke to this point.
     pub fn draw_to(&mut self, to: [f32; 2]) {
-        if let Some(line) = self.lines.last_mut().filter(|line| line.last() != Some(&to)) {
-            line.push(to);
+        let last = self.strokes.last_mut().map(|stroke| &mut stroke.points);
+        if let Some(points) = last.filter(|points| points.last() != Some(&to)) {
+            points.push(to);
         }
     }
 }

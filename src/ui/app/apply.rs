@@ -9,7 +9,7 @@ use pinhole_exchange::scenes::SceneSource;
 
 use crate::model::files::title_of;
 use crate::model::practice::MistakesView;
-use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
+use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
@@ -328,7 +328,26 @@ fn change_look(session: &mut Session, action: LookAction) {
     match action {
         LookAction::Layout(layout) => settings.layout = layout,
         LookAction::Shade(shade) => settings.shade = shade,
-        LookAction::Theme(theme) => settings.theme = theme,
+        LookAction::Theme(theme) => match &mut session.presenting {
+            Some(presenting) => presenting.theme = theme,
+            None => settings.theme = theme,
+        },
+        LookAction::SwitchTheme => {
+            if let Some(presenting) = &mut session.presenting {
+                let is_light = presenting.theme == ThemeName::Light;
+                presenting.theme = if is_light { ThemeName::Dark } else { ThemeName::Light };
+            }
+        }
+        LookAction::Blank => {
+            if let Some(presenting) = &mut session.presenting {
+                presenting.is_blank = true;
+            }
+        }
+        LookAction::NextPenColor => {
+            if let Some(pen) = &mut session.pen {
+                pen.color = (pen.color + 1) % PEN_COLORS;
+            }
+        }
         LookAction::Scheme(scheme) => settings.scheme = scheme,
         LookAction::Method(method) => settings.method = method,
         LookAction::Toggle(switch) => switch.toggle(session),
@@ -351,9 +370,7 @@ fn change_look(session: &mut Session, action: LookAction) {
         }
         LookAction::Present => present_or_end(session),
         LookAction::Fill(full) => {
-            let spotlight_before = session.spotlight;
-            let begun = Presenting { spotlight_before, ..Presenting::default() };
-            let presenting = session.presenting.get_or_insert(begun);
+            let presenting = session.presenting.get_or_insert(Presenting::begin(session.spotlight));
             presenting.fill(full, &mut settings.layout);
         }
     }
@@ -374,8 +391,7 @@ fn zoom_by(session: &mut Session, by: i32) {
 fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
         None => {
-            let spotlight_before = session.spotlight;
-            session.presenting = Some(Presenting { spotlight_before, ..Presenting::default() });
+            session.presenting = Some(Presenting::begin(session.spotlight));
             // The derivation answers the open question, so it is revealed line by line.
             let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
             session.revealed_lines = (session.is_asking && derives).then_some(0);
@@ -392,7 +408,7 @@ fn present_or_end(session: &mut Session) {
 /// Applies the settings' theme, text size and zoom to the window.
 pub(super) fn follow_look(ctx: &Context, session: &Session) {
     let settings = &session.settings;
-    ctx.set_theme(match settings.theme {
+    ctx.set_theme(match session.presenting.map_or(settings.theme, |now| now.theme) {
         ThemeName::System => ThemePreference::System,
         ThemeName::Dark => ThemePreference::Dark,
         ThemeName::Light => ThemePreference::Light,

@@ -18,7 +18,7 @@ use crate::ui::action::{
     request, take_requested,
 };
 use crate::ui::app::scene::OpenScene;
-use crate::ui::app::{App, apply, files};
+use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, top_bar};
 use crate::ui::practice::vote;
@@ -61,6 +61,10 @@ impl App {
             }
         });
         self.over.marks(ui, self.scene.session.spotlight);
+        if let Some(presenting) = self.scene.session.presenting.as_mut().filter(|now| now.is_blank)
+        {
+            presenting.is_blank = !over::blank(&ctx);
+        }
         // A drag is a single undo step. The frames of an animation are not recorded as steps.
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
             self.settle(&ctx, None);
@@ -91,6 +95,9 @@ impl App {
         // While a dialog is open, keys, pasted text and dropped files are ignored: the dialog's answer
         // would otherwise apply to another scene.
         if !self.over.covers() {
+            if let Some(presenting) = &mut self.scene.session.presenting {
+                presenting.is_blank &= !over::took_key(ctx, presenting.is_blank);
+            }
             self.keys(ctx);
             if let Some(text) = files::pasted_text(ctx) {
                 request(ctx, ExchangeAction::Paste(text));
@@ -118,6 +125,7 @@ impl App {
         let has_focus = ctx.memory(|memory| memory.focused().is_some());
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
+        let has_animation = self.playback.player.is_some();
         // An open vote handles its keys first, because they must reveal the vote's answer rather than advance
         // the lesson.
         if !is_typing {
@@ -130,6 +138,7 @@ impl App {
             When::LessonUntyped => has_lesson && !is_typing,
             When::LessonUnfocused => has_lesson && !has_focus,
             When::Presenting => presenting && !is_typing,
+            When::PresentingStill => presenting && !is_typing && !has_animation,
             When::View | When::CameraView | When::WorldView => false,
         });
         for (when, action) in pressed {
@@ -166,6 +175,7 @@ impl App {
             animation: self.playback.player.is_some(),
             ghost: self.scene.session.ghost.is_some(),
             answers: self.scene.session.answers.is_some(),
+            presenting: self.scene.session.presenting.is_some(),
         }
     }
 

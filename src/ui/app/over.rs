@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Context, Ui};
+use egui::{Area, Color32, Context, CursorIcon, Event, Id, Order, Sense, Ui};
 use pinhole_exchange::scenes::SceneSource;
 
 use super::App;
@@ -12,6 +12,7 @@ use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
+use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme;
 
 /// Maximum number of objects that the palette lists.
@@ -75,6 +76,30 @@ impl Overlays {
             theme::spotlight(ui.ctx());
         }
     }
+}
+
+/// While the screen is blank, takes all key presses, so that none of them does something unseen. Returns true
+/// if there were any.
+pub(super) fn took_key(ctx: &Context, is_blank: bool) -> bool {
+    let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
+    is_blank
+        && ctx.input_mut(|input| {
+            let before = input.events.len();
+            input.events.retain(|event| !is_key(event));
+            input.events.len() < before
+        })
+}
+
+/// Covers the window with black. Returns true if it was clicked.
+pub(super) fn blank(ctx: &Context) -> bool {
+    let window = ctx.content_rect();
+    let area = Area::new(Id::unique("blank")).order(Order::Tooltip).fixed_pos(window.min);
+    let shown = area.constrain(false).show(ctx, |ui| {
+        let (rect, response) = ui.allocate_exact_size(window.size(), Sense::click_and_drag());
+        ui.painter().rect_filled(rect, 0.0, Color32::BLACK);
+        response.on_hover_cursor(CursorIcon::None).named("Blank screen").clicked()
+    });
+    shown.inner
 }
 
 impl App {

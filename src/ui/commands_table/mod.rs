@@ -208,6 +208,8 @@ pub enum When {
     LessonUnfocused,
     /// While presenting, except during typing.
     Presenting,
+    /// While presenting without an open animation, except during typing.
+    PresentingStill,
     /// While a view or nothing has the focus.
     View,
     /// While the camera view has the focus, or is the only view and nothing has the focus.

@@ -147,6 +147,13 @@ fn presenting() -> Vec<UiCommand> {
             [plain(Presenting, Key::N)], LookAction::Toggle(Switch::PresentedNumbers);
         Presenting, "Pen", "Draws over the views; Escape erases the strokes.",
             [plain(Presenting, Key::P)], LookAction::Toggle(Switch::Pen);
+        Presenting, "Colour of the pen", "Takes the pen's next colour, of three.",
+            [plain(Presenting, Key::C)], LookAction::NextPenColor;
+        Presenting, "Light or dark",
+            "Switches between the light and the dark theme; afterwards the window has its own again.",
+            [plain(Presenting, Key::T)], LookAction::SwitchTheme;
+        Presenting, "Blank screen", "Turns the screen black; any key or click brings the picture back.",
+            [plain(Presenting, Key::B), plain(PresentingStill, Key::Period)], LookAction::Blank;
         Presenting, "Spotlight", "Dims everything but what is around the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]

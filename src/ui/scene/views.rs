@@ -16,7 +16,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::written_whole;
 
 use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
-use crate::model::session::presenting::Pen;
+use crate::model::session::presenting::{PEN_COLORS, Pen};
 use crate::model::symbols::typeset_message;
 use crate::model::{
     Concept, HoverSource, Hovered, NumberStyle, Observer, Session, Settings, ViewLayout, ViewSize,
@@ -423,8 +423,12 @@ const PEN_LINE: f32 = 3.0;
 const PEN_CASING: f32 = 5.0;
 /// Radius of the pen's pointer, in points.
 const PEN_POINTER: f32 = 5.0;
-/// Colour of the pen, which occurs nowhere else in the views.
-const PEN_INK: Color32 = Color32::from_rgb(0xff, 0xe6, 0x00);
+/// Colours of the pen, which occur nowhere else in the views.
+const PEN_INKS: [Color32; PEN_COLORS] = [
+    Color32::from_rgb(0xff, 0xe6, 0x00),
+    Color32::from_rgb(0xff, 0x3b, 0x30),
+    Color32::from_rgb(0x00, 0xe5, 0xff),
+];
 
 /// Draws with presenter mode's pen on `area`, everything below the lesson's text. The pen's pointer is large
 /// enough to be seen from the back row of a classroom.
@@ -444,16 +448,17 @@ pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
         if let (true, Some(at)) = (response.dragged(), at) {
             pen.draw_to(share(at));
         }
-        for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, PEN_INK)] {
-            for line in &pen.lines {
-                let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
-                let points = line.iter().map(at).collect();
-                ui.painter().line(points, PathStroke::new(width, color));
+        for stroke in &pen.strokes {
+            let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
+            let points: Vec<Pos2> = stroke.points.iter().map(at).collect();
+            let ink = PEN_INKS[stroke.color % PEN_COLORS];
+            for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, ink)] {
+                ui.painter().line(points.clone(), PathStroke::new(width, color));
             }
         }
         if let Some(at) = at.or(response.hover_pos()) {
             let edge = (PEN_CASING - PEN_LINE, Color32::BLACK);
-            ui.painter().circle(at, PEN_POINTER, PEN_INK, edge);
+            ui.painter().circle(at, PEN_POINTER, PEN_INKS[pen.color % PEN_COLORS], edge);
         }
     });
 }
