@@ -74,8 +74,10 @@ fn wrong_answers_are_status_1_and_their_mistake_is_named() {
     assert_eq!(lines[0], "hits: 1040 of 1200 hits agree, within 0.00001 of their distance");
     assert!(lines[1].starts_with("worst: row 14, column 19 is t = 5.9"), "{}", lines[1]);
     assert!(lines[1].contains("; right is t = 4.0"), "{}", lines[1]);
+    assert_eq!(lines[2], format!("where: {}", ".".repeat(40)));
+    assert_eq!(lines[9], format!("       {}{}{}", ".".repeat(12), "#".repeat(16), ".".repeat(12)));
     assert_eq!(
-        lines[2..],
+        lines[18..],
         [
             "mistake: far-root",
             "  Look at which root is taken: the smallest t above 0 is the hit, of one object and \

@@ -78,6 +78,29 @@ impl Graded {
         Some(cells)
     }
 
+    /// Returns the map as lines of text, in which a letter stands for several pixels: `#` if one of them is
+    /// wrong, `.` if all that are answered are right, and a blank if none is answered. There are no lines
+    /// if less than a twentieth of the image is answered, because a sketch then shows nothing.
+    pub fn sketch(&self) -> Vec<String> {
+        let (width, height) = (self.image.width() as usize, self.image.height() as usize);
+        let Some(cells) = self.map().filter(|_| 20 * self.grade.is_right.len() >= width * height)
+        else {
+            return Vec::new();
+        };
+        let (columns, rows) = (width.min(48), height.min(16));
+        let mut letters = vec![vec![' '; columns]; rows];
+        for (index, cell) in cells.into_iter().enumerate() {
+            let (row, column) = (index / width * rows / height, index % width * columns / width);
+            let letter = &mut letters[row][column];
+            match cell {
+                Cell::Wrong => *letter = '#',
+                Cell::Right if *letter == ' ' => *letter = '.',
+                Cell::Right | Cell::Unanswered => {}
+            }
+        }
+        letters.into_iter().map(String::from_iter).collect()
+    }
+
     /// Returns the pixel to which the answer with this index belongs, counted from 0; `None` for a
     /// vector of a basis.
     pub fn pixel(&self, index: usize) -> Option<Pixel> {
