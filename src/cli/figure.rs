@@ -1,7 +1,9 @@
 //! `pinhole figure`: writes a view, the derivation or the lab of lines (two lines in the plane) as SVG, PDF
 //! or PNG. The derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
 
+use std::ffi::OsStr;
 use std::io::Write as _;
+use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Selection};
 use pinhole_exchange::{Document, atomic};
@@ -35,7 +37,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     let output = Some(&arguments.output).filter(|output| !is_standard(output));
     let content = match output {
         Some(output) => Content::for_path(arguments.view, output)
-            .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?,
+            .map_err(|problem| CommandError::Arguments(format!("-o {problem}{}", hint(output))))?,
         // Standard output has no extension that could choose another format.
         None => Content::Figure(FigureFormat::Svg),
     };
@@ -66,6 +68,15 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     match output {
         Some(output) => Ok(atomic::write(output, |file| file.write_all(&bytes))?),
         None => to_stdout(|out| out.write_all(&bytes)),
+    }
+}
+
+/// Returns what to add to the error for a file's extension that other arguments would allow.
+fn hint(output: &Path) -> &'static str {
+    match output.extension().and_then(OsStr::to_str) {
+        Some("gif") => "; a GIF needs --play",
+        Some("tex" | "md") => "; LaTeX and Markdown are for --view derivation",
+        _ => "",
     }
 }
 

@@ -272,8 +272,15 @@ fn what_does_not_fit_is_refused() {
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");
     at("canonical --view world -o out.jpg")
         .failed(2, "-o writes SVG, PDF or PNG: not out.jpg but out.svg, out.pdf or out.png");
-    at("canonical --view camera -o out.tex")
-        .failed(2, "-o writes SVG, PDF or PNG: not out.tex but out.svg, out.pdf or out.png");
+    at("canonical --view camera -o out.tex").failed(
+        2,
+        "-o writes SVG, PDF or PNG: not out.tex but out.svg, out.pdf or out.png; LaTeX and Markdown \
+         are for --view derivation",
+    );
+    at("canonical --view world -o out.gif").failed(
+        2,
+        "-o writes SVG, PDF or PNG: not out.gif but out.svg, out.pdf or out.png; a GIF needs --play",
+    );
     at("canonical --view derivation -o out").failed(
         2,
         "-o writes SVG, PDF, PNG, LaTeX or Markdown: not out but out.svg, out.pdf, out.png, out.tex \
