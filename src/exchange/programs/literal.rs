@@ -22,8 +22,8 @@ use crate::template::n;
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
-/// Variable names of OpenCV's intrinsic matrix K; below, those of its pose R and t, and of the image's
-/// width and height.
+/// Variable names of OpenCV's intrinsic matrix K; below, those of its pose R and t, of its lens, and of
+/// the image's width and height.
 const K_NAMES: [&str; 7] = [
     "K",
     "camera_matrix",
@@ -36,6 +36,7 @@ const K_NAMES: [&str; 7] = [
 const R_NAMES: [&str; 3] = ["R", "rotation", "rotation_matrix"];
 const T_NAMES: [&str; 5] = ["t", "tvec", "translation", "translation_vector", "T"];
 const RT_NAMES: [&str; 3] = ["Rt", "extrinsics", "extrinsic"];
+const DISTORTION_NAMES: [&str; 3] = ["distortion", "dist", "dist_coeffs"];
 const SIZE_NAMES: [[&str; 2]; 3] =
     [["image_width", "image_height"], ["imageWidth", "imageHeight"], ["width", "height"]];
 
@@ -56,6 +57,9 @@ const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertica
                      3 × 4 or 4 × 4 matrix from camera to world, one gluLookAt or glm::lookAt, or K, R \
                      and t, and nothing else: a program is not run";
 
+const COUNTS: &str = "it must be 9 (eye, at, up), 10 (and the vertical angle in degrees), or 12 or 16 (a \
+                      matrix from camera to world)";
+
 const OF_NUMBERS: &str = "it must be given by numbers, without names or calculations";
 
 /// Returns true if a text looks like a camera that is given by literal numbers.
@@ -63,7 +67,7 @@ pub(super) fn detect(text: &str) -> bool {
     let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
         let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
         names.iter().flat_map(|name| text.match_indices(name)).any(|(at, name)| {
-            let rest = text[at + name.len()..].trim_start();
+            let rest = text[at + name.len()..].trim_start_matches([' ', '"', '\'']);
             let value = rest.strip_prefix(signs).map(|value| value.trim_start_matches(' '));
             !text[..at].ends_with(is_of_name) && value.is_some_and(begins)
         })
@@ -74,14 +78,13 @@ pub(super) fn detect(text: &str) -> bool {
     gives(&["gluLookAt", "lookAt"], &['('], &|_| true)
         || gives(&K_NAMES, &['=', ':'], &is_list)
         || gives(&MATRICES, &['='], &|_| true)
-        || text.chars().all(of_numbers)
-            && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some()
+        || text.chars().all(of_numbers) && text.contains(|c: char| c.is_ascii_digit())
 }
 
 /// Reads the camera of a text. The field of view and the image size are those of the camera `at_hand`
 /// if the text does not specify them.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
-    let plain = without_comments(input)?;
+    let plain = unquoted(without_comments(input)?);
     let source = Statements { input, statements: statements(input, &plain)? };
     if source.statements.is_empty() {
         return Err(source.missing("a number", RIGHT));
@@ -110,7 +113,8 @@ fn is_look_at(called: &str) -> bool {
 }
 
 fn is_of_intrinsics(name: &str) -> bool {
-    let lists: [&[&str]; 5] = [&K_NAMES, &R_NAMES, &T_NAMES, &RT_NAMES, SIZE_NAMES.as_flattened()];
+    let lists: [&[&str]; 6] =
+        [&K_NAMES, &R_NAMES, &T_NAMES, &RT_NAMES, &DISTORTION_NAMES, SIZE_NAMES.as_flattened()];
     lists.iter().any(|list| list.contains(&name))
 }
 
@@ -146,6 +150,10 @@ fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileErr
                 "the tenth number is the vertical angle: it must be between 0 and 180 degrees",
             )),
         },
+        (count, _) if !is_named && ![9, 10, 12, 16].contains(&count) => {
+            let problem = format!("the count of numbers is {count}: {COUNTS}");
+            Err(FileError::of_file(source.input.path, problem))
+        }
         _ => {
             let by_rows = affine_of_rows(&numbers).map(|affine| (affine, "columns"));
             let found = by_rows.or_else(|| affine(&numbers).map(|affine| (affine, "rows")));
@@ -215,6 +223,12 @@ fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, File
                 "only K, R and t, and the image's width and height may be given, each by numbers";
             return Err(source.refused(statement, right));
         }
+    }
+    let straight = "it must be 0: a pinhole camera has no lens that distorts";
+    if let Some((field, numbers)) = source.given(&DISTORTION_NAMES, &[4, 5, 8, 12, 14], straight)?
+        && numbers.iter().any(|number| *number != 0.0)
+    {
+        return Err(source.value_fault(field, straight));
     }
     let mut notes = Vec::new();
     let k = intrinsics(source)?;
@@ -489,6 +503,25 @@ fn without_comments(input: &Input) -> Result<String, FileError> {
     Ok(plain)
 }
 
+/// Returns the text of a JSON object or of Python's `dict` as assignments: its outer braces and its quotes
+/// become spaces, so that positions do not change. Returns any other text unchanged.
+fn unquoted(plain: String) -> String {
+    let inside = plain.trim().strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
+    if !inside.is_some_and(|inside| inside.trim_start().starts_with(['"', '\''])) {
+        return plain;
+    }
+    let braces = [plain.find('{'), plain.rfind('}')];
+    let is_blank = |at, c| braces.contains(&Some(at)) || c == '"' || c == '\'';
+    plain.char_indices().map(|(at, c)| if is_blank(at, c) { ' ' } else { c }).collect()
+}
+
+/// Returns true if a text begins with `name =` or `name :`.
+fn assigns(text: &str) -> bool {
+    let text = text.trim_start();
+    let rest = text.trim_start_matches(|c: char| is_of_name(c) || c.is_numeric()).trim_start();
+    text.starts_with(is_of_name) && rest.starts_with(['=', ':']) && !rest.starts_with("::")
+}
+
 /// Creates an error that is located at byte `at` of the text, and quotes the rest of the statement from
 /// there, followed by `right`.
 fn fault_at(input: &Input, text: &str, at: usize, right: &str) -> FileError {
@@ -508,8 +541,13 @@ fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, F
             ')' | ']' | '}' if open.pop_if(|(_, close)| *close == c).is_none() => {
                 return Err(fault_at(input, plain, at, "no bracket is open that it closes"));
             }
-            // A statement continues inside brackets, and after a line that is incomplete.
-            ';' | '\n' if open.is_empty() && (c == ';' || !"=,:".contains(last)) => {
+            // A statement continues inside brackets, after a line that is incomplete, and after a comma
+            // that no assignment follows.
+            ';' | '\n' | ','
+                if open.is_empty()
+                    && (c != '\n' || !"=,:".contains(last))
+                    && (c != ',' || assigns(&plain[at + 1..])) =>
+            {
                 pieces.push(whole.part(from, at));
                 from = at + 1;
             }

@@ -24,7 +24,7 @@ pub use self::derived::MIRRORED;
 pub use self::writers::FORMATS;
 use crate::code::LANGUAGES;
 use crate::format::{Format, Imported, Input};
-use crate::{FileError, legible};
+use crate::{FileError, legible, scene_file};
 
 impl Format {
     /// Returns all formats of other programs, and then all languages.
@@ -43,6 +43,8 @@ impl Format {
 pub enum Importer {
     /// glTF 2.0.
     Gltf,
+    /// A scene of Pinhole, or its table `[camera]` alone.
+    Scene,
     /// Literal numbers: eye, at and up, a matrix, or OpenCV's K, R and t.
     Literal,
 }
@@ -59,6 +61,10 @@ impl Importer {
         if gltf_read::detect(text) {
             return Some(Importer::Gltf);
         }
+        let is_scene = |line: &str| line.starts_with("[camera]") || line.starts_with("pinhole =");
+        if text.lines().any(|line| is_scene(line.trim_start())) {
+            return Some(Importer::Scene);
+        }
         literal::detect(text).then_some(Importer::Literal)
     }
 
@@ -66,19 +72,26 @@ impl Importer {
     /// extension.
     ///
     /// # Errors
-    /// Returns an error that lists the supported kinds if the file is of none of them.
+    /// Returns an error that lists the supported kinds if the file is of none of them, and an error for a
+    /// scene of Pinhole, which needs no import.
     pub fn of_file(text: &Input) -> Result<Importer, FileError> {
         let is_gltf =
             text.path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb");
         let by_name = is_gltf.then_some(Importer::Gltf);
-        let form = Importer::of(text.text).or(by_name);
-        form.ok_or_else(|| FileError::of_file(text.path, UNKNOWN))
+        let problem = match Importer::of(text.text).or(by_name) {
+            Some(Importer::Scene) => "this is a scene of Pinhole: open it as it is",
+            Some(importer) => return Ok(importer),
+            None if text.text.trim().is_empty() => "it is empty: export the camera again",
+            None => UNKNOWN,
+        };
+        Err(FileError::of_file(text.path, problem))
     }
 
     /// Returns the label of the kind.
     pub fn label(self) -> &'static str {
         match self {
             Importer::Gltf => "glTF 2.0",
+            Importer::Scene => "a scene of Pinhole",
             Importer::Literal => "literal numbers",
         }
     }
@@ -91,6 +104,7 @@ impl Importer {
     pub fn read(self, text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let mut taken = match self {
             Importer::Gltf => gltf_read::read(text, at_hand)?,
+            Importer::Scene => scene_file::camera(text, at_hand)?,
             Importer::Literal => literal::read(text, at_hand)?,
         };
         taken.notes.iter_mut().for_each(|note| *note = legible(note));

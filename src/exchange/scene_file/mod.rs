@@ -50,6 +50,7 @@ use crate::document::Document;
 use crate::fields::{Section, TomlSource};
 use crate::{FileError, Location, atomic, limits};
 
+pub(crate) use read::camera;
 pub use read::{TABLES, tables, toml};
 pub use write::to_text;
 

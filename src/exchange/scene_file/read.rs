@@ -12,6 +12,7 @@ use crate::csv::load_spheres;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::error::one_line;
 use crate::fields::{Section, TomlField, TomlSource};
+use crate::format::{Imported, Input};
 use crate::images;
 use crate::{FileError, limits};
 
@@ -41,6 +42,26 @@ pub(super) fn document(
     tables(&root, &mut document)?;
     document.csv_spheres = root.get("spheres").map(|field| csv(&field, base)).transpose()?;
     Ok(document)
+}
+
+/// Reads the camera of a scene without its CSV file, or of some of its tables alone. Such tables need no
+/// version, and what they do not give is that of the camera `at_hand`.
+pub(crate) fn camera(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
+    let Input { text, path } = *input;
+    let source = TomlSource { text, path };
+    let toml = toml(&source)?;
+    let root = Section::root(&source, toml.as_table());
+    let mut scene = Document { camera: *at_hand, ..Document::default() };
+    if root.get("pinhole").is_some() {
+        scene = document(text, path, None)?;
+    } else {
+        root.only(TOP, &[])?;
+        tables(&root, &mut scene)?;
+    }
+    let has_objects = scene.object_count() > 0 || scene.csv_spheres.is_some();
+    let left_out =
+        has_objects.then(|| "its objects are left out: a paste sets only the camera".to_owned());
+    Ok(Imported { camera: scene.camera, notes: left_out.into_iter().collect() })
 }
 
 /// Reads the tables in [`TABLES`], each of which may be missing. A table that is present replaces the

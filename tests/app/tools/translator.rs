@@ -203,6 +203,24 @@ fn what_is_pasted_into_a_field_is_typed_there() {
 }
 
 #[test]
+fn a_scene_of_our_own_is_a_camera_too() {
+    let mut harness = window("canonical");
+    let scene = "pinhole = 1\n[camera]\neye = [1, 2, 3]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                 [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+    paste(&mut harness, scene);
+    assert_says(&harness, "Camera pasted: a scene of Pinhole");
+    assert_says(&harness, "Its objects are left out: a paste sets only the camera.");
+    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
+    // The table alone keeps the viewport.
+    type_into(&mut harness, "distance", "2");
+    paste(&mut harness, "[camera]\neye = [4, 2, 3]\nat = [0, 0, -1]\nup = [0, 1, 0]\n");
+    assert_eq!((camera(&harness).eye.x, camera(&harness).viewport.distance), (4.0, 2.0));
+    paste(&mut harness, "pinhole = 1\n[camera]\neye = 3\n");
+    assert_says(&harness, "Not pasted: this camera cannot be read");
+    assert_eq!(camera(&harness).eye, DVec3::new(4.0, 2.0, 3.0));
+}
+
+#[test]
 fn objects_go_along_where_they_are_asked_for() {
     let mut harness = translating("canonical", "POV-Ray");
     assert!(!shown(&harness).contains("sphere {"));

@@ -1,11 +1,11 @@
 //! Tests of cameras in pasted text, which are read if every number is literal, and otherwise rejected
 //! with the line of the error.
 
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
+use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics, Orientation};
 use pinhole_exchange::FileError;
 use pinhole_exchange::format::Imported;
 
-use super::Importer;
+use super::{Importer, proofs, text_of};
 
 const GLU: &str = "gluLookAt(0, 0, 5, 0, 1, 0, 0, 1, 0);\n";
 const GLM: &str = "glm::mat4 view = glm::lookAt(glm::vec3(4, 3, 3), // the eye\n  \
@@ -67,6 +67,42 @@ fn k_r_and_t_are_taken_as_lists_arrays_and_as_numpy_prints_them() {
     assert_eq!(taken(whole).eye, DVec3::new(-1.0, 2.0, 3.0));
 }
 
+/// The form that `pinhole import --help` and the man page give.
+#[test]
+fn k_r_and_t_are_taken_on_one_line_and_as_json() {
+    let help = include_str!("../../../cli/about/import.txt");
+    let form = "K = [[...]], R = [[...]], t = [...]";
+    assert!(help.contains(form), "{help}");
+    let [k, r, t] =
+        ["500, 0, 319.5], [0, 510, 239.5], [0, 0, 1", "1, 0, 0], [0, -1, 0], [0, 0, -1", "1, 2, 3"];
+    let line =
+        [k, r, t].iter().fold(form.to_owned(), |line, numbers| line.replacen("...", numbers, 1));
+    assert_eq!(taken(&line), taken(K_R_T));
+    assert_eq!(taken(&format!("{line}, width = 640, height = 480")), taken(K_R_T));
+    let quoted = line.replace(" =", "\":").replace(", R", ",\n\"R").replace(", t", ", \"t");
+    let json = format!("{{\n  \"{quoted},\n  \"distortion\": [0, 0, 0, 0, 0]\n}}\n");
+    assert_eq!(taken(&json), taken(K_R_T));
+    assert_eq!(taken(&json.replace('"', "'")), taken(K_R_T));
+    let distorted = json.replace("0, 0]\n}", "0, 0.1]\n}");
+    assert_refused(&distorted, "in:4:17: distortion is [0, 0, 0, 0, 0.1]: it must be 0");
+    assert_refused(&json.replace("\"R", "\"S"), "in:3:2: S : [[1, 0, 0], [0, -1, 0]");
+}
+
+/// Except for the viewport's distance, which K, R and t do not tell.
+#[test]
+fn what_is_written_for_opencv_is_read_back() {
+    for (name, document) in proofs() {
+        let (back, camera) = (taken(&text_of("opencv", &document)), document.camera);
+        let [a, b] = [back, camera].map(|camera| *camera.resolve().unwrap().basis());
+        assert!((a.u - b.u).length().max((a.w - b.w).length()) < 1e-15, "{name}: {a:?} {b:?}");
+        assert!((back.eye - camera.eye).length() < 1e-14, "{name}: {}", back.eye);
+        let lens = |camera: &Camera| Intrinsics::from_viewport(&camera.viewport, camera.image);
+        let (a, b) = (lens(&back), lens(&camera));
+        assert!((a.fx / b.fx - 1.0).abs().max((a.fy / b.fy - 1.0).abs()) < 1e-15, "{name}");
+        assert_eq!(back.image, camera.image, "{name}");
+    }
+}
+
 #[test]
 fn k_alone_is_a_camera_at_the_origin_and_what_it_leaves_open_is_told() {
     let k = "K = [[500, 0, 319.5], [0, 500, 239.5], [0, 0, 1]]\n";
@@ -114,9 +150,10 @@ fn numbers_alone_are_eye_at_up_or_a_matrix() {
     ] {
         assert_eq!(taken(text), rows, "{text}");
     }
-    for text in ["[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "1 2 3 0 0 0 0 1 0 45 6"] {
-        assert_refused(text, "it must be nine numbers (eye, at, up), ten");
-    }
+    let rotation = "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    assert_refused(rotation, "it must be nine numbers (eye, at, up), ten");
+    let eleven = "1 2 3 0 0 0 0 1 0 45 6";
+    assert_refused(eleven, "in: the count of numbers is 11: it must be 9 (eye, at, up), 10 (and");
     assert_refused("1 2 3 4 5 6 7 8 9, 10 - 3", "this is 10 - 3: it must be given by");
     assert_refused("1 2 3 0 0 0 0 1 0 190", "it must be between 0 and 180 degrees");
     assert_refused("view = [[1,0,0,0],[0,1,0,0],[0,0,1,0]]", "it must be nine numbers");
