@@ -41,15 +41,34 @@ pub enum Item {
     Loupe,
     /// The handles in the world view.
     Handles,
+    /// The selected ray and the sphere that it hits first, as a textbook draws them: centre, radius, foot of
+    /// the perpendicular, half chord and both roots.
+    SphereFigure,
 }
 
 impl Item {
     /// All items, in order.
-    pub const ALL: [Item; 17] = {
+    pub const ALL: [Item; 18] = {
         use Item::*;
         [
-            Eye, At, ViewAndUp, Basis, Frustum, Viewport, Picture, PixelGrid, Marks, Ray, Hit,
-            Axes, Planes, UvAxes, Labels, Loupe, Handles,
+            Eye,
+            At,
+            ViewAndUp,
+            Basis,
+            Frustum,
+            Viewport,
+            Picture,
+            PixelGrid,
+            Marks,
+            Ray,
+            Hit,
+            Axes,
+            Planes,
+            UvAxes,
+            Labels,
+            Loupe,
+            Handles,
+            SphereFigure,
         ]
     };
 
@@ -72,6 +91,7 @@ impl Item {
             Item::Labels => ["labels", "labels"],
             Item::Loupe => ["loupe", "loupe"],
             Item::Handles => ["handles", "handles"],
+            Item::SphereFigure => ["ray and sphere: roots and half chord", "sphere-figure"],
         }
     }
 
@@ -85,32 +105,54 @@ impl Item {
         self.texts()[1]
     }
 
-    fn bit(self) -> u32 {
+    const fn bit(self) -> u32 {
         1 << self as u8
     }
 }
 
+/// The items that are off by default. Their stored bits are inverted, so that a file that lacks them leaves
+/// them off.
+const FIGURES: u32 = Item::SphereFigure.bit();
+
+/// The bit that a stored set never has: there are fewer items than bits. Files in which every unused bit is
+/// set have it.
+const UNUSED: u32 = 1 << 31;
+
 /// The set of items that are drawn.
 ///
-/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. Unknown bits
-/// are ignored.
+/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. The bits up to
+/// [`Item::Handles`] are set for items that are off, the later ones for items that are on. Unknown bits are
+/// ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(transparent)]
+#[serde(from = "u32", into = "u32")]
 pub struct OverlayItems {
     off: u32,
 }
 
+impl From<u32> for OverlayItems {
+    fn from(stored: u32) -> Self {
+        let on = if stored & UNUSED == 0 { stored & FIGURES } else { 0 };
+        OverlayItems { off: (stored & !FIGURES | FIGURES & !on) & OverlayItems::NONE.off }
+    }
+}
+
+impl From<OverlayItems> for u32 {
+    fn from(items: OverlayItems) -> u32 {
+        items.off ^ FIGURES
+    }
+}
+
 impl Default for OverlayItems {
     /// Returns all items except the u and v axes of the camera view and the loupe, which would cover
-    /// the picture.
+    /// the picture, and the figures of the whiteboard, each of which belongs to one topic.
     fn default() -> Self {
-        OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() }
+        OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() | FIGURES }
     }
 }
 
 impl OverlayItems {
     /// The empty set.
-    pub const NONE: OverlayItems = OverlayItems { off: u32::MAX };
+    pub const NONE: OverlayItems = OverlayItems { off: (1 << Item::ALL.len()) - 1 };
 
     /// All items.
     pub const ALL: OverlayItems = OverlayItems { off: 0 };
@@ -139,7 +181,7 @@ impl OverlayItems {
     /// Returns a copy of the set in which all items of `hidden` are switched off.
     #[must_use]
     pub fn without(self, hidden: OverlayItems) -> OverlayItems {
-        OverlayItems { off: self.off | !hidden.off }
+        OverlayItems { off: self.off | OverlayItems::NONE.off & !hidden.off }
     }
 }
 
@@ -153,13 +195,34 @@ mod tests {
             let only = OverlayItems::NONE.with(item, true);
             assert!(Item::ALL.iter().all(|other| only.shows(*other) == (*other == item)));
             assert_eq!(only.with(item, false), OverlayItems::NONE);
+            let others = OverlayItems::ALL.without(only);
+            assert_eq!(others, OverlayItems::ALL.with(item, false));
         }
     }
 
     #[test]
-    fn all_but_two_are_on_by_default() {
+    fn what_would_cover_the_picture_is_off_by_default() {
         let off: Vec<_> =
-            Item::ALL.iter().filter(|item| !OverlayItems::default().shows(**item)).collect();
-        assert_eq!(off, [&Item::UvAxes, &Item::Loupe]);
+            Item::ALL.into_iter().filter(|item| !OverlayItems::default().shows(*item)).collect();
+        assert_eq!(off, [Item::UvAxes, Item::Loupe, Item::SphereFigure]);
+    }
+
+    #[test]
+    fn files_from_before_an_item_existed_leave_it_off() {
+        let read =
+            |stored: u32| serde_json::from_value::<OverlayItems>(stored.into()).expect("a set");
+        let earlier = 1 << (Item::Handles as u8 + 1);
+        // All items, the default ones, none but the eye, and none.
+        let (covering, eye) = (Item::UvAxes.bit() | Item::Loupe.bit(), Item::Eye.bit());
+        for stored in [0, covering, !eye, u32::MAX] {
+            let items = read(stored);
+            for item in Item::ALL {
+                let expected = item.bit() < earlier && stored & item.bit() == 0;
+                assert_eq!(items.shows(item), expected, "{stored:b} {item:?}");
+            }
+        }
+        for items in [OverlayItems::ALL, OverlayItems::NONE, OverlayItems::default()] {
+            assert_eq!(read(items.into()), items);
+        }
     }
 }

@@ -4,6 +4,7 @@
 
 use egui::Color32;
 use pinhole_core::DVec2;
+use pinhole_lecture::numbers::equated;
 use tiny_skia::PathBuilder;
 
 use crate::model::{Concept, Item};
@@ -151,6 +152,14 @@ impl Label {
         let size = self.size * scale;
         [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
     }
+}
+
+/// Significant digits of a number in a label. A longer label would cover what it names.
+const DIGITS: usize = 4;
+
+/// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
+pub(super) fn equals(x: f64) -> String {
+    equated(x, DIGITS)
 }
 
 /// Returns the points of a unit circle around the origin. The last point repeats the first.

@@ -13,6 +13,7 @@
 //! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
 //!   labels.
+//! - `world_view/sphere_figure`: the selected ray and a sphere, as a textbook draws them.
 //! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
 use std::ops::Deref;
@@ -43,7 +44,7 @@ pub use world_view::highlighted::Highlighted;
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
 use camera_view::CameraSketch;
-use drawing::{circle, dot, wide};
+use drawing::{circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
 use paint::{Fills, StretchedPicture};
@@ -54,6 +55,7 @@ use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,
 };
 use world_view::sketch::{Head, LineStyle, Request, Sketch, place_labels};
+use world_view::sphere_figure::SphereFigure;
 
 /// A shared value that is compared by identity: two are equal only if they share the same allocation.
 #[derive(Debug)]

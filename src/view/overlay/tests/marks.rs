@@ -48,7 +48,7 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
 }
 
 #[test]
-fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
+fn a_ray_is_solid_up_to_its_hit_and_dashed_behind_it() {
     let scene = Scene::new(vec![sphere(-2.0, 0.0, -3.0, 1.0), sphere(0.0, 0.0, -7.0, 1.0)], vec![])
         .expect("a scene");
     let observer = from_the_right(DVec3::new(0.0, 0.0, -4.0), 14.0);
@@ -61,7 +61,9 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
         .into_iter()
         .filter(|(_, from, to)| to - from > 20)
         .collect();
-    assert_eq!(ray, [('-', to_screen(0.0), to_screen(-6.0))]);
+    // The dashed part leaves the ball at z = -8 and ends one radius beyond.
+    let [eye, hit, end] = [0.0, -6.0, -9.0].map(to_screen);
+    assert_eq!(ray, [('-', eye, hit), ('.', hit, end)]);
 }
 
 #[test]
@@ -104,6 +106,7 @@ fn lines_behind_a_wall_are_dashed() {
 #[test]
 fn each_item_can_be_drawn_alone_and_left_out() {
     let mut stage = canonical();
+    stage.items = OverlayItems::ALL;
     let eye = HandleMark { at: DVec3::ZERO, knob: Knob::Round, state: KnobState::Plain };
     let handles = Handles { marks: vec![eye], ..Handles::default() };
     let of_marks = |stage: &Stage| {
@@ -123,7 +126,7 @@ fn each_item_can_be_drawn_alone_and_left_out() {
         let alone = of_marks(&stage);
         assert!(alone.iter().all(|other| *other == item), "{item:?}: {alone:?}");
         assert_eq!(alone.is_empty(), filled.contains(&item), "{item:?}");
-        stage.items = OverlayItems::default().with(item, false);
+        stage.items = OverlayItems::ALL.with(item, false);
         assert!(!of_marks(&stage).contains(&item), "{item:?}");
     }
 }

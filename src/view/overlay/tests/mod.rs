@@ -6,6 +6,7 @@ mod ghost;
 mod highlighted;
 mod loupe;
 mod marks;
+mod sphere_figure;
 mod wild;
 
 use std::sync::Arc;

@@ -4,13 +4,12 @@
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Root, Sphere};
-use pinhole_lecture::numbers::equated;
 
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
     BOLD_POINT, ColoredScene, Flat, Grid, Head, LineStyle, MARK, POINT, PixelRays, PlanePatch,
-    Sketch, VECTOR, WorldView, circle, mix, silhouette, tangents, unit,
+    Sketch, SphereFigure, VECTOR, WorldView, circle, equals, mix, silhouette, tangents, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a
@@ -23,9 +22,6 @@ const BODY: (f64, f64) = (30.0, 34.0);
 
 /// Shorter side of a view, in points, below which the camera's box shrinks with the view.
 const LOW: f64 = 300.0;
-
-/// Significant digits of the t at the point marked on the ray.
-const T_DIGITS: usize = 4;
 
 impl Sketch<'_> {
     /// Draws the whole camera, from back to front.
@@ -180,36 +176,37 @@ impl Sketch<'_> {
 
     /// Returns the first hit, unless neither it nor the plane that is hit is drawn: a ray that ended there
     /// would end in empty air.
-    fn drawn_hit<'a>(&self, inspection: &'a Inspection) -> Option<&'a Root> {
-        let is_drawn =
+    pub(crate) fn drawn_hit<'a>(&self, inspection: &'a Inspection) -> Option<&'a Root> {
+        inspection.first_hit().filter(|hit| self.is_drawn(hit))
+    }
+
+    /// Returns true if a root's point is drawn, or the object that it is on.
+    pub(crate) fn is_drawn(&self, root: &Root) -> bool {
+        let are_planes =
             [Item::Planes, Item::Hit].into_iter().any(|item| self.view.items.shows(item));
-        let spheres = self.scene.spheres().len();
-        inspection.first_hit().filter(|hit| is_drawn || (hit.object as usize) < spheres)
+        are_planes || (root.object as usize) < self.scene.spheres().len()
     }
 
     /// Draws the selected pixel on the viewport, its ray, the hit, and the normal at the hit.
     fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
         let view = self.view;
-        let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
         for pixel in inspection.touched(resolved) {
             self.pixel(resolved, pixel);
         }
         let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
-        let hit = self.drawn_hit(inspection);
-        let end = match hit {
-            Some(hit) => Some(hit.point),
-            None => unit(ray.direction).map(|d| ray.origin + 100.0 * far * d),
-        };
-        if let Some(end) = end {
-            self.line(ray.origin, end, pen);
-        }
+        self.ray_line(inspection, pen);
         self.point(ray.at(1.0), 3.6, pen.about(Concept::Pixel).on_viewport());
-        if let Some(t) = view.ray_point_t {
-            self.ray_point_t(inspection, t);
+        let figure = self.items.shows(Item::SphereFigure);
+        let figure = figure.then(|| SphereFigure::new(inspection, self.scene.spheres())).flatten();
+        if let Some(figure) = &figure {
+            self.sphere_figure(inspection, figure);
         }
-        let Some(hit) = hit else { return };
+        if let Some(t) = view.ray_point_t {
+            self.ray_point_t(inspection, t, figure.is_none_or(|figure| !figure.names(t)));
+        }
+        let Some(hit) = self.drawn_hit(inspection) else { return };
         let ink = self.colors.hit;
         let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
         // Without its label, the normal would look like just another arrow, so it is drawn only with
@@ -222,23 +219,25 @@ impl Sketch<'_> {
         self.named_point(hit.point, 5.0, pen, "hit", [0.3, 1.0]);
     }
 
-    /// Draws the point p + t d with the value of t, and a line to the point if the drawn ray does not reach
-    /// it.
-    fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
+    /// Draws the point p + t d, with the value of t if `is_named` is true. Draws a line to the point if the
+    /// ray up to its first hit does not reach it.
+    fn ray_point_t(&mut self, inspection: &Inspection, t: f64, is_named: bool) {
         let ray = &inspection.ray;
-        let (at, last) = (ray.at(t), self.drawn_hit(inspection).map_or(f64::INFINITY, |hit| hit.t));
+        let at = ray.at(t);
         let color = self.colors.ray;
         let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
         if t < 0.0 {
             self.line(ray.origin, at, thin);
-        } else if t > last {
-            self.line(ray.at(last), at, thin);
+        } else if let Some(hit) = self.drawn_hit(inspection).filter(|hit| t > hit.t) {
+            self.line(hit.point, at, thin);
         }
         let pen = LineStyle::new(Item::Ray, self.colors.hit, 2.0);
         let edge = LineStyle { color, ..pen };
         self.point(at, 7.5, edge);
-        if let Some(spot) = self.point(at, 4.5, pen) {
-            let text = format!("t {}", equated(t, T_DIGITS));
+        if let Some(spot) = self.point(at, 4.5, pen)
+            && is_named
+        {
+            let text = format!("t {}", equals(t));
             self.label(edge, &text, [spot.at, DVec2::new(-0.3, -1.0)], BOLD_POINT);
         }
     }

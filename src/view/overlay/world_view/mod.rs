@@ -5,6 +5,7 @@ pub(super) mod compared;
 pub(super) mod handles;
 pub(super) mod highlighted;
 pub(super) mod sketch;
+pub(super) mod sphere_figure;
 
 use std::sync::Arc;
 

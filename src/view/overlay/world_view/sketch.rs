@@ -383,7 +383,7 @@ fn rank(item: Item) -> u8 {
         Item::Handles => 1,
         Item::Eye | Item::Basis => 2,
         Item::ViewAndUp | Item::At => 3,
-        Item::Ray | Item::Hit => 4,
+        Item::Ray | Item::Hit | Item::SphereFigure => 4,
         Item::Axes => 6,
         Item::Marks => 7,
         _ => 5,
