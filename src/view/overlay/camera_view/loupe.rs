@@ -81,7 +81,9 @@ impl Inset {
     /// the selected position. Among equal corners, it takes the one farthest from that position.
     fn new(view: &CameraView, pixels: u32, position: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
-        let pixels = f64::from(pixels);
+        // On a corner, as many pixels are shown on either side, so one fewer each way.
+        let is_corner = position.row_edge.is_some() && position.column_edge.is_some();
+        let pixels = f64::from(if is_corner { pixels - 1 } else { pixels });
         let rim = scale * RIM;
         let room = SHARE * extent - DVec2::new(rim.x, 2.0 * rim.y);
         let cell = (scale * CELLS).min(room.min_element()) / pixels;

@@ -129,7 +129,7 @@ fn the_four_pixels_are_large_and_the_mark_leaves_them_in_sight() {
     let mut dots = vec![Color32::TRANSPARENT; 600 * 600];
     let drawing = camera(&view, None, &mut dots);
     let [low, high] = marked_pixels(&drawing);
-    assert!((0.5 * (high - low)).min_element() >= 40.0, "{low} {high}");
+    assert!((0.5 * (high - low)).min_element() >= 50.0, "{low} {high}");
     let (low, high) = (low.as_uvec2(), high.as_uvec2());
     let inside: Vec<_> = (low.y..high.y)
         .flat_map(|y| &dots[(600 * y + low.x) as usize..(600 * y + high.x) as usize])
