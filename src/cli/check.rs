@@ -122,7 +122,7 @@ fn text(graded: &Graded) -> String {
     text
 }
 
-/// The JSON output: the documented fields first, then more detailed ones.
+/// The JSON output, with its fields in the order in which the man page explains them.
 #[derive(Serialize)]
 struct Check {
     kind: &'static str,

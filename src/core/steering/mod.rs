@@ -122,7 +122,7 @@ pub enum SteerError {
     },
     /// The axis of a drag points almost at the observer, or its plane is seen almost edge-on.
     #[error(
-        "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
+        "seen along the axis or plane of the drag, {:.1} degrees from it: look from the side",
         .angle.to_degrees()
     )]
     OnEdge {
