@@ -75,7 +75,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d '
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path, to standard output in place of the table' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page for each scene; the ending chooses the format. For several scenes, and for the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Seed of the random rays in the stress families' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
 camera\t''
 derivation\t''

@@ -71,6 +71,7 @@ pub enum Command {
     )]
     Check(CheckArguments),
     /// Measure the error of every method against its run time
+    #[command(long_about = include_str!("about/report.txt"))]
     Report(ReportArguments),
     /// Write a view, the derivation or the lab of lines as a figure for slides
     #[command(long_about = include_str!("about/figure.txt"))]

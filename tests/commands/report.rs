@@ -86,6 +86,23 @@ fn json_has_the_fields_of_the_contract() {
     }
     let ladder = methods.iter().find(|method| method["name"] == "ladder").unwrap();
     assert!(ladder["steps"].is_object());
+    let help = run("report --help").done();
+    let words: Vec<&str> = help.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    for field in fields_of(&answer) {
+        assert!(words.contains(&field.as_str()), "the help does not explain {field}");
+    }
+}
+
+/// Returns the names of all fields, at any depth.
+fn fields_of(value: &serde_json::Value) -> Vec<String> {
+    match value {
+        serde_json::Value::Object(fields) => {
+            let nested = fields.values().flat_map(fields_of);
+            fields.keys().cloned().chain(nested).collect()
+        }
+        serde_json::Value::Array(values) => values.iter().flat_map(fields_of).collect(),
+        _ => Vec::new(),
+    }
 }
 
 #[test]
