@@ -6,6 +6,7 @@ use pinhole_core::{
     DVec2, DVec3, Orientation, Pixel, Ray, ResolvedCamera, Root, UpAngle, shortest, triple,
 };
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::grouped;
 use serde::Serialize;
 
 use super::console::{CommandError, scene_fault, to_json, to_stdout};
@@ -84,7 +85,8 @@ impl Readout<'_> {
             ),
         ));
         let image = self.camera.image();
-        let size = format!("{} x {} pixels", image.width(), image.height());
+        let [width, height] = [image.width(), image.height()].map(|n| grouped(n.into()));
+        let size = format!("{width} x {height} pixels");
         lines.push(row("image", size));
         lines
     }

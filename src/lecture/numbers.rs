@@ -1,14 +1,18 @@
 //! Formats numbers for display: with few significant digits, without rounding noise, with a typographic
-//! minus sign (−), and without thousands separators. Numbers that are typed, copied or saved have an
+//! minus sign (−). Counts from 10,000 on have their digits in groups; coordinates and numbers that may be
+//! typed have not, because a comma separates coordinates. Numbers that are typed, copied or saved have an
 //! ASCII minus (-).
 
 use pinhole_core::shortest;
 
 use crate::forms::NumberForm;
 
-/// Formats digits in groups of three: `1,234,567`.
+/// Formats a count for reading, from 10,000 on with its digits in groups of three: `9999`, `1,234,567`.
 pub fn grouped(n: u64) -> String {
     let digits = n.to_string();
+    if n < 10_000 {
+        return digits;
+    }
     let mut text = String::new();
     for (k, digit) in digits.char_indices() {
         if k > 0 && (digits.len() - k).is_multiple_of(3) {
@@ -179,7 +183,8 @@ fn significant_digits(text: &str) -> usize {
     digits.trim_matches('0').len()
 }
 
-/// Formats a number with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e−6`.
+/// Formats a number with at most three significant digits, and a whole number up to 99,999 with all of
+/// them: `0`, `0.5`, `12.3`, `1430`, `54,845`, `3.2e7`, `1e−6`.
 pub fn short(x: f64) -> String {
     short_plain(x).replace('-', "−")
 }
@@ -196,6 +201,10 @@ pub fn short_plain(x: f64) -> String {
     if !(1e-3..1e5).contains(&magnitude) {
         let text = format!("{:.1e}", untied(x, 2));
         return text.replace(".0e", "e");
+    }
+    if magnitude.round() >= 1e4 {
+        let sign = if x < 0.0 { "-" } else { "" };
+        return format!("{sign}{}", grouped(magnitude.round() as u64));
     }
     let digits_before = magnitude.log10().floor() as i32 + 1;
     let decimals = (3 - digits_before).clamp(0, 5) as usize;
@@ -316,7 +325,9 @@ mod tests {
 
     #[test]
     fn groups_of_three() {
-        for (n, text) in [(0, "0"), (999, "999"), (1000, "1,000"), (12_345_678, "12,345,678")] {
+        for (n, text) in
+            [(0, "0"), (999, "999"), (9999, "9999"), (10_000, "10,000"), (12_345_678, "12,345,678")]
+        {
             assert_eq!(grouped(n), text);
         }
     }
@@ -351,6 +362,8 @@ mod tests {
             (12.345, "12.3"),
             (9.9999, "10"),
             (1430.4, "1430"),
+            (9999.6, "10,000"),
+            (-54_845.5, "−54,846"),
             (32_145_678.0, "3.2e7"),
             (f64::INFINITY, "beyond f64"),
             (1e-6, "1e−6"),

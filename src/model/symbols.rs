@@ -67,7 +67,7 @@ const MEANINGS: [(SymbolKind, &str, &str); 38] = [
     ),
     (Readout, "t", T),
     (Readout, "(u, v)", UV),
-    (Readout, "|d|", "|𝐝|: the direction's length, how long a step of 𝑡 = 1 is"),
+    (Readout, "|d|", "|𝐝|: the direction's length, the distance per unit of 𝑡"),
     (Readout, "distance", "distance: from the eye along the ray, 𝑡 |𝐝|, in world units"),
     (Readout, "point", "point: where the ray's line meets the object, 𝐩 + 𝑡 𝐝"),
     (Readout, "normal", NORMAL),

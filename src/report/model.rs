@@ -5,6 +5,7 @@
 //! such a number for a ray that hits, this counts as a wrong decision.
 
 use pinhole_core::Steps;
+use pinhole_lecture::numbers::{grouped, short_plain};
 use serde::Serialize;
 
 /// The errors and run times of every method in every case.
@@ -197,7 +198,7 @@ impl Case {
     pub fn title(&self) -> String {
         let Some(knob) = self.knob else { return self.name.clone() };
         let what = if self.knob_name.is_empty() { "knob" } else { &self.knob_name };
-        format!("{}, {what} = {}", self.name, pinhole_lecture::numbers::short_plain(knob))
+        format!("{}, {what} = {}", self.name, short_plain(knob))
     }
 }
 
@@ -208,11 +209,18 @@ impl MethodRow {
         let steps = self.steps?;
         let of_t = match self.steps_of_t.unwrap_or_default() {
             Steps { double_double: 0, exact: 0, .. } => String::new(),
-            of_t => format!("; t: {} in double-double, {} exactly", of_t.double_double, of_t.exact),
+            of_t => {
+                let [double_double, exact] = [of_t.double_double, of_t.exact].map(grouped);
+                format!("; t: {double_double} in double-double, {exact} exactly")
+            }
         };
         Some(format!(
             "{} decided {} in f32 or f64, {} in double-double, {} exactly{of_t}; in the {} pixels timed",
-            self.name, steps.f64, steps.double_double, steps.exact, self.pixels_timed
+            self.name,
+            grouped(steps.f64),
+            grouped(steps.double_double),
+            grouped(steps.exact),
+            grouped(self.pixels_timed)
         ))
     }
 

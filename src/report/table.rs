@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use pinhole_lecture::numbers::short_plain as short;
+use pinhole_lecture::numbers::{grouped, short_plain as short};
 
 use crate::report::model::{Case, ConditionSpread, MethodRow, Report};
 use crate::report::summary::{MethodOverall, Overall, least_middle_most, overall, summaries};
@@ -86,8 +86,8 @@ fn summary(out: &mut String, all: &Overall) {
         let [time_least, time, time_most] = three(least_middle_most(&method.times));
         [
             method.first.name.to_owned(),
-            method.wrong.to_string(),
-            method.decisions.to_string(),
+            grouped(method.wrong),
+            grouped(method.decisions),
             percent(method.share),
             error_least,
             error,
@@ -153,8 +153,9 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         })
     };
     let title = format!(
-        "{}: {decisions} decisions, {coverage}{}{}",
+        "{}: {} decisions, {coverage}{}{}",
         case.title(),
+        grouped(decisions),
         condition("", case.condition),
         condition(" in the cases for f32", case.condition_f32)
     );
@@ -188,7 +189,7 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
     let ratio = baseline.zip(times.min).map(|(base, time)| time / base);
     [
         row.name.clone(),
-        row.wrong.to_string(),
+        grouped(row.wrong),
         percent(row.wrong_share),
         number(row.ulp_f64.median),
         number(row.ulp_f64.p99),

@@ -159,7 +159,7 @@ fn verdict(s: &Substitution, digits: usize) -> String {
             if ray_hits {
                 format!("They meet at t {is}, at ({x}, {y}). t > 0: the ray hits.")
             } else if t.partial_cmp(&0.0) == Some(Ordering::Less) {
-                format!("Line met but ray missed: t {is} < 0, at ({x}, {y}), behind p.")
+                format!("They meet at t {is}, at ({x}, {y}). t < 0, behind p: the ray misses.")
             } else {
                 format!("They meet at p itself, ({x}, {y}): t = 0 is no hit.")
             }
@@ -530,7 +530,7 @@ impl PlaneView {
             }
         }
         labels.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
-        let result = if crossing.ray_hits { "hit" } else { "ray missed" };
+        let result = if crossing.ray_hits { "ray hits" } else { "ray misses" };
         let text = format!("{result}: t {}", equated(crossing.t, digits));
         let font = Font { size: NAMES, color: self.colors.ink, bold: true };
         let below = |distance| around(at, vec2(0.0, 1.0), distance);
@@ -612,7 +612,7 @@ mod tests {
                 "t = −1",
             ]
         );
-        assert_eq!(verdict, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.");
+        assert_eq!(verdict, "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses.");
     }
 
     #[test]

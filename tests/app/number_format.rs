@@ -1,4 +1,4 @@
-//! One number format in the whole window: the real minus, and digits without groups.
+//! One number format in the whole window: the real minus, and counts with their digits in groups.
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -31,7 +31,7 @@ fn faults(text: &str) -> Vec<String> {
     for k in 0..letters.len() {
         let is_joined = k > 0 && (at(k - 1).is_alphabetic() && at(k - 1) != 'e');
         let is_minus = at(k) == '-' && (is_digit(k + 1) || at(k + 1) == '.') && !is_joined;
-        let separates = [',', ' ', '\u{2009}', '\u{202f}', '\''].contains(&at(k));
+        let separates = [' ', '\u{2009}', '\u{202f}', '\''].contains(&at(k));
         let is_group = separates
             && k > 0
             && is_digit(k - 1)
@@ -41,16 +41,23 @@ fn faults(text: &str) -> Vec<String> {
             faults.push(around(k));
         }
     }
+    let counted = ["decisions", "pixels", "spheres", "ulps"];
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let counts =
+        words.windows(2).filter(|pair| counted.iter().any(|unit| pair[1].starts_with(unit)));
+    let is_long = |count: &str| count.len() > 4 && count.chars().all(|c| c.is_ascii_digit());
+    faults.extend(counts.map(|pair| pair[0]).filter(|count| is_long(count)).map(str::to_owned));
     faults
 }
 
 #[test]
 fn the_faults_are_found() {
-    for text in ["x = -1", "(0, -0.5)", "1e-9", "189,489 of 2", "160 000 pixels", "160\u{202f}000"]
+    for text in
+        ["x = -1", "(0, -0.5)", "1e-9", "189489 decisions", "160 000 pixels", "160\u{202f}000"]
     {
         assert!(!faults(text).is_empty(), "{text}");
     }
-    for text in ["−1", "sphere 2-a", "row 1, column 200", "ray-sphere", "82369", "3 of 400 pixels"]
+    for text in ["−1", "sphere 2-a", "row 1, column 200", "ray-sphere", "82,369 of 90,000 pixels"]
     {
         assert_eq!(faults(text), Vec::<String>::new());
     }

@@ -260,6 +260,17 @@ fn a_map_shows_where() {
 }
 
 #[test]
+fn large_counts_have_their_digits_in_groups_for_people_and_not_for_programs() {
+    let folder = folder("");
+    run_in(folder.path(), &["render", "canonical", "-o", "in.png"]).done();
+    let check = ["check", "canonical", "--answers", "in.png"];
+    let said = run_in(folder.path(), &check).done();
+    assert!(said.starts_with("picture: 160,000 of 160,000 pixels agree"), "{said}");
+    let json = run_in(folder.path(), &[&check[..], &["--json"]].concat()).done();
+    assert!(json.contains("160000") && !json.contains("160,000"), "{json}");
+}
+
+#[test]
 fn a_picture_is_graded_in_its_own_shading() {
     let folder = folder("");
     for shade in ["lambert", "normal", "t", "object"] {

@@ -147,7 +147,7 @@ fn pdftotext_finds_the_labels() {
         assert!(derivation.contains(part), "no {part} in {derivation}");
     }
     let lines = text_of(FIGURES[5].1);
-    for part in ["f > 0", "hit: t = 1", "𝑡 = 0.5", "sorted by t", "They meet at"] {
+    for part in ["f > 0", "ray hits: t = 1", "𝑡 = 0.5", "sorted by t", "They meet at"] {
         assert!(lines.contains(part), "no {part} in {lines}");
     }
 }

@@ -27,10 +27,10 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
     let mut report = sample::report();
     report.cases.truncate(1);
     assert_eq!(count(&svg_of(&report), RING), 0);
-    report.cases[0].methods[2].wrong = 1234;
+    report.cases[0].methods[2].wrong = 12_345;
     let svg = svg_of(&report);
     assert_eq!(count(&svg, RING), 1);
-    assert_eq!(count(&svg, ">1,234</tspan></text>"), 1);
+    assert_eq!(count(&svg, ">12,345</tspan></text>"), 1);
 }
 
 #[test]

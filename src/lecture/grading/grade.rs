@@ -5,6 +5,7 @@ use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
+use crate::numbers::grouped;
 
 /// Default maximum relative error of a number in an answer. It is twice the maximum rounding error of a
 /// number with six significant digits, which is what `%g` and C++ streams print. It is about 80 times
@@ -177,7 +178,8 @@ impl Grade {
         let is_named = !mistakes.is_empty();
         let other = self.diagnosis.other.filter(|_| is_named);
         let other = other.map(|other| format!("Another explanation: {}", other.advice()));
-        let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
+        let sampled = (*of_every > 1)
+            .then(|| format!("One of {} answers was looked at.", grouped(*of_every as u64)));
         let is_in_addition = is_named || self.sentinel.is_some();
         let digits = self.right_digits.filter(|_| is_in_addition).map(|digits| {
             let wanted = self.digits_in_words();

@@ -7,7 +7,7 @@ use super::answers::{AnswerKind, Answers};
 use super::grade::{AnswerValue, Grade, Worst};
 use super::picture::off;
 use crate::mistakes::Mistake;
-use crate::numbers::significant;
+use crate::numbers::{grouped, significant};
 
 /// Answers with their grade.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,7 +122,7 @@ impl Graded {
         self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
     }
 
-    /// Returns the number of right answers as text, for example `159999 of 160000 hits agree, within
+    /// Returns the number of right answers as text, for example `159,999 of 160,000 hits agree, within
     /// 0.00001 of their distance`.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
@@ -134,6 +134,7 @@ impl Graded {
             AnswerKind::Picture => "pixels",
         };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
+        let [agree, all] = [agree, all].map(|count| grouped(count as u64));
         format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
     }
 
@@ -151,7 +152,7 @@ impl Graded {
         match self.grade.unanswered {
             0 => None,
             1 => Some("1 pixel is not answered".to_owned()),
-            count => Some(format!("{count} pixels are not answered")),
+            count => Some(format!("{} pixels are not answered", grouped(count as u64))),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use pinhole_core::Camera;
 use pinhole_core::steering::SteerError;
-use pinhole_lecture::numbers::equated;
+use pinhole_lecture::numbers::{equated, grouped};
 
 use super::{Kind, Start, Still};
 use crate::model::observer::Observer;
@@ -152,7 +152,7 @@ impl Player {
             Kind::Scan => {
                 let steps = self.kind.steps(&self.start);
                 let so_far = (self.phase * steps as f64).round() as u64;
-                format!("{so_far} of {steps} pixels")
+                format!("{} of {} pixels", grouped(so_far), grouped(steps))
             }
         }
     }

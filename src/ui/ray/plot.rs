@@ -10,7 +10,7 @@ use egui::{
     Align2, Color32, Context, FontId, Galley, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea,
     Sense, Slider, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-use pinhole_lecture::numbers::{equated, equated_tuple, written as number};
+use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
@@ -63,7 +63,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
                 0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
                 0 => {}
                 1 => drop(ui.label("1 more object is left out")),
-                n => drop(ui.label(format!("{n} more objects are left out"))),
+                n => drop(ui.label(format!("{} more objects are left out", grouped(n as u64)))),
             }
         });
     });

@@ -6,6 +6,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
 use pinhole_core::{Counts, ResolvedCamera, Steps, UpAngle};
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::grouped;
 
 use crate::model::concept::{HoverSource, Hovered};
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
@@ -73,9 +74,8 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
 pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Some(counts) = derived.counts.filter(|_| derived.fault.is_none()) else { return };
     let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
-    let text = format!(
-        "Left out: {spheres_left_out} of {spheres} spheres, {rows_untouched} of {rows} rows"
-    );
+    let [out, spheres] = [spheres_left_out, spheres].map(grouped);
+    let text = format!("Left out: {out} of {spheres} spheres, {rows_untouched} of {rows} rows");
     ui.add_space(12.0);
     ui.weak(text).on_hover_text(LEFT_OUT);
 }
@@ -87,7 +87,7 @@ pub(crate) const STEPS: &str = "The number of decisions on whether a ray hits, b
 /// Returns a text that says how many hit-or-miss decisions of the picture were made in `f64`, in
 /// double-double and in exact arithmetic.
 pub(crate) fn steps(steps: Steps) -> String {
-    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact];
+    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
     if steps.beyond_f64() == 0 {
         return format!("Hit or miss: {f64} decisions, all in f64");
     }

@@ -13,7 +13,7 @@ use egui::{
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::numbers::written_whole;
+use pinhole_lecture::numbers::{grouped, written_whole};
 
 use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
 use crate::model::session::presenting::{PEN_COLORS, Pen};
@@ -342,7 +342,10 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
     if let Some(rect) = rects.camera_area {
         let text = match rect.width() < NARROW {
             true => CAMERA.to_owned(),
-            false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
+            false => {
+                let [width, height] = [image.width(), image.height()].map(|n| grouped(n.into()));
+                format!("{CAMERA}, {width} × {height} pixels")
+            }
         };
         let hint = "Click: select a pixel. Right drag: look around. Middle drag or Shift+right drag: orbit \
                     around at. Wheel: enlarge pixels. Ctrl+wheel: field of view.";

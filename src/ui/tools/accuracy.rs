@@ -16,7 +16,7 @@ use egui::{
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::numbers::{short, written_whole};
+use pinhole_lecture::numbers::{grouped, short, written_whole};
 
 use crate::model::session::{Session, Settings};
 use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
@@ -103,7 +103,7 @@ fn color_bar(ui: &mut Ui) {
 /// Returns a summary such as `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
 pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
-    let (wrong, all) = (comparison.wrong, comparison.errors.len());
+    let [wrong, all] = [comparison.wrong, comparison.errors.len()].map(|n| grouped(n as u64));
     let errors = match comparison.largest {
         Some(NO_DIGIT..) => ", at worst no digit of t right".to_owned(),
         Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
@@ -122,7 +122,7 @@ pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> 
     let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
     Some(match comparison.wrong {
         1 => format!("drawn by {method}: 1 wrong screen pixel"),
-        wrong => format!("drawn by {method}: {wrong} wrong screen pixels"),
+        wrong => format!("drawn by {method}: {} wrong screen pixels", grouped(wrong as u64)),
     })
 }
 
@@ -299,7 +299,7 @@ fn description(row: &MethodRow) -> String {
         row.name.clone(),
         format!("{} ns a pixel", number(row.ns_per_pixel.min)),
         format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
-        format!("{} of {} decisions wrong", row.wrong, row.decisions),
+        format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
     ];
     lines.extend(Method::from_name(&row.name).map(hint));
     lines.join("\n")
@@ -344,7 +344,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
             None => drop(ui.label(&row.name)),
         }
     });
-    let wrong = RichText::new(row.wrong.to_string());
+    let wrong = RichText::new(grouped(row.wrong));
     ui.label(if row.wrong > 0 { wrong.strong().color(error_color(ui)) } else { wrong });
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short).replace('-', "−");
     ui.label(row.wrong_share.map_or(String::new(), |share| format!("{} %", short(100.0 * share))));

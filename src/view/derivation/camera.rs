@@ -252,7 +252,7 @@ pub(super) fn ray_lines(
     let sides = [D, symbols, substituted, numbers.vector(ray.ray.direction)];
     lines.push(DerivedLine::chain(Concept::Direction, sides));
     let length = DerivedLine::chain(Concept::Direction, [norm(D), numbers.scalar(ray.length)]);
-    lines.push(length.noted("the length of a step of 𝑡 = 1"));
+    lines.push(length.noted("the distance per unit of 𝑡"));
     let substituted = along(numbers.vector(ray.ray.origin), T, numbers.vector(ray.ray.direction));
     let formula = equation(along(P, T, D), substituted);
     lines.push(DerivedLine::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));

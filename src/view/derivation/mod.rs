@@ -13,6 +13,7 @@ use std::fmt::{self, Write as _};
 
 use pinhole_core::{ExactRay, Ray, ResolvedCamera, Scene, SceneError, Selection};
 use pinhole_exchange::{Document, is_hidden};
+use pinhole_lecture::numbers::grouped;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use crate::model::{Concept, DerivationSection, DerivationSections, Fault, Inspection, symbols};
@@ -152,7 +153,7 @@ impl fmt::Display for Derivation {
 pub fn left_out(count: usize) -> String {
     match count {
         1 => "1 more object is not listed".to_owned(),
-        n => format!("{n} more objects are not listed"),
+        n => format!("{} more objects are not listed", grouped(n as u64)),
     }
 }
 

@@ -77,7 +77,7 @@ fn the_canonical_camera() {
               v 𝐯 = −0.1 (0, 1, 0) = (0, −0.1, 0)
               −distance 𝐰 = −1 (0, 0, 1) = (0, 0, −1)
               𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)
-              |𝐝| = √105/10; the length of a step of t = 1
+              |𝐝| = √105/10; the distance per unit of t
               𝐩 + t 𝐝 = (0, 0, 0) + t (0.2, −0.1, −1); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “ball”
@@ -139,7 +139,7 @@ fn a_pixel_of_the_look_at_camera() {
               v 𝐯 ≈ 0.25125 (−0.12464, 0.9882, −0.089027) ≈ (−0.031315, 0.24829, −0.022368)
               −distance 𝐰 = −1 (21, 4, 15)/√682 = (−21, −4, −15)/√682
               𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 ≈ (−0.00072655, 0, 0.0010172) + (−0.031315, 0.24829, −0.022368) + (−21, −4, −15)/√682 ≈ (−0.83617, 0.095117, −0.59573)
-              |𝐝| ≈ 1.0311; the length of a step of t = 1
+              |𝐝| ≈ 1.0311; the distance per unit of t
               𝐩 + t 𝐝 ≈ (20, 4, 10) + t (−0.83617, 0.095117, −0.59573); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “target”
@@ -214,7 +214,7 @@ fn the_lectures_forty_five_degrees() {
               v 𝐯 = −0.1 (0, 1, 0) = (0, −0.1, 0)
               −distance 𝐰 = −1 (1/√2, 0, 1/√2) = (−1/√2, 0, −1/√2)
               𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (√2/10, 0, −√2/10) + (0, −0.1, 0) + (−1/√2, 0, −1/√2) = (−2 √2/5, −0.1, −3 √2/5)
-              |𝐝| = √105/10; the length of a step of t = 1
+              |𝐝| = √105/10; the distance per unit of t
               𝐩 + t 𝐝 = (0, 0, 0) + t (−2 √2/5, −0.1, −3 √2/5); 𝐩 = eye; t = 1 is on the viewport
 
             sphere 0 “ball”
@@ -434,7 +434,7 @@ fn as_latex_and_as_markdown() {
           \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} \\
           &= \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \\
           &= \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
-          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \quad \text{the length of a step of $t$ = 1} \\
+          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \quad \text{the distance per unit of $t$} \\
           \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \\
           &\quad \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
         \end{align*}
@@ -463,7 +463,7 @@ fn as_latex_and_as_markdown() {
         - $v \mathbf{v} = -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right)$
         - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right)$
         - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$
-        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10}$; the length of a step of 𝑡 = 1
+        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10}$; the distance per unit of 𝑡
         - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$; 𝐩 = eye; 𝑡 = 1 is on the viewport
 
         1 more object is not listed

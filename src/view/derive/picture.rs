@@ -11,6 +11,7 @@ use pinhole_core::{
     Counts, Depth, Frame, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Selection,
     Shade, Steps, retrace_painted, shade, trace, trace_painted,
 };
+use pinhole_lecture::numbers::grouped;
 
 use crate::model::{Inspection, Item};
 use crate::view::accuracy::Comparison;
@@ -42,7 +43,7 @@ impl TooMany {
 
 impl fmt::Display for TooMany {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (objects, pixels) = (self.objects, self.pixels);
+        let [objects, pixels] = [self.objects, self.pixels].map(grouped);
         write!(
             f,
             "{objects} objects at {pixels} pixels are too many for a method that asks every object \

@@ -230,7 +230,10 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (
         11,
         4,
-        &[(SAYS, "= t + 1"), (SAYS, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.")],
+        &[
+            (SAYS, "= t + 1"),
+            (SAYS, "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses."),
+        ],
     ),
     // t - t + 1.
     (

@@ -43,7 +43,7 @@ fn what_is_typed_is_put_in_with_its_numbers() {
     assert_reads(&window, "= t + 1");
     assert_reads(&window, "t = −1");
     assert_reads(&window, "the same as  y = 2 x + 1");
-    assert_says(&window, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.");
+    assert_says(&window, "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses.");
     type_into(&mut window, "p x", "-2");
     assert_says(&window, "They meet at t = 3, at (1, 3). t > 0: the ray hits.");
 }
@@ -67,7 +67,7 @@ fn parallel_coincident_and_no_line_are_told_apart() {
 fn every_example_says_what_it_is_called() {
     let mut window = open();
     for (name, said) in [
-        ("Ray missed", "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p."),
+        ("Ray misses", "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses."),
         ("Parallel", "Parallel: f(p + t d) is 2 at every t, never 0. They never meet."),
         ("Coincident", "Coincident: f(p + t d) is 0 at every t. Both are the same line."),
         ("Ray hits", "They meet at t = 1, at (1, 1). t > 0: the ray hits."),

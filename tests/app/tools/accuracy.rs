@@ -9,6 +9,7 @@ use pinhole::ui::app::App;
 use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::methods::Method;
 use pinhole_core::{Pixel, Selection};
+use pinhole_lecture::numbers::grouped;
 
 use crate::harness::{assert_says, show, texts_with, type_into, unfolded, window, window_with};
 
@@ -128,7 +129,11 @@ fn wrong_pixels_are_red_with_a_white_edge() {
     let white = image.pixels.iter().filter(|p| **p == egui::Color32::WHITE).count();
     assert!(wrong > 0, "the scene is there to show that");
     assert!(red >= 25 && white >= 20, "{wrong} wrong, {red} red, {white} white");
-    assert!(map_says(&window).contains(&format!(": {wrong} of ")), "{}", map_says(&window));
+    assert!(
+        map_says(&window).contains(&format!(": {} of ", grouped(wrong as u64))),
+        "{}",
+        map_says(&window)
+    );
 }
 
 #[test]
@@ -167,7 +172,10 @@ fn a_picture_by_another_method_is_marked() {
     let derived = window.state().derived().clone();
     let wrong = derived.drawn_by.unwrap().comparison.wrong;
     assert!(wrong > 1, "the scene is there to show that");
-    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong screen pixels"));
+    assert_says(
+        &window,
+        &format!("drawn by textbook-f32: {} wrong screen pixels", grouped(wrong as u64)),
+    );
     assert_ne!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
     draw_by(&mut window, "ladder");
     let derived = window.state().derived().clone();
@@ -199,7 +207,7 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     assert!(too_many.objects * too_many.pixels > MOST_QUESTIONS);
     assert!(derived.drawn_by.is_none() && derived.truth.is_none() && derived.fault.is_none());
     let why = too_many.to_string();
-    assert!(why.starts_with("20000 objects at "), "{why}");
+    assert!(why.starts_with("20,000 objects at "), "{why}");
     assert_says(&window, &format!("drawn by the ladder, not by textbook-f64: {why}"));
     let ladders = crowded_window(Settings::default());
     let (of_ladder, shown) = (ladders.state().derived(), derived.camera_view.unwrap());
@@ -284,8 +292,7 @@ fn the_window_says_how_far_up_the_ladder_its_picture_went() {
     let mut window = window("canonical");
     let steps = window.state().derived().steps.unwrap();
     assert!(steps.total() > 0);
-    let [f64, double_double, exact] =
-        [steps.f64, steps.double_double, steps.exact].map(|count| count.to_string());
+    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
     let said = if steps.beyond_f64() == 0 {
         format!("Hit or miss: {f64} decisions, all in f64")
     } else {
@@ -298,7 +305,7 @@ fn the_window_says_how_far_up_the_ladder_its_picture_went() {
     let steps = window.state().derived().steps.unwrap();
     let said = texts_with(&window, "Hit or miss: ");
     assert!(!said.is_empty());
-    assert!(said.iter().all(|text| text.contains(&steps.f64.to_string())), "{said:?}");
+    assert!(said.iter().all(|text| text.contains(&grouped(steps.f64))), "{said:?}");
 }
 
 #[test]
