@@ -31,7 +31,7 @@ pub enum Item {
     Hit,
     /// The x, y, z axes at the origin.
     Axes,
-    /// The planes, each drawn as a part of it near the observer's target, with a grid of world units.
+    /// The planes, each drawn as a pane with a grid of world units.
     Planes,
     /// The lines u = 0 and v = 0 in the camera view.
     UvAxes,
@@ -44,11 +44,13 @@ pub enum Item {
     /// The selected ray and the sphere that it hits first, as a textbook draws them: centre, radius, foot of
     /// the perpendicular, half chord and both roots.
     SphereFigure,
+    /// The floor in the world view: a grid below everything, and drop lines down to it.
+    Floor,
 }
 
 impl Item {
     /// All items, in order.
-    pub const ALL: [Item; 18] = {
+    pub const ALL: [Item; 19] = {
         use Item::*;
         [
             Eye,
@@ -69,6 +71,7 @@ impl Item {
             Loupe,
             Handles,
             SphereFigure,
+            Floor,
         ]
     };
 
@@ -92,6 +95,7 @@ impl Item {
             Item::Loupe => ["loupe", "loupe"],
             Item::Handles => ["handles", "handles"],
             Item::SphereFigure => ["ray and sphere: roots and half chord", "sphere-figure"],
+            Item::Floor => ["floor and drop lines", "floor"],
         }
     }
 
@@ -120,8 +124,8 @@ const UNUSED: u32 = 1 << 31;
 
 /// The set of items that are drawn.
 ///
-/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. The bits up to
-/// [`Item::Handles`] are set for items that are off, the later ones for items that are on. Unknown bits are
+/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. The bits of the
+/// whiteboard's figures are set for items that are on, all others for items that are off. Unknown bits are
 /// ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(from = "u32", into = "u32")]
@@ -208,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn files_from_before_an_item_existed_leave_it_off() {
+    fn files_from_before_a_figure_existed_leave_it_off_and_have_the_floor() {
         let read =
             |stored: u32| serde_json::from_value::<OverlayItems>(stored.into()).expect("a set");
         let earlier = 1 << (Item::Handles as u8 + 1);
@@ -217,7 +221,8 @@ mod tests {
         for stored in [0, covering, !eye, u32::MAX] {
             let items = read(stored);
             for item in Item::ALL {
-                let expected = item.bit() < earlier && stored & item.bit() == 0;
+                let was_there = item.bit() < earlier || item == Item::Floor;
+                let expected = was_there && stored & item.bit() == 0;
                 assert_eq!(items.shows(item), expected, "{stored:b} {item:?}");
             }
         }

@@ -1,5 +1,5 @@
-//! Flat layers of the world view, painted pixel by pixel over the traced picture: the background, the drawn
-//! parts of planes, and the viewport with the camera's picture on it. Nearer layers cover farther ones.
+//! Flat layers of the world view, painted pixel by pixel over the traced picture: the background, the panes
+//! that stand for planes, the floor's grid, and the viewport with the camera's picture on it. Nearer layers cover farther ones.
 //! Whether a sphere covers a layer is decided by comparing t.
 
 use std::ops::Range;
@@ -11,11 +11,14 @@ use rayon::prelude::*;
 use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
 
 /// The layers between the observer's traced picture and the camera: the spheres around the camera, which
-/// are cut away, and the drawn parts of planes. They do not change while only the camera moves.
+/// are cut away, the panes that stand for planes, and the floor. They seldom change while only the camera
+/// moves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Backdrop {
     pub(crate) background: Color32,
     pub(crate) patches: Vec<PlanePatch>,
+    /// The floor's grid, of which only the lines are painted.
+    pub(crate) floor: Option<PlanePatch>,
     pub(crate) bowls: Vec<Bowl>,
 }
 
@@ -92,16 +95,14 @@ pub(crate) struct ViewportLayer<'a> {
     pub(crate) behind: Color32,
 }
 
-/// The drawn part of an infinite plane: a disc near the observer's target, with grid lines in world units,
-/// which fades out towards its rim.
+/// The pane that stands for an infinite plane: a rectangle with grid lines in world units.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlanePatch {
-    /// The plane; its coordinates (a, b) are measured in world units from the disc's centre.
+    /// The plane; its coordinates (a, b) go from -0.5 to 0.5 across the rectangle.
     pub(crate) flat: Flat,
-    pub(crate) radius: f64,
     pub(crate) color: Color32,
     pub(crate) grid_color: Color32,
-    /// Opacity in the middle of the disc, 0 to 1.
+    /// Opacity, 0 to 1.
     pub(crate) opacity: f32,
     pub(crate) grid: Grid,
 }
@@ -114,20 +115,20 @@ const TOLERANCE: f64 = 1e-3;
 /// touch the traced surfaces, so it only has to cover the rounding of `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
-/// Value of |a| and |b| at the viewport's edges.
-const HALF_VIEWPORT: f64 = 0.5;
+/// Value of |a| and |b| at the edges of the viewport and of a pane.
+const HALF: f64 = 0.5;
 
 /// Number of rows of screen pixels that are painted at a time.
 pub(crate) const BAND: usize = 32;
 
-/// Opacity of a plane's drawn part up to which it does not hide lines behind it.
+/// Opacity of a pane up to which it does not hide lines behind it.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl ViewportLayer<'_> {
     /// Returns the point where the ray through a screen position passes through the viewport's rectangle;
     /// `None` if it passes outside.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
-        self.flat.at(dot, HALF_VIEWPORT)
+        self.flat.at(dot, HALF)
     }
 
     /// Returns the colour of a screen pixel at (a, b) after the layer is painted over the colour `below`.
@@ -148,26 +149,11 @@ impl ViewportLayer<'_> {
 }
 
 impl PlanePatch {
-    /// Returns the plane's opacity at a point whose squared distance from the disc's centre, a^2 + b^2, is
-    /// `length_squared`. It fades to 0 at the rim.
+    /// Returns the colour of a screen pixel after the layer is painted over the colour `below`. `line` is
+    /// the fraction of the pixel that grid lines cover.
     #[inline(always)]
-    fn opacity_at(&self, length_squared: f32) -> f32 {
-        let radius = self.radius as f32;
-        let s = (1.3 - 1.3 / (radius * radius) * length_squared).clamp(0.0, 1.0);
-        self.opacity * s * s * (3.0 - 2.0 * s)
-    }
-
-    fn hides(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
-        self.flat.at(dot, self.radius).is_some_and(|spot| {
-            covers(spot.t) && self.opacity_at(spot.position.length_squared() as f32) > SEEN_THROUGH
-        })
-    }
-
-    /// Returns the colour of a screen pixel at (a, b) after the layer is painted over the colour `below`.
-    /// `line` is the fraction of the pixel that grid lines cover.
-    #[inline(always)]
-    fn paint(&self, [a, b, line]: [f32; 3], is_visible: bool, below: Color32) -> Color32 {
-        let opacity = if is_visible { self.opacity_at(a * a + b * b) } else { 0.0 };
+    fn paint(&self, line: f32, is_visible: bool, below: Color32) -> Color32 {
+        let opacity = if is_visible { self.opacity } else { 0.0 };
         let base = mix(below, self.color, opacity);
         if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
     }
@@ -208,14 +194,21 @@ impl<'a> Layers<'a> {
         if picture.and_then(|layer| layer.spot(dot)).is_some_and(|spot| covers(spot.t)) {
             return true;
         }
-        self.backdrop.patches.iter().any(|patch| patch.hides(dot, covers))
+        self.is_behind_pane(dot, covers)
+    }
+
+    /// Returns true if a pane is opaque enough to hide what is behind it, and its t at a screen position
+    /// `covers` it.
+    fn is_behind_pane(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
+        let mut panes = self.backdrop.patches.iter().filter(|patch| patch.opacity > SEEN_THROUGH);
+        panes.any(|patch| patch.flat.at(dot, HALF).is_some_and(|spot| covers(spot.t)))
     }
 
     /// Paints all layers over the `traced` picture in the pixels that the viewport covers, in a band of rows
     /// of which `top` is the first. All other pixels must already show the result of [`Backdrop::paint`].
     pub(crate) fn paint_viewport(&self, top: usize, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
-        let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
+        let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF);
         self.paint_parts(top, dots, part, |row, part, dots| {
             let start = row * self.width;
             dots.copy_from_slice(&traced[start + part.start..start + part.end]);
@@ -236,7 +229,7 @@ impl<'a> Layers<'a> {
         let painted = rows.flat_map(|edges| {
             let row = row_of(&edges[0]);
             let y = row as f64 + 0.5;
-            let part = viewport.flat.span(y, self.width, HALF_VIEWPORT);
+            let part = viewport.flat.span(y, self.width, HALF);
             edges.iter().filter(move |edge| {
                 let column = edge.pixel as usize - row * self.width;
                 part.contains(&column) && !is_hidden(DVec2::new(column as f64 + 0.5, y), edge)
@@ -257,7 +250,8 @@ impl<'a> Layers<'a> {
         if !self.is_traced() {
             return;
         }
-        let mut layers = vec![FlatRow::default(); self.backdrop.patches.len() + 1];
+        let count = 1 + self.backdrop.patches.len() + usize::from(self.backdrop.floor.is_some());
+        let mut layers = vec![FlatRow::default(); count];
         for (row, dots) in (top..self.height).zip(dots.chunks_exact_mut(self.width)) {
             let part = part_of(row);
             if !part.is_empty() {
@@ -274,16 +268,16 @@ impl<'a> Layers<'a> {
         let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
             let grid = grid.as_ref().map(|(grid, _)| grid);
-            flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
+            flat.fill_row(&mut layers[0], y, part, HALF, grid);
         }
-        for (layer, PlanePatch { flat, radius, grid, .. }) in
-            layers[1..].iter_mut().zip(&self.backdrop.patches)
-        {
-            flat.fill_row(layer, y, part, *radius, Some(grid));
+        let patches = self.backdrop.patches.iter().chain(&self.backdrop.floor);
+        for (layer, PlanePatch { flat, grid, .. }) in layers[1..].iter_mut().zip(patches) {
+            flat.fill_row(layer, y, part, HALF, Some(grid));
         }
     }
 
     fn paint_row(&self, layers: &[FlatRow], row: usize, part: &Range<usize>, dots: &mut [Color32]) {
+        let (layers, floor) = layers.split_at(1 + self.backdrop.patches.len());
         let start = row * self.width;
         let t = &self.frame.t[start..start + self.width];
         let objects = &self.frame.object[start..start + self.width];
@@ -311,6 +305,34 @@ impl<'a> Layers<'a> {
                 _ => self.paint_many(layers, &there, part, t, dots),
             }
         }
+        if let (Some(patch), [floor]) = (&self.backdrop.floor, floor) {
+            self.paint_floor(patch, floor, row, t, dots);
+        }
+    }
+
+    /// Paints the lines of the floor where neither the camera's picture nor a pane hides them.
+    fn paint_floor(
+        &self,
+        patch: &PlanePatch,
+        floor: &FlatRow,
+        row: usize,
+        traced: &[f32],
+        dots: &mut [Color32],
+    ) {
+        let picture = self.viewport.as_ref().filter(|viewport| viewport.picture.is_some());
+        for (column, (t, [.., line])) in floor.span.clone().zip(floor.spots(floor.span.clone())) {
+            if line == 0.0 || !is_nearer(t, traced[column]) {
+                continue;
+            }
+            let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+            let covers = |nearer: f64| nearer < f64::from(t);
+            let is_behind_picture =
+                picture.and_then(|layer| layer.spot(at)).is_some_and(|spot| covers(spot.t));
+            if is_behind_picture || self.is_behind_pane(at, covers) {
+                continue;
+            }
+            dots[column] = mix(dots[column], patch.grid_color, line * patch.opacity);
+        }
     }
 
     fn paint_one(
@@ -329,7 +351,7 @@ impl<'a> Layers<'a> {
             (Some(patch), _) => {
                 let patch = &self.backdrop.patches[patch];
                 for ((dot, (t, spot)), traced) in dots.iter_mut().zip(spots).zip(traced) {
-                    *dot = patch.paint(spot, is_nearer(t, *traced), *dot);
+                    *dot = patch.paint(spot[2], is_nearer(t, *traced), *dot);
                 }
             }
             (None, Some(viewport)) => {
@@ -372,7 +394,7 @@ impl<'a> Layers<'a> {
                 let (row, below) = (&layers[*index], dots[column]);
                 let spot = row.spot(column - row.span.start);
                 dots[column] = match (index.checked_sub(1), &self.viewport) {
-                    (Some(patch), _) => self.backdrop.patches[patch].paint(spot, true, below),
+                    (Some(patch), _) => self.backdrop.patches[patch].paint(spot[2], true, below),
                     (None, Some(viewport)) => viewport.paint(spot, below),
                     (None, None) => below,
                 };

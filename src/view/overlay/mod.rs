@@ -11,6 +11,7 @@
 //! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels; `style`:
 //!   colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
+//! - `world_view/ground`: the panes that stand for planes, the floor's grid, and the drop lines to it.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
 //!   labels.
 //! - `world_view/sphere_figure`: the selected ray and a sphere, as a textbook draws them.
@@ -49,7 +50,7 @@ use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
 use paint::{Fills, StretchedPicture};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
-use style::{BOLD_POINT, LabelFont, MARK, POINT, VECTOR};
+use style::{BOLD_POINT, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};
 use world_view::camera_in_space::{BASIS, corners};
 use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,

@@ -117,7 +117,8 @@ impl Screen {
         for border in self.borders() {
             inside = clipped(&inside, |q| border.dot(q));
         }
-        inside.into_iter().map(|q| self.spot_of_view(q)).collect()
+        let spots: Vec<Spot> = inside.into_iter().map(|q| self.spot_of_view(q)).collect();
+        if spots.iter().all(|spot| self.is_near(*spot)) { spots } else { Vec::new() }
     }
 
     /// Returns the visible part of the line from `a` to `b`; `None` if no part is visible. The line is

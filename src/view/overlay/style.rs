@@ -7,6 +7,7 @@
 use egui::Color32;
 
 use crate::model::session::Scheme;
+use crate::view::overlay::mix;
 
 /// The font of a label: its size in points, and whether it is bold.
 pub(super) type LabelFont = (f32, bool);
@@ -19,6 +20,15 @@ pub(super) const BOLD_POINT: LabelFont = (17.0, true);
 pub(super) const POINT: LabelFont = (17.0, false);
 /// Font for the labels of marks.
 pub(super) const MARK: LabelFont = (14.0, false);
+
+/// Width of thin lines of lesser rank: the far part of the frustum, and grids.
+pub(super) const FINE: f32 = 1.2;
+/// Width of the world's axes and of the frustum. Each width is 1.4 times the one before.
+pub(super) const THIN: f32 = 1.7;
+/// Width of outlines, of normals, and of the vectors that the user gives.
+pub(super) const MEDIUM: f32 = 2.4;
+/// Width of the vectors u, v, w and of the selected ray.
+pub(super) const THICK: f32 = 3.4;
 
 /// A set of colours for a light or a dark window. Each [`Scheme`] has a light and a dark style, in the
 /// order of [`Scheme::ALL`].
@@ -45,7 +55,7 @@ pub struct Colors {
     /// The colour where the observer's rays hit nothing.
     pub background: Color32,
     /// The colour of the casing of lines and of the halo of text, which separate these from what they
-    /// cross.
+    /// cross: that of the background, in which they do not show.
     pub halo: Color32,
     /// The eye, the frustum and the viewport's outline.
     pub ink: Color32,
@@ -72,7 +82,7 @@ const fn rgb(hex: u32) -> Color32 {
 
 const LIGHT: Colors = Colors {
     background: rgb(0xf4f6f9),
-    halo: rgb(0xffffff),
+    halo: rgb(0xf4f6f9),
     ink: rgb(0x2b3038),
     basis: [rgb(0xc8480a), rgb(0x00805c), rgb(0x0062a8)],
     patterns: [None; 3],
@@ -85,7 +95,7 @@ const LIGHT: Colors = Colors {
 
 const DARK: Colors = Colors {
     background: rgb(0x171a20),
-    halo: rgb(0x0c0e11),
+    halo: rgb(0x171a20),
     ink: rgb(0xd9dee6),
     basis: [rgb(0xff8a4c), rgb(0x2fd3a0), rgb(0x6cbcf5)],
     patterns: [None; 3],
@@ -135,7 +145,7 @@ const GREY_LIGHT: Colors = Colors {
 
 const GREY_DARK: Colors = Colors {
     background: rgb(0x121212),
-    halo: rgb(0x000000),
+    halo: rgb(0x121212),
     ink: rgb(0xdddddd),
     basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
     patterns: PATTERNS,
@@ -145,6 +155,43 @@ const GREY_DARK: Colors = Colors {
     hit: rgb(0xffffff),
     mark: rgb(0xd0d0d0),
 };
+
+/// Least contrast of a dimmed label with the background (WCAG 2.2, *Contrast (Minimum)*).
+const LEGIBLE: f64 = 4.5;
+
+/// Weight of a label's own colour when it is dimmed, if it then is still legible.
+const DIMMED: f32 = 0.42;
+
+impl Colors {
+    /// Returns the colour of a label while another concept is highlighted: closer to the background, but
+    /// only as far as the label stays legible. A colour that is not legible itself is strengthened.
+    pub(super) fn dimmed(&self, color: Color32) -> Color32 {
+        const STEPS: u8 = 20;
+        let shares = || (0..=STEPS).map(|k| f32::from(k) / f32::from(STEPS));
+        let weaker = shares().map(|s| mix(self.background, color, DIMMED + s * (1.0 - DIMMED)));
+        let stronger = shares().map(|s| mix(color, self.hit, s));
+        let is_legible = |color: &Color32| contrast(*color, self.background) >= LEGIBLE;
+        weaker.chain(stronger).find(is_legible).unwrap_or(self.hit)
+    }
+}
+
+/// Returns the components of a colour in linear sRGB.
+fn linear(color: Color32) -> [f64; 3] {
+    [color.r(), color.g(), color.b()].map(|x| {
+        let x = f64::from(x) / 255.0;
+        if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+    })
+}
+
+fn luminance([r, g, b]: [f64; 3]) -> f64 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
+/// Returns WCAG 2's contrast ratio of two opaque colours.
+fn contrast(a: Color32, b: Color32) -> f64 {
+    let [a, b] = [a, b].map(|color| luminance(linear(color)) + 0.05);
+    a.max(b) / a.min(b)
+}
 
 impl Style {
     /// All styles, in order.

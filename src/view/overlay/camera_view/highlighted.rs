@@ -49,7 +49,7 @@ impl CameraSketch<'_> {
         let mut marks = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
         if !marks.is_empty() {
-            dim(&mut self.drawing, &mut self.requests, highlighted);
+            dim(&mut self.drawing, &mut self.requests, highlighted, self.colors);
         }
         self.drawing.marks.append(&mut marks);
         self.requests = first(labels, std::mem::take(&mut self.requests));

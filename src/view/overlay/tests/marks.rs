@@ -118,8 +118,7 @@ fn each_item_can_be_drawn_alone_and_left_out() {
     };
     let all = of_marks(&stage);
     // These items have no marks of their own in the world view.
-    let filled =
-        [Item::Picture, Item::PixelGrid, Item::Planes, Item::UvAxes, Item::Labels, Item::Loupe];
+    let filled = [Item::Picture, Item::PixelGrid, Item::UvAxes, Item::Labels, Item::Loupe];
     for item in Item::ALL {
         assert_eq!(all.contains(&item), !filled.contains(&item), "{item:?}");
         stage.items = OverlayItems::NONE.with(item, true).with(Item::Labels, true);

@@ -3,6 +3,7 @@
 mod camera_view;
 mod dots;
 mod ghost;
+mod ground;
 mod highlighted;
 mod loupe;
 mod marks;
@@ -13,8 +14,8 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, Raster, ResolvedCamera, Rgb, Scene,
-    Selection, Shade, Sphere, edge_blends, shade, trace_as,
+    Camera, DVec2, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, Plane, Raster, ResolvedCamera, Rgb,
+    Scene, Selection, Shade, Sphere, edge_blends, shade, trace_as,
 };
 
 pub(super) use super::*;

@@ -24,23 +24,6 @@ const VIEWERS: [[[f64; 3]; 3]; 4] = [
     ],
 ];
 
-fn linear(color: Color32) -> [f64; 3] {
-    [color.r(), color.g(), color.b()].map(|x| {
-        let x = f64::from(x) / 255.0;
-        if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
-    })
-}
-
-fn luminance([r, g, b]: [f64; 3]) -> f64 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
-}
-
-/// Returns WCAG 2's contrast ratio.
-fn contrast(a: Color32, b: Color32) -> f64 {
-    let [a, b] = [a, b].map(|color| luminance(linear(color)) + 0.05);
-    a.max(b) / a.min(b)
-}
-
 /// Returns the CIE L*a*b* colour that a viewer sees.
 fn lab(color: Color32, viewer: &[[f64; 3]; 3]) -> [f64; 3] {
     let own = linear(color);
@@ -74,6 +57,22 @@ fn every_colour_stands_out_from_the_background() {
         for color in [c.ink, u, v, w, c.given, c.ray, c.hit, c.mark] {
             let ratio = contrast(color, c.background);
             assert!(ratio >= 3.0, "{style:?}: {color:?} has {ratio:.2}");
+        }
+    }
+}
+
+#[test]
+fn dimmed_labels_are_legible_and_haloes_are_not_seen() {
+    for style in ALL {
+        let c = style.colors();
+        assert_eq!(c.halo, c.background, "{style:?}");
+        let named = [c.ink, c.given, c.ray, c.hit, c.mark].into_iter().chain(c.basis).chain(c.axes);
+        for color in named {
+            let dimmed = c.dimmed(color);
+            let ratio = contrast(dimmed, c.background);
+            assert!(dimmed.is_opaque() && ratio >= 4.5, "{style:?}: {color:?} has {ratio:.2}");
+            let own = contrast(color, c.background);
+            assert!(own < 5.5 || ratio < own - 0.5, "{style:?}: {color:?} is dimmed");
         }
     }
 }

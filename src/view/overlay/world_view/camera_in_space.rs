@@ -1,15 +1,14 @@
 //! Draws the edited camera in the world view as lines: the eye, the arrows, the frustum, the viewport and
-//! the selected ray. Also draws the objects that are not traced there: the part of each plane near the
-//! observer's target, with a grid, and each sphere around the camera, cut away.
+//! the selected ray. Also draws each sphere around the camera, cut away, which is not traced there.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Orientation, Pixel, Plane, ResolvedCamera, Rgb, Root, Sphere};
+use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera, Rgb, Root, Sphere};
 
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
-    BOLD_POINT, ColoredScene, Flat, Grid, Head, LineStyle, MARK, POINT, PixelRays, PlanePatch,
-    Sketch, SphereFigure, VECTOR, WorldView, circle, equals, mix, silhouette, tangents, unit,
+    BOLD_POINT, FINE, Head, LineStyle, MARK, MEDIUM, POINT, Sketch, SphereFigure, THICK, THIN,
+    VECTOR, circle, equals, mix, silhouette, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a
@@ -19,6 +18,9 @@ pub const SMALL_VIEWPORT: f64 = 52.0;
 /// Size of the box that stands for a small camera, in points: the larger of its width and height, then its
 /// depth.
 const BODY: (f64, f64) = (30.0, 34.0);
+
+/// Opacity of the sides of the frustum: up to the viewport, and from there to a plane.
+const SOLID: [f32; 2] = [0.1, 0.04];
 
 /// Shorter side of a view, in points, below which the camera's box shrinks with the view.
 const LOW: f64 = 300.0;
@@ -49,7 +51,7 @@ impl Sketch<'_> {
         let length = AXIS_LENGTH * self.screen.arrow_length(DVec3::ZERO);
         let names = ["x", "y", "z"];
         for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
-            let pen = LineStyle::new(Item::Axes, color, 1.6);
+            let pen = LineStyle::new(Item::Axes, color, THIN);
             self.named_arrow([DVec3::ZERO, length * axis], Head::Open, pen, name, POINT);
         }
     }
@@ -73,8 +75,8 @@ impl Sketch<'_> {
     /// edge ends at the nearest plane or, without one, beyond the spheres.
     fn frustum(&mut self, resolved: &ResolvedCamera) {
         let ink = self.colors.ink;
-        let near = LineStyle::new(Item::Frustum, ink, 1.8);
-        let far = LineStyle::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
+        let near = LineStyle::new(Item::Frustum, ink, THIN);
+        let far = LineStyle::new(Item::Frustum, ink.gamma_multiply(0.55), FINE).without_halo();
         let (scene, reach) = (self.scene, self.reach(resolved));
         let rays = corners(resolved).map(|uv| resolved.ray(uv));
         let ends = rays.map(|ray| {
@@ -83,12 +85,32 @@ impl Sketch<'_> {
             let wall = hits.fold(f64::INFINITY, f64::min);
             (ray.at(wall.min(reach)), wall <= reach)
         });
+        let viewport = rays.map(|ray| ray.at(1.0));
+        self.frustum_sides([resolved.eye(); 4], viewport, ink.gamma_multiply(SOLID[0]));
         for (ray, (end, _)) in rays.iter().zip(ends) {
             self.line(ray.origin, ray.at(1.0), near);
             self.line(ray.at(1.0), end, far);
         }
         if ends.iter().all(|(_, on_plane)| *on_plane) {
-            self.sides(ends.map(|(end, _)| end), far);
+            let ends = ends.map(|(end, _)| end);
+            self.frustum_sides(viewport, ends, ink.gamma_multiply(SOLID[1]));
+            self.sides(ends, far);
+        }
+    }
+
+    /// Fills those sides of a part of the frustum that face the observer. `front` and `back` are its
+    /// corners, in the order of [`corners`].
+    fn frustum_sides(&mut self, front: [DVec3; 4], back: [DVec3; 4], color: Color32) {
+        let fill = LineStyle::new(Item::Frustum, color, FINE).without_halo();
+        let (observer, middle) = (self.view.frame.camera().eye(), back.iter().sum::<DVec3>() / 4.0);
+        for k in 0..4 {
+            let next = (k + 1) % 4;
+            let side = [front[k], front[next], back[next], back[k]];
+            let normal = (side[2] - side[0]).cross(side[3] - side[1]);
+            let is_outside = |point: DVec3| normal.dot(point - side[2]);
+            if is_outside(observer) * is_outside(middle) < 0.0 {
+                self.polygon(&side, fill);
+            }
         }
     }
 
@@ -115,7 +137,7 @@ impl Sketch<'_> {
         let depth = BODY.1 * point * basis.w;
         let front = [eye - u + v, eye + u + v, eye + u - v, eye - u - v];
         let back = front.map(|corner| corner + depth);
-        let pen = LineStyle::new(Item::Eye, self.colors.ink, 1.8).about(Concept::Eye);
+        let pen = LineStyle::new(Item::Eye, self.colors.ink, THIN).about(Concept::Eye);
         let fill = LineStyle { color: self.colors.ink.gamma_multiply(0.12), ..pen }.without_halo();
         for side in [front, back] {
             self.polygon(&side, fill);
@@ -132,7 +154,7 @@ impl Sketch<'_> {
     }
 
     fn outline(&mut self, resolved: &ResolvedCamera) {
-        let pen = LineStyle::new(Item::Viewport, self.colors.ink, 2.2)
+        let pen = LineStyle::new(Item::Viewport, self.colors.ink, MEDIUM)
             .about(Concept::Viewport)
             .on_viewport();
         self.sides(corners(resolved).map(|uv| resolved.viewport_point(uv)), pen);
@@ -152,7 +174,7 @@ impl Sketch<'_> {
             return;
         }
         let color = self.colors.mark;
-        let pen = LineStyle::new(Item::Marks, color, 3.4).on_viewport();
+        let pen = LineStyle::new(Item::Marks, color, THICK).on_viewport();
         let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
         self.line(at(-0.5 * w, 0.5 * h), at(0.5 * w, 0.5 * h), pen.without_halo());
         let tip = 0.5 * h + 1.1 * size;
@@ -195,7 +217,7 @@ impl Sketch<'_> {
         for pixel in inspection.touched(resolved) {
             self.pixel(resolved, pixel);
         }
-        let pen = LineStyle::new(Item::Ray, color, 2.8).about(Concept::Ray);
+        let pen = LineStyle::new(Item::Ray, color, THICK).about(Concept::Ray);
         self.ray_line(inspection, pen);
         self.point(ray.at(1.0), 3.6, pen.about(Concept::Pixel).on_viewport());
         let figure = self.items.shows(Item::SphereFigure);
@@ -208,7 +230,7 @@ impl Sketch<'_> {
         }
         let Some(hit) = self.drawn_hit(inspection) else { return };
         let ink = self.colors.hit;
-        let pen = LineStyle::new(Item::Hit, ink, 2.4).about(Concept::Normal);
+        let pen = LineStyle::new(Item::Hit, ink, MEDIUM).about(Concept::Normal);
         // Without its label, the normal would look like just another arrow, so it is drawn only with
         // labels.
         if self.view.names_all {
@@ -225,7 +247,7 @@ impl Sketch<'_> {
         let ray = &inspection.ray;
         let at = ray.at(t);
         let color = self.colors.ray;
-        let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
+        let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), FINE);
         if t < 0.0 {
             self.line(ray.origin, at, thin);
         } else if let Some(hit) = self.drawn_hit(inspection).filter(|hit| t > hit.t) {
@@ -249,7 +271,7 @@ impl Sketch<'_> {
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
         let pen =
-            LineStyle::new(Item::Ray, self.colors.ray, 2.2).about(Concept::Pixel).on_viewport();
+            LineStyle::new(Item::Ray, self.colors.ray, MEDIUM).about(Concept::Pixel).on_viewport();
         self.sides(corners, pen.without_halo());
     }
 
@@ -266,7 +288,7 @@ impl Sketch<'_> {
         ];
         for (name, vector, length, concept) in vectors {
             if let Some(direction) = unit(vector) {
-                let pen = LineStyle::new(Item::ViewAndUp, color, 1.9).about(concept);
+                let pen = LineStyle::new(Item::ViewAndUp, color, MEDIUM).about(concept);
                 let ends = [eye, eye + length * direction];
                 if self.view.names_all || concept == Concept::Up {
                     self.named_arrow(ends, Head::Filled, pen, name, POINT);
@@ -282,7 +304,7 @@ impl Sketch<'_> {
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
         for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
-            let pen = LineStyle::new(Item::Basis, color, 3.4).about(concept).patterned(pattern);
+            let pen = LineStyle::new(Item::Basis, color, THICK).about(concept).patterned(pattern);
             self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
         }
     }
@@ -312,75 +334,13 @@ pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
-/// Radius of a plane's drawn part, as a fraction of the sum of two distances: from the observer to its
-/// target, and from the target to the plane.
-const PATCH_RADIUS: f64 = 0.5;
-/// Maximum distance from the observer's target at which a plane is drawn, as a multiple of the distance
-/// from the observer to the target.
-const PATCH_REACH: f64 = 3.0;
-
-/// Opacity in the middle of a plane's drawn part.
-const OPACITY: f32 = 0.75;
-/// Opacity in the middle of a plane's drawn part if the plane lies between the observer and the camera.
-const OPACITY_BETWEEN: f32 = 0.2;
-
-/// Maximum number of planes that are considered.
-const SHOWN_PLANES: usize = 16;
-
-impl WorldView {
-    /// Returns the parts to draw of the planes that pass near the observer's target.
-    pub(crate) fn patches(&self, scene: ColoredScene<'_>, rays: &PixelRays) -> Vec<PlanePatch> {
-        if !self.items.shows(Item::Planes) {
-            return Vec::new();
-        }
-        let first = scene.scene.spheres().len();
-        let visible = scene.scene.planes().iter().take(SHOWN_PLANES).enumerate();
-        let color_of = |index: usize| scene.color_of((first + index) as u32);
-        visible.filter_map(|(index, plane)| self.patch(plane, color_of(index), rays)).collect()
-    }
-
-    fn patch(&self, plane: &Plane, [r, g, b]: Rgb, rays: &PixelRays) -> Option<PlanePatch> {
-        let (target, distance) = (self.observer.target(), self.observer.distance());
-        let normal = unit(plane.normal)?;
-        let height = |p: DVec3| normal.dot(p - plane.point);
-        let away = height(target);
-        if away.is_nan() || away.abs() > PATCH_REACH * distance {
-            return None;
-        }
-        let center = target - away * normal;
-        let (axis_a, axis_b) = tangents(normal);
-        let step = grid_step(distance);
-        let shift = -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step);
-        let between = height(self.camera.eye) * height(rays.eye) < 0.0;
-        let (color, colors) = (Color32::from_rgb(r, g, b), self.style.colors());
-        Some(PlanePatch {
-            flat: Flat::new(rays, center, axis_a, axis_b)?,
-            radius: PATCH_RADIUS * (distance + away.abs()),
-            color: mix(color, colors.background, 0.45),
-            grid_color: mix(color, colors.ink, 0.25),
-            opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-            grid: Grid::new(DVec2::splat(step), shift, self.scale),
-        })
-    }
-}
-
-/// Returns the step of a plane's grid: 1, 2 or 5 times a power of ten, with about nine cells across the
-/// drawn part.
-fn grid_step(distance: f64) -> f64 {
-    let about = 2.0 * PATCH_RADIUS * distance / 9.0;
-    let power = 10f64.powf(about.log10().floor());
-    let below = |(limit, _): &(f64, f64)| about / power < *limit;
-    let step = [(1.5, 1.0), (3.5, 2.0), (7.5, 5.0)].into_iter().find(below);
-    power * step.map_or(10.0, |(_, step)| step)
-}
-
 impl Sketch<'_> {
     /// Draws the rim of a sphere that is cut away for a viewer, and what is left of three great circles on
     /// it, which are orthogonal to x, y and z.
     pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, viewer: DVec3) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen =
-            LineStyle::new(Item::Frustum, color, 1.2).about(Concept::Object(index)).without_halo();
+            LineStyle::new(Item::Frustum, color, FINE).about(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
             let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
             let ring: Vec<DVec3> = circle(72).map(at).collect();
@@ -393,22 +353,7 @@ impl Sketch<'_> {
             }
         }
         let rim = silhouette(sphere, viewer).unwrap_or_default();
-        let pen = LineStyle { width: 2.0, ..pen };
+        let pen = LineStyle { width: THIN, ..pen };
         rim.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn grid_steps_are_round_and_neither_few_nor_many() {
-        for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
-            let step = grid_step(distance);
-            let cells = 2.0 * PATCH_RADIUS * distance / step;
-            assert!((5.5..16.0).contains(&cells), "{distance}: {cells}");
-        }
-        assert_eq!(grid_step(10.0), 1.0);
     }
 }

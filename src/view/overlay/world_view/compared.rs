@@ -7,7 +7,8 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use crate::model::{AnswerMark, Item, MarkShape};
 use crate::view::overlay::{
-    BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, Shape, Sketch, VECTOR, corners, unit,
+    BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, Shape, Sketch, THIN, VECTOR,
+    corners, unit,
 };
 
 /// Length at which the ghost's frustum edges are drawn, as a multiple of the distance from the eye to the
@@ -69,8 +70,8 @@ impl Sketch<'_> {
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
-        let edge = LineStyle::new(Item::Frustum, ink, 1.8).dashed();
-        let outline = LineStyle::new(Item::Viewport, ink, 2.4).dashed();
+        let edge = LineStyle::new(Item::Frustum, ink, THIN).dashed();
+        let outline = LineStyle::new(Item::Viewport, ink, MEDIUM).dashed();
         for corner in corners {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
@@ -79,7 +80,7 @@ impl Sketch<'_> {
         let arrows = ghost.basis.into_iter().zip(BASIS).zip(self.colors.basis);
         for ((vector, (_, name, head)), color) in arrows {
             let Some(vector) = vector else { continue };
-            let pen = LineStyle::new(Item::Basis, color, 2.6).dashed();
+            let pen = LineStyle::new(Item::Basis, color, MEDIUM).dashed();
             let tip = eye + length * vector.clamp_length_max(LONGEST);
             self.named_arrow([eye, tip], head, pen, &format!("{name}′"), VECTOR);
         }
@@ -135,7 +136,7 @@ impl Sketch<'_> {
             MarkShape::Ray(ray, t) => self.mark_ray(mark, ray, t, ray_pen),
             MarkShape::OnRay(ray, t) => {
                 let at = ray.at(t);
-                self.line(ray.origin, at, LineStyle { width: 1.6, ..ray_pen }.without_halo());
+                self.line(ray.origin, at, LineStyle { width: THIN, ..ray_pen }.without_halo());
                 self.mark_point(mark, at, ray_pen);
             }
             MarkShape::Point(at) => self.mark_point(mark, at, ray_pen),

@@ -56,7 +56,7 @@ impl Highlighted {
 /// Maximum number of significant digits of a number in a label. A longer label would cover what it names.
 const LABEL_DIGITS: usize = 4;
 
-/// Opacity of all other marks and labels while a concept is highlighted and the rest is dimmed.
+/// Opacity of all other marks while a concept is highlighted and the rest is dimmed.
 const DIMMED: f32 = 0.42;
 
 /// The three components of a view ray's direction, with their concepts and labels.
@@ -70,7 +70,12 @@ pub(crate) const ACCOMPANYING: f32 = 3.0;
 
 /// Removes the marks and labels of the highlighted concept, which will be drawn again. Dims all others if
 /// `highlighted.dims` is true.
-pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighted: Highlighted) {
+pub(crate) fn dim(
+    drawing: &mut Drawing,
+    requests: &mut Vec<Request>,
+    highlighted: Highlighted,
+    colors: &Colors,
+) {
     let concept = highlighted.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
     requests.retain(|request| request.concept != Some(concept));
@@ -82,7 +87,7 @@ pub(crate) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, highlighte
         mark.halo = mark.halo.map(|halo| halo.gamma_multiply(DIMMED));
     }
     for request in requests {
-        request.label.color = request.label.color.gamma_multiply(DIMMED);
+        request.label.color = colors.dimmed(request.label.color);
     }
 }
 
@@ -134,7 +139,7 @@ pub(crate) fn cross_of(
 impl Sketch<'_> {
     /// Highlights a concept on top of everything already drawn.
     pub(crate) fn highlight(&mut self, highlighted: Highlighted) {
-        dim(&mut self.drawing, &mut self.requests, highlighted);
+        dim(&mut self.drawing, &mut self.requests, highlighted, self.colors);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
         let pen = LineStyle::new(Item::Ray, self.colors.ray, STRONG);

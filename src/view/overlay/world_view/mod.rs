@@ -2,6 +2,7 @@
 
 pub(super) mod camera_in_space;
 pub(super) mod compared;
+pub(super) mod ground;
 pub(super) mod handles;
 pub(super) mod highlighted;
 pub(super) mod sketch;
@@ -185,7 +186,8 @@ impl WorldView {
             let sphere = *scene.scene.spheres().get(*index as usize)?;
             Some(Bowl { sphere, color: scene.color_of(*index), rays })
         });
-        Backdrop { background, patches: self.patches(scene, &rays), bowls: around.collect() }
+        let (patches, floor) = (self.patches(scene, &rays), self.floor_patch(scene.scene, &rays));
+        Backdrop { background, patches, floor, bowls: around.collect() }
     }
 
     fn layers<'a>(&'a self, backdrop: &'a Backdrop) -> Layers<'a> {
@@ -220,6 +222,7 @@ impl WorldView {
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
         };
+        sketch.ground(scene);
         for index in &*self.enclosing {
             if let Some(sphere) = scene.scene.spheres().get(*index as usize) {
                 sketch.cut_away(*index, sphere, scene.color_of(*index), screen.pixel_rays().eye);

@@ -29,6 +29,8 @@ pub(crate) struct LineStyle {
     pub(crate) on_top: bool,
     /// True if the line is dashed even where it is visible. (Hidden parts are always dashed.)
     pub(crate) dashed: bool,
+    /// True if hidden parts are left out.
+    pub(crate) where_visible: bool,
     /// Dash and gap; see [`Mark::pattern`].
     pub(crate) pattern: Option<[f32; 2]>,
 }
@@ -76,9 +78,18 @@ struct LinePart {
 
 impl LineStyle {
     pub(crate) fn new(item: Item, color: Color32, width: f32) -> LineStyle {
-        let (concept, on_viewport, on_top, dashed) = (None, false, false, false);
-        let pattern = None;
-        LineStyle { item, concept, color, width, halo: true, on_viewport, on_top, dashed, pattern }
+        LineStyle {
+            item,
+            concept: None,
+            color,
+            width,
+            halo: true,
+            on_viewport: false,
+            on_top: false,
+            dashed: false,
+            where_visible: false,
+            pattern: None,
+        }
     }
 
     /// Sets the dash and gap, in points, of visible parts.
@@ -97,6 +108,10 @@ impl LineStyle {
 
     pub(crate) fn dashed(self) -> LineStyle {
         LineStyle { dashed: true, ..self }
+    }
+
+    pub(crate) fn where_visible(self) -> LineStyle {
+        LineStyle { where_visible: true, ..self }
     }
 
     pub(crate) fn without_halo(self) -> LineStyle {
@@ -239,6 +254,9 @@ impl Sketch<'_> {
     /// Draws a disc, or a ring if an object hides it.
     fn disc(&mut self, spot: Spot, radius: f32, pen: LineStyle) {
         let hidden = self.is_hidden(spot, pen);
+        if hidden && pen.where_visible {
+            return;
+        }
         let radius = radius * self.drawing.scale;
         let shape = if hidden {
             Shape::ring(spot.at, radius.into(), 24, 1.2 * self.drawing.scale)
@@ -284,7 +302,8 @@ impl Sketch<'_> {
 
     fn cut_line(&mut self, from: Spot, to: Spot, pen: LineStyle) {
         let scale = self.drawing.scale;
-        for run in self.runs(from, to, pen) {
+        let runs = self.runs(from, to, pen).into_iter();
+        for run in runs.filter(|run| !(run.hidden && pen.where_visible)) {
             let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let dashed = run.hidden || pen.dashed;
