@@ -46,11 +46,23 @@ pub enum Item {
     SphereFigure,
     /// The floor in the world view: a grid below everything, and drop lines down to it.
     Floor,
+    /// The arcs from u to v, from v to w and from w to u.
+    Ring,
+    /// The right angles between u, v and w.
+    RightAngles,
+    /// The parallelogram of up and w and the square of w and u, with their areas.
+    Areas,
+    /// The vector view from the eye to at, with -view beside it.
+    ViewVector,
+    /// Dimension lines of the viewport's width, height and distance.
+    Measures,
+    /// The selected point's u and v, from the middle of the viewport to the point, in both views.
+    UvLegs,
 }
 
 impl Item {
     /// All items, in order.
-    pub const ALL: [Item; 19] = {
+    pub const ALL: [Item; 25] = {
         use Item::*;
         [
             Eye,
@@ -72,6 +84,12 @@ impl Item {
             Handles,
             SphereFigure,
             Floor,
+            Ring,
+            RightAngles,
+            Areas,
+            ViewVector,
+            Measures,
+            UvLegs,
         ]
     };
 
@@ -96,6 +114,12 @@ impl Item {
             Item::Handles => ["handles", "handles"],
             Item::SphereFigure => ["ray and sphere: roots and half chord", "sphere-figure"],
             Item::Floor => ["floor and drop lines", "floor"],
+            Item::Ring => ["order of u, v, w", "ring"],
+            Item::RightAngles => ["right angles of u, v, w", "right-angles"],
+            Item::Areas => ["areas of up × w and w × u", "areas"],
+            Item::ViewVector => ["view = at − eye, and −view", "view-vector"],
+            Item::Measures => ["width, height, distance", "measures"],
+            Item::UvLegs => ["u and v of the point", "uv-legs"],
         }
     }
 
@@ -116,7 +140,7 @@ impl Item {
 
 /// The items that are off by default. Their stored bits are inverted, so that a file that lacks them leaves
 /// them off.
-const FIGURES: u32 = Item::SphereFigure.bit();
+const FIGURES: u32 = OverlayItems::NONE.off & !(2 * Item::Handles.bit() - 1) & !Item::Floor.bit();
 
 /// The bit that a stored set never has: there are fewer items than bits. Files in which every unused bit is
 /// set have it.
@@ -208,7 +232,10 @@ mod tests {
     fn what_would_cover_the_picture_is_off_by_default() {
         let off: Vec<_> =
             Item::ALL.into_iter().filter(|item| !OverlayItems::default().shows(*item)).collect();
-        assert_eq!(off, [Item::UvAxes, Item::Loupe, Item::SphereFigure]);
+        let figures = Item::ALL.into_iter().skip(Item::SphereFigure as usize);
+        let figures = figures.filter(|item| *item != Item::Floor);
+        let expected: Vec<_> = [Item::UvAxes, Item::Loupe].into_iter().chain(figures).collect();
+        assert_eq!(off, expected);
     }
 
     #[test]

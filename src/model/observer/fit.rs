@@ -129,7 +129,7 @@ impl Observer {
     /// Perspective makes this possible: an observer close behind a small camera also sees the distant
     /// objects that the camera looks at. They appear small, as in a sketch on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        let subject = Subject::new(camera, scene, OverlayItems::ALL);
+        let subject = Subject::new(camera, scene, OverlayItems::default());
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down, so the direction behind it is right x up.
@@ -154,7 +154,7 @@ impl Observer {
 
     /// Returns the observer in the same direction that has everything in sight in a view of this size.
     pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        Subject::new(camera, scene, OverlayItems::ALL).fit(self, size)
+        Subject::new(camera, scene, OverlayItems::default()).fit(self, size)
     }
 
     /// Returns an observer in the same direction for a view of this size. It sees the whole camera, those
@@ -207,7 +207,7 @@ impl Observer {
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::new(&alone, &Scene::default(), OverlayItems::ALL).fit(self, size)
+        Subject::new(&alone, &Scene::default(), OverlayItems::default()).fit(self, size)
     }
 
     /// Returns the observer moved straight back until it sees the eyes and viewports of all cameras in
@@ -466,12 +466,18 @@ pub const VIEW_LENGTH: f64 = 1.6;
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
+/// Returns the length at which a factor of a cross product is drawn, as a multiple of the basis arrows'
+/// length: its own, but 1 if it is much shorter or longer than they are.
+pub fn side_length(length: f64) -> f64 {
+    if (0.4..=2.0).contains(&length) { length } else { 1.0 }
+}
+
 /// Space that is kept free beyond an arrow's tip for its handle and its label: the radius in points, and
 /// its maximum as a fraction of the view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-/// The arrows that are drawn. Each arrow at the eye is stored as a unit vector and its length, a multiple
+/// The arrows that are drawn, and the far corners of the areas between them. Each arrow at the eye is stored as a unit vector and its length, a multiple
 /// of the basis arrows' length. The world's axes, which start at the origin, are included if the camera is
 /// near them.
 pub(super) struct Arrows {
@@ -496,6 +502,19 @@ impl Arrows {
                 let scaled = vector / vector.abs().max_element();
                 scaled.is_finite().then(|| (scaled.normalize(), times))
             }));
+        }
+        if let (true, true, Ok(resolved)) =
+            (items.shows(Item::Areas), camera.orientation.has_up(), camera.resolve())
+        {
+            let basis = resolved.basis();
+            let up = camera.up();
+            let corners = [side_length(up.length()) * up.normalize_or_zero(), basis.u];
+            let corners = corners.map(|side| side + basis.w);
+            at_eye.extend(corners.map(|corner| (corner.normalize_or_zero(), corner.length())));
+        }
+        let looks = camera.view().normalize_or_zero();
+        if items.shows(Item::ViewVector) && !camera.orientation.has_at() {
+            at_eye.push((-looks, VIEW_LENGTH));
         }
         if items.shows(Item::Eye) {
             // The eye has no arrow, but a label.

@@ -5,7 +5,7 @@ use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
 };
 
-pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize};
+pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize, side_length};
 
 mod fit;
 

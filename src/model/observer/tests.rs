@@ -277,7 +277,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
         let size = ViewSize { width, height };
         let refitted = framed.refitted(&camera, &scene, size);
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
-        let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
+        let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
         assert_eq!((kept.azimuth, kept.elevation), (named.azimuth, named.elevation));
         for observer in [refitted, kept] {
             let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -292,7 +292,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     }
     // An observer that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
-    assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::ALL), close);
+    assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::default()), close);
 }
 
 #[test]
@@ -307,7 +307,7 @@ fn arrows_that_are_not_drawn_take_no_room() {
         (resolve(&seen).eye() - camera.eye).dot(named.back())
     };
     let without = OverlayItems::NONE.with(Item::Eye, true);
-    for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {
+    for item in [Item::Basis, Item::ViewAndUp, Item::Axes, Item::Areas] {
         let [least, with] = [without, without.with(item, true)].map(depth);
         assert!(least < with, "{item:?}: {least} and {with}");
     }
@@ -349,7 +349,7 @@ fn arrows_take_no_more_than_their_share_of_a_low_view() {
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for height in [60.0, 100.0, 150.0] {
         let size = ViewSize { width: 300.0, height };
-        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::ALL);
+        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
         let view = seen.camera(300, height as u32).resolve().expect("a basis");
         let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
         let [eye, ball] = [DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0)].map(|p| view.project(p).uv);

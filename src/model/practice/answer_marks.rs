@@ -116,7 +116,20 @@ impl Exercises {
     /// Returns the overlay items `usual` without those that would reveal an answer.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
         use Item::*;
-        let hidden = [Handles, Loupe, Ray, Hit, Picture, PixelGrid, Marks, SphereFigure];
+        let hidden = [
+            Handles,
+            Loupe,
+            Ray,
+            Hit,
+            Picture,
+            PixelGrid,
+            Marks,
+            SphereFigure,
+            Ring,
+            RightAngles,
+            Areas,
+            ViewVector,
+        ];
         let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));
         let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
         if asked.peek().is_none() {

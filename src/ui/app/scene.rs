@@ -13,7 +13,8 @@ use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::play::Kind;
 use crate::model::{
-    Ghost, HandleState, Observer, OpenDocument, Session, Settings, ViewLayout, ViewSize,
+    Concept, Ghost, HandleState, Item, Observer, OpenDocument, Session, Settings, ViewLayout,
+    ViewSize,
 };
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
@@ -132,10 +133,14 @@ impl OpenScene {
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
         // Overlay items that are switched on or off later must not move the observer.
-        let items = match &self.lessons.open {
+        let mut items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
             None => self.session.settings.items,
         };
+        // A highlighted cross product is drawn with its area.
+        if matches!(self.session.highlighted, Some(Concept::UpCrossW | Concept::WCrossU)) {
+            items.set(Item::Areas, true);
+        }
         let observer = match (named, own) {
             (Some(named), _) => named.framing_the_same(camera, &scene(), size, items),
             (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),

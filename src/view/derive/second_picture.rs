@@ -108,9 +108,11 @@ impl SecondPictures {
                 self.error_map(derived, good)
             }
             SecondPicture::WrongCamera => {
-                // These two items show positions of the right camera, which would be wrong in the wrong
+                // These items show positions of the right camera, which would be wrong in the wrong
                 // camera's picture.
-                view.items = items.with(Item::UvAxes, false).with(Item::Hit, false);
+                let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs];
+                view.items =
+                    of_right.into_iter().fold(items, |items, item| items.with(item, false));
                 self.wrong_camera(derived, inputs, good, world)
             }
             SecondPicture::Ghost => {

@@ -14,7 +14,8 @@
 //! - `world_view/ground`: the panes that stand for planes, the floor's grid, and the drop lines to it.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
 //!   labels.
-//! - `world_view/sphere_figure`: the selected ray and a sphere, as a textbook draws them.
+//! - `world_view/sphere_figure`, `world_view/whiteboard`: what a textbook draws of a ray and a sphere, and of
+//!   a camera.
 //! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
 use std::ops::Deref;

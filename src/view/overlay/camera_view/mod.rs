@@ -10,8 +10,8 @@ use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 
 use crate::model::{Concept, Inspection, Item, OverlayItems};
 use crate::view::overlay::{
-    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, Picture, Request,
-    Same, Shape, Style, contrast, dot, mix, place_labels, position_of,
+    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, POINT, Picture,
+    Request, Same, Shape, Style, contrast, dot, equals, mix, place_labels, position_of,
 };
 
 /// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key. The
@@ -112,6 +112,7 @@ impl CameraView {
             requests: Vec::new(),
         };
         overlay.uv_axes();
+        overlay.uv_legs();
         overlay.marks();
         overlay.selected();
         if let (Some(highlighted), Some(scene)) = (self.highlighted, scene) {
@@ -179,6 +180,24 @@ impl CameraSketch<'_> {
             let pen = LineStyle::new(Item::UvAxes, color, 1.0).about(concept);
             self.line(&points, pen);
             self.label(pen, name, end, middle - end, MARK);
+        }
+    }
+
+    /// Draws the selected point's u and v, as two legs from the middle of the picture to the point.
+    fn uv_legs(&mut self) {
+        let Some(inspection) = &self.view.inspection else { return };
+        let uv = inspection.uv;
+        let to_dots = |uv: DVec2| position_of(&self.view.resolved, self.view.size, uv);
+        let [middle, corner, at] = [DVec2::ZERO, DVec2::new(uv.x, 0.0), uv].map(to_dots);
+        let [u, v, _] = self.colors.basis;
+        for (name, length, color, from, to, other) in
+            [("u", uv.x, u, middle, corner, at), ("v", uv.y, v, corner, at, middle)]
+        {
+            let pen = LineStyle::new(Item::UvLegs, color, 3.2);
+            self.line(&[from, to], pen);
+            let anchor = 0.5 * (from + to);
+            let outward = corner - other;
+            self.label(pen, &format!("{name} {}", equals(length)), anchor, outward, POINT);
         }
     }
 

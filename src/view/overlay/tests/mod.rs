@@ -8,6 +8,7 @@ mod highlighted;
 mod loupe;
 mod marks;
 mod sphere_figure;
+mod whiteboard;
 mod wild;
 
 use std::sync::Arc;

@@ -40,9 +40,13 @@ impl Sketch<'_> {
                 self.selected(resolved, inspection);
             }
         }
+        self.areas(arrow);
         self.given(arrow);
+        self.view_vector(arrow);
         if let Some(resolved) = &view.resolved {
             self.basis(resolved, arrow);
+            self.order_and_angles(resolved, arrow);
+            self.measures(resolved);
         }
         self.eye_and_at();
     }
@@ -217,6 +221,7 @@ impl Sketch<'_> {
         for pixel in inspection.touched(resolved) {
             self.pixel(resolved, pixel);
         }
+        self.uv_legs(resolved, inspection);
         let pen = LineStyle::new(Item::Ray, color, THICK).about(Concept::Ray);
         self.ray_line(inspection, pen);
         self.point(ray.at(1.0), 3.6, pen.about(Concept::Pixel).on_viewport());
@@ -286,7 +291,9 @@ impl Sketch<'_> {
             ("view", view.camera.view(), arrow * VIEW_LENGTH, Concept::View),
             ("up", up, view.handles.up.unwrap_or(arrow * UP_LENGTH), Concept::Up),
         ];
-        for (name, vector, length, concept) in vectors {
+        let is_whole = self.items.shows(Item::ViewVector) && view.camera.orientation.has_at();
+        let drawn = vectors.into_iter().filter(|given| !(is_whole && given.3 == Concept::View));
+        for (name, vector, length, concept) in drawn {
             if let Some(direction) = unit(vector) {
                 let pen = LineStyle::new(Item::ViewAndUp, color, MEDIUM).about(concept);
                 let ends = [eye, eye + length * direction];

@@ -161,7 +161,7 @@ impl Sketch<'_> {
         self.named_point(at, 8.0, pen, text, [0.4, 1.0]);
     }
 
-    fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str) {
+    pub(crate) fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str) {
         if let Some(spot) = self.screen.spot(ends[0].midpoint(ends[1])) {
             self.label(pen, text, [spot.at, DVec2::new(0.0, 1.0)], POINT);
         }
@@ -179,6 +179,11 @@ impl Sketch<'_> {
                 self.highlight_point(eye, LineStyle { color: self.colors.ink, ..pen }, "eye");
             }
             (Concept::At, Orientation::At { at, .. }) => self.highlight_point(at, pen, "at"),
+            (Concept::View | Concept::Backwards, Orientation::At { .. })
+                if self.view.items.shows(Item::ViewVector) =>
+            {
+                self.view_vector(arrow);
+            }
             (Concept::View | Concept::Backwards, _) => {
                 let Some(looks) = unit(camera.view()) else { return };
                 let along = arrow * VIEW_LENGTH * looks;
@@ -215,38 +220,17 @@ impl Sketch<'_> {
         pen: LineStyle,
         (names, colors): ([&str; 3], [Color32; 3]),
     ) {
-        let vectors = (unit(cross.first.vector), unit(cross.second.vector));
-        let (Some(a), Some(b)) = vectors else { return };
-        let first = cross.first.length;
-        let length = if (0.4..=2.0).contains(&first) { first } else { 1.0 };
-        let (a, b) = (arrow * length * a, arrow * b);
         let pen = LineStyle { color: colors[2], ..pen };
-        let fill = LineStyle { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
-        self.polygon(&[eye, eye + a, eye + a + b, eye + b], fill);
-        let edge = LineStyle { width: 1.6, ..pen }.without_halo();
-        self.line(eye + a, eye + a + b, edge);
-        self.line(eye + b, eye + a + b, edge);
-        for ((vector, name), color) in [(a, names[0]), (b, names[1])].into_iter().zip(colors) {
+        let shown = self.cross_area((eye, arrow), cross, highlighted, pen, names);
+        let Some((factors, area)) = shown else { return };
+        for ((vector, name), color) in factors.into_iter().zip(names).zip(colors) {
             let pen = LineStyle { color, width: ACCOMPANYING + 1.0, ..pen };
             let font = if name == "up" { POINT } else { VECTOR };
             self.named_arrow([eye, eye + vector], Head::Filled, pen, name, font);
         }
-        let Some((angle, sine)) = cross.angle.zip(cross.sine) else { return };
         if let Some(product) = unit(cross.product) {
-            let tip = eye + arrow * length * sine * product;
+            let tip = eye + arrow * area * product;
             self.named_arrow([eye, tip], Head::Filled, pen, names[2], VECTOR);
-        }
-        if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
-            let number = |x: f64| highlighted.number(x);
-            let sine_of = format!("sin({}°)", number(angle.to_degrees()));
-            let area = length * sine;
-            let is = highlighted.relation(&[length, angle.to_degrees(), area]);
-            let text = if number(length) == number(1.0) {
-                format!("{sine_of} {is} {}", number(sine))
-            } else {
-                format!("{} · {sine_of} {is} {}", number(length), number(area))
-            };
-            self.label(pen, &text, [spot.at, DVec2::ZERO], POINT);
         }
     }
 

@@ -7,6 +7,7 @@ pub(super) mod handles;
 pub(super) mod highlighted;
 pub(super) mod sketch;
 pub(super) mod sphere_figure;
+mod whiteboard;
 
 use std::sync::Arc;
 

@@ -155,7 +155,7 @@ impl Sketch<'_> {
 
     /// Returns the direction on the screen of a vector at a point, as a unit vector; zero if it points along
     /// the line of sight, or if the point is not in the picture.
-    fn on_screen(&self, at: DVec3, vector: DVec3) -> DVec2 {
+    pub(crate) fn on_screen(&self, at: DVec3, vector: DVec3) -> DVec2 {
         let length = self.screen.length_of_points(at, (10.0, 10.0));
         let tip = unit(vector).map(|vector| at + length * vector);
         let spots = self.screen.spot(at).zip(tip.and_then(|tip| self.screen.spot(tip)));

@@ -1,0 +1,192 @@
+//! Marks that explain the camera as a lecturer draws them on a whiteboard: the order of u, v, w and their
+//! right angles, the areas of both cross products, view from the eye to at, the viewport's measures, and the
+//! selected point's u and v.
+
+use pinhole_core::{DVec2, DVec3, Orientation, ResolvedCamera};
+use pinhole_lecture::Cross;
+
+use crate::model::observer::{VIEW_LENGTH, side_length};
+use crate::model::{Concept, Inspection, Item};
+use crate::view::overlay::{Head, Highlighted, LineStyle, POINT, Sketch, cross_of, equals, unit};
+
+/// Radius of the ring of arcs from u to v, v to w and w to u, and side of the squares that mark their right
+/// angles, as fractions of the basis arrows' length.
+const RING: f64 = 0.55;
+const RIGHT_ANGLE: f64 = 0.17;
+
+/// Angles at which the arcs of the ring pass, in degrees from the vector at which they begin. The arrowhead
+/// is on the last piece.
+const ARC: [f64; 7] = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 80.0];
+
+/// Distance of a dimension line from the viewport's edge, as a fraction of the viewport's shorter side.
+const BESIDE: f64 = 0.14;
+
+/// Distance between the arrows of view and -view, in points.
+const APART: f64 = 14.0;
+
+impl Sketch<'_> {
+    /// Draws the areas of both cross products from which u and v come, except of the highlighted one, which
+    /// is drawn with the highlight.
+    pub(crate) fn areas(&mut self, arrow: f64) {
+        let (camera, highlighted) = (self.view.camera, self.view.highlighted);
+        for concept in [Concept::UpCrossW, Concept::WCrossU] {
+            let shown = Highlighted { concept, camera, digits: 4, dims: false };
+            let is_lit = highlighted.is_some_and(|lit| lit.concept == concept);
+            let Some((cross, names, colors)) = cross_of(shown, self.colors).filter(|_| !is_lit)
+            else {
+                continue;
+            };
+            let pen = LineStyle::new(Item::Areas, colors[2], 1.6).about(concept).on_top();
+            self.cross_area((camera.eye, arrow), &cross, shown, pen, names);
+        }
+    }
+
+    /// Draws the parallelogram that the factors of a cross product span, with its area, which is the length
+    /// of the product since the second factor has length 1. `arrow` is the length at which a unit vector is
+    /// drawn. Returns both factors as they are drawn, and the area.
+    pub(crate) fn cross_area(
+        &mut self,
+        (eye, arrow): (DVec3, f64),
+        cross: &Cross,
+        highlighted: Highlighted,
+        pen: LineStyle,
+        names: [&str; 3],
+    ) -> Option<([DVec3; 2], f64)> {
+        let length = side_length(cross.first.length);
+        let a = arrow * length * unit(cross.first.vector)?;
+        let b = arrow * unit(cross.second.vector)?;
+        let corners = [eye, eye + a, eye + a + b, eye + b];
+        let fill = LineStyle { color: pen.color.gamma_multiply(0.3), ..pen }.without_halo();
+        self.polygon(&corners, fill);
+        self.sides(corners, LineStyle { width: 1.6, ..pen }.without_halo());
+        let (angle, sine) = cross.angle.zip(cross.sine)?;
+        if let Some(spot) = self.screen.spot(corners[2]) {
+            let number = |x: f64| highlighted.number(x);
+            let sine_of = format!("sin({}°)", number(angle.to_degrees()));
+            let area = length * sine;
+            let is = highlighted.relation(&[length, angle.to_degrees(), area]);
+            let of = format!("|{} × {}| = ", names[0], names[1]);
+            let text = if number(length) == number(1.0) {
+                format!("{of}{sine_of} {is} {}", number(sine))
+            } else {
+                format!("{of}{} · {sine_of} {is} {}", number(length), number(area))
+            };
+            let outward = self.on_screen(corners[2], a + b);
+            self.label(pen, &text, [spot.at, outward], POINT);
+        }
+        Some(([a, b], length * sine))
+    }
+
+    /// Draws the arcs from u to v, from v to w and from w to u, and the right angles between these vectors.
+    pub(crate) fn order_and_angles(&mut self, resolved: &ResolvedCamera, arrow: f64) {
+        let (eye, basis) = (resolved.eye(), resolved.basis());
+        let arc = LineStyle::new(Item::Ring, self.colors.ink, 1.8).on_top().without_halo();
+        let square = LineStyle::new(Item::RightAngles, self.colors.ink, 1.4).on_top();
+        for (from, to) in [(basis.u, basis.v), (basis.v, basis.w), (basis.w, basis.u)] {
+            let points = ARC.map(|angle| {
+                let (sin, cos) = angle.to_radians().sin_cos();
+                eye + RING * arrow * (cos * from + sin * to)
+            });
+            let [.., last, end] = points;
+            points[..ARC.len() - 1].windows(2).for_each(|ends| self.line(ends[0], ends[1], arc));
+            self.arrow([last, end], Head::Filled, arc);
+            let [a, b] = [from, to].map(|axis| RIGHT_ANGLE * arrow * axis);
+            self.line(eye + a, eye + a + b, square.without_halo());
+            self.line(eye + a + b, eye + b, square.without_halo());
+        }
+    }
+
+    /// Draws view from the eye to at, with -view beside it. A camera that is given by its view direction has
+    /// no at: then -view is drawn at the eye, like view itself.
+    pub(crate) fn view_vector(&mut self, arrow: f64) {
+        let camera = self.view.camera;
+        let (eye, view) = (camera.eye, camera.view());
+        let pen = LineStyle::new(Item::ViewVector, self.colors.given, 2.6).about(Concept::View);
+        let back = LineStyle { width: 2.0, ..pen }.about(Concept::Backwards);
+        let Some(forward) = unit(view) else { return };
+        match camera.orientation {
+            Orientation::At { at, .. } => {
+                self.arrow([eye, at], Head::Filled, pen);
+                self.label_middle([eye, at], pen, "view = at − eye");
+                let middle = eye.midpoint(at);
+                let sight = middle - self.view.frame.camera().eye();
+                let Some(beside) = unit(forward.cross(sight)) else { return };
+                let apart = self.screen.length_of_points(middle, (APART, APART)) * beside;
+                self.arrow([at + apart, eye + apart], Head::Filled, back);
+                let middle = middle + apart;
+                if let Some(spot) = self.screen.spot(middle) {
+                    self.label(back, "−view", [spot.at, self.on_screen(middle, beside)], POINT);
+                }
+            }
+            Orientation::View { .. } => {
+                let tip = eye - arrow * VIEW_LENGTH * forward;
+                self.named_arrow([eye, tip], Head::Filled, back, "−view", POINT);
+            }
+            Orientation::Basis(_) => {}
+        }
+    }
+
+    /// Draws dimension lines of the viewport's width, height and distance.
+    pub(crate) fn measures(&mut self, resolved: &ResolvedCamera) {
+        let viewport = resolved.viewport();
+        let half = 0.5 * DVec2::new(viewport.width, viewport.height);
+        let beside = BESIDE * viewport.width.min(viewport.height);
+        let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
+        let pen = LineStyle::new(Item::Measures, self.colors.ink, 1.6).on_top();
+        let edges = [
+            ("width", viewport.width, [(-1.0, -1.0), (1.0, -1.0)], DVec2::NEG_Y),
+            ("height", viewport.height, [(1.0, -1.0), (1.0, 1.0)], DVec2::X),
+        ];
+        for (name, length, corners, out) in edges {
+            let [from, to] = corners.map(|(x, y)| half * DVec2::new(x, y));
+            for corner in [from, to] {
+                let far = corner + 1.3 * beside * out;
+                let thin = LineStyle { width: 1.0, ..pen }.without_halo();
+                self.line(at(corner.x, corner.y), at(far.x, far.y), thin);
+            }
+            let [from, to] = [from, to].map(|corner| corner + beside * out);
+            let [from, to, outer] = [from, to, 2.0 * beside * out].map(|p| at(p.x, p.y));
+            let outward = outer - at(0.0, 0.0);
+            self.dimension([from, to], pen, &format!("{name} {}", equals(length)), outward);
+        }
+        let text = format!("distance {}", equals(viewport.distance));
+        let ends = [resolved.eye(), at(0.0, 0.0)];
+        let pen = pen.about(Concept::Distance);
+        self.dimension(ends, pen, &text, -resolved.basis().v);
+    }
+
+    /// Draws a line with an arrowhead at each end, and a label at its middle.
+    fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str, outward: DVec3) {
+        let middle = ends[0].midpoint(ends[1]);
+        for end in ends {
+            self.arrow([middle, end], Head::Filled, pen);
+        }
+        if let Some(spot) = self.screen.spot(middle) {
+            self.label(pen, text, [spot.at, self.on_screen(middle, outward)], POINT);
+        }
+    }
+
+    /// Draws the selected point's u and v on the viewport, as two legs from its middle to the point.
+    pub(crate) fn uv_legs(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
+        let uv = inspection.uv;
+        let at = |uv: DVec2| resolved.viewport_point(uv);
+        let corner = DVec2::new(uv.x, 0.0);
+        let [u, v, _] = self.colors.basis;
+        let legs = [("u", uv.x, u, DVec2::ZERO, corner, -basis_sign(uv.y) * resolved.basis().v)];
+        let up = ("v", uv.y, v, corner, uv, basis_sign(uv.x) * resolved.basis().u);
+        for (name, length, color, from, to, outward) in legs.into_iter().chain([up]) {
+            let pen = LineStyle::new(Item::UvLegs, color, 3.2).on_top();
+            self.line(at(from), at(to), pen);
+            let middle = at(0.5 * (from + to));
+            if let Some(spot) = self.screen.spot(middle) {
+                let text = format!("{name} {}", equals(length));
+                self.label(pen, &text, [spot.at, self.on_screen(middle, outward)], POINT);
+            }
+        }
+    }
+}
+
+/// Returns 1 for numbers from 0 on, otherwise -1.
+fn basis_sign(x: f64) -> f64 {
+    if x < 0.0 { -1.0 } else { 1.0 }
+}
