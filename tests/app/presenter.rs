@@ -420,6 +420,10 @@ fn b_and_a_point_blank_the_screen_and_any_key_brings_it_back() {
     press(&mut harness, Key::B);
     assert!(!is_blank(&harness));
     press(&mut harness, Key::B);
+    let camera = harness.state().document().camera;
+    harness.event(egui::Event::Paste("eye = (1, 2, 3), at = (0, 0, 0), up = (0, 1, 0)".into()));
+    harness.run();
+    assert!(is_blank(&harness) && harness.state().document().camera == camera);
     click_at(&mut harness, pos2(300.0, 300.0));
     assert!(!is_blank(&harness));
     press(&mut harness, Key::B);

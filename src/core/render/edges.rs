@@ -92,13 +92,20 @@ impl Ball {
         along * along - direction.length_squared() * self.tangent
     }
 
+    /// Returns true if the eye is inside the sphere, where each ray hits it from within.
+    fn is_inside(&self) -> bool {
+        self.tangent < 0.0
+    }
+
     fn is_hit(&self, direction: DVec3) -> bool {
-        self.discriminant(direction) >= 0.0 && direction.dot(self.to_center) > 0.0
+        let is_ahead = self.is_inside() || direction.dot(self.to_center) > 0.0;
+        self.discriminant(direction) >= 0.0 && is_ahead
     }
 
     /// Returns the t of the hit, or of the point nearest to the sphere's centre if the ray misses.
     fn t(&self, direction: DVec3) -> f64 {
         let root = self.discriminant(direction).max(0.0).sqrt();
+        let root = if self.is_inside() { -root } else { root };
         self.radius * (direction.dot(self.to_center) - root) / direction.length_squared()
     }
 
@@ -307,7 +314,8 @@ mod tests {
         let alone = vec![([0.3, 0.2, -5.0], 1.1)];
         let behind_one_another = vec![([0.3, 0.2, -5.0], 1.1), ([-0.6, 0.1, -6.0], 1.2)];
         let cutting = vec![([0.4, 0.2, -5.0], 1.1), ([-0.4, 0.0, -5.2], 1.2)];
-        let cases = [alone, behind_one_another, cutting];
+        let around_the_eye = vec![([0.3, 0.2, -5.0], 1.1), ([0.5, 0.0, 3.0], 12.0)];
+        let cases = [alone, behind_one_another, cutting, around_the_eye];
         let off_axis = vec![([2.0, 1.8, -4.6], 0.9), ([-0.9, -1.9, -5.0], 0.8)];
         for spheres in cases.into_iter().chain([off_axis]) {
             let [before, after] = errors(&spheres);

@@ -4,7 +4,7 @@ use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere, shortest};
 
 use super::question::{Answer, Asked, QuestionPart};
 use crate::mistakes::Mistake;
-use crate::numbers::exact_if_short as short;
+use crate::numbers::{equated_tuple, exact_if_short as short};
 
 /// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -372,10 +372,10 @@ impl Condition {
                     ));
                 }
                 let passed = d.truncate() * (distance / -d.z);
-                let [text, wanted] =
-                    [passed, *uv].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
+                let text = equated_tuple(&passed.to_array(), 5);
+                let wanted = format!("({}, {})", short(uv.x), short(uv.y));
                 is_off(passed.distance(*uv), passed.length())
-                    .then(|| format!("it passes the viewport at (𝑢, 𝑣) = {text}, not {wanted}"))
+                    .then(|| format!("it passes the viewport at (𝑢, 𝑣) {text}, not {wanted}"))
             }
         }
     }

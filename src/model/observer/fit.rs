@@ -477,9 +477,9 @@ pub fn side_length(length: f64) -> f64 {
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-/// The arrows that are drawn, and the far corners of the areas between them. Each arrow at the eye is stored as a unit vector and its length, a multiple
-/// of the basis arrows' length. The world's axes, which start at the origin, are included if the camera is
-/// near them.
+/// The arrows that are drawn, and the far corners of the areas between them. Each arrow at the eye is stored
+/// as a unit vector and its length, a multiple of the basis arrows' length. The world's axes, which start at
+/// the origin, are included if the camera is near them.
 pub(super) struct Arrows {
     at_eye: Vec<(DVec3, f64)>,
     has_axes: bool,

@@ -94,10 +94,10 @@ impl App {
         }
         // While a dialog is open, keys, pasted text and dropped files are ignored: the dialog's answer
         // would otherwise apply to another scene.
-        if !self.over.covers() {
-            if let Some(presenting) = &mut self.scene.session.presenting {
-                presenting.is_blank &= !over::took_key(ctx, presenting.is_blank);
-            }
+        let presenting = self.scene.session.presenting.as_mut();
+        if let Some(blank) = presenting.map(|p| &mut p.is_blank).filter(|blank| **blank) {
+            *blank = !over::took_key(ctx);
+        } else if !self.over.covers() {
             self.keys(ctx);
             if let Some(text) = files::pasted_text(ctx) {
                 request(ctx, ExchangeAction::Paste(text));

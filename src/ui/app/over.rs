@@ -78,16 +78,20 @@ impl Overlays {
     }
 }
 
-/// While the screen is blank, takes all key presses, so that none of them does something unseen. Returns true
-/// if there were any.
-pub(super) fn took_key(ctx: &Context, is_blank: bool) -> bool {
-    let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
-    is_blank
-        && ctx.input_mut(|input| {
-            let before = input.events.len();
-            input.events.retain(|event| !is_key(event));
-            input.events.len() < before
-        })
+/// Takes all input of keys and of the clipboard, so that none of it does something unseen while the screen is
+/// blank. Returns true if a key was pressed; a key that is still held does not count.
+pub(super) fn took_key(ctx: &Context) -> bool {
+    let is_pressed =
+        |event: &Event| matches!(event, Event::Key { pressed: true, repeat: false, .. });
+    let is_taken = |event: &Event| {
+        use Event::{Copy, Cut, Key, Paste, Text};
+        matches!(event, Key { pressed: true, .. } | Text(_) | Paste(_) | Copy | Cut)
+    };
+    ctx.input_mut(|input| {
+        let was_pressed = input.events.iter().any(is_pressed);
+        input.events.retain(|event| !is_taken(event));
+        was_pressed
+    })
 }
 
 /// Covers the window with black. Returns true if it was clicked.

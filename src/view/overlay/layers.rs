@@ -1,6 +1,6 @@
 //! Flat layers of the world view, painted pixel by pixel over the traced picture: the background, the panes
-//! that stand for planes, the floor's grid, and the viewport with the camera's picture on it. Nearer layers cover farther ones.
-//! Whether a sphere covers a layer is decided by comparing t.
+//! that stand for planes, the floor's grid, and the viewport with the camera's picture on it. Nearer layers
+//! cover farther ones. Whether a sphere covers a layer is decided by comparing t.
 
 use std::ops::Range;
 

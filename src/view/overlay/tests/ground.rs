@@ -58,6 +58,21 @@ fn the_floor_lies_below_everything_and_lines_drop_to_it() {
 }
 
 #[test]
+fn the_floor_is_the_highest_level_plane_below_the_eye() {
+    let level = |y: f64| Plane::new([0.0, y, 0.0], [0.0, 1.0, 0.0]).unwrap();
+    for (heights, floor) in [([2.0, -2.0, -3.0], -2.0), ([2.0, 3.0, 4.0], -0.6)] {
+        let ball = vec![sphere(0.0, 2.0, -4.0, 0.5)];
+        let stage = Stage::new(Camera::CANONICAL, ball, heights.map(level).to_vec());
+        let stage = Stage { items: stage.items.with(Item::Planes, true), ..stage };
+        let drawing = stage.drawing();
+        let foot = stage.to_screen(DVec3::new(0.0, floor, -4.0));
+        let reaches = |mark: &Mark| points(mark).iter().any(|at| wide(*at).distance(foot) < 1.0);
+        let lines = drawing.marks.iter().filter(|mark| mark.item == Item::Floor);
+        assert!(lines.clone().any(reaches), "{heights:?}: {:?}", lines.collect::<Vec<_>>());
+    }
+}
+
+#[test]
 fn many_objects_or_a_planet_have_no_floor() {
     let many = (0..65).map(|k| sphere(0.1 * f64::from(k) - 3.0, 0.0, -5.0, 0.05)).collect();
     let planet = vec![sphere(0.0, 0.0, -5.0, 1.0), sphere(0.0, -501.0, 0.0, 500.0)];

@@ -123,7 +123,7 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     let stage = Stage::seen_by(camera, Scene::default(), observer);
     let drawing = world_drawing(&stage, Concept::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
-    for text in ["up", "w", "up × w", "|up × w| = 1.414 · sin(45°) ≈ 1"] {
+    for text in ["up", "w", "up × w", "|up × w| ≈ 1.414 · sin(45°) = 1"] {
         assert!(texts.contains(&text), "{text}: {texts:?}");
     }
     let fill = drawing.marks.iter().find(|mark| {

@@ -134,8 +134,8 @@ impl WorldView {
         self.around(normal, height, spheres.chain(seen.map(|point| (point, 0.0))))
     }
 
-    /// Returns the floor, below all spheres and the camera: a level plane of the scene if there is one, else
-    /// a plane of its own. Returns `None` if it is switched off, or if a sphere is the ground.
+    /// Returns the floor: the pane of the scene's highest level plane below the eye, or else one of its own,
+    /// below all spheres and the camera. Returns `None` if it is switched off, or if a sphere is the ground.
     fn floor(&self, scene: &Scene) -> Option<Pane> {
         let is_ground = |radius: f64| radius > self.observer.distance();
         if !self.items.shows(Item::Floor)
@@ -143,6 +143,9 @@ impl WorldView {
             || scene.spheres().iter().any(|sphere| is_ground(sphere.radius))
         {
             return None;
+        }
+        if let Some(plane) = self.level_plane(scene) {
+            return self.pane(scene, plane);
         }
         let frame = self
             .resolved
@@ -154,18 +157,19 @@ impl WorldView {
         let tops = parts.iter().map(|(center, radius)| center.y + radius);
         let lowest = bottoms().fold(f64::INFINITY, f64::min);
         let step = grid_step(tops.fold(f64::NEG_INFINITY, f64::max) - lowest);
-        let height = match self.level_plane(scene) {
-            Some(height) => height,
-            None => (lowest / step).floor() * step,
-        };
-        self.around(DVec3::Y, height, parts.into_iter())
+        self.around(DVec3::Y, (lowest / step).floor() * step, parts.into_iter())
     }
 
-    /// Returns the height of the scene's first level plane.
-    fn level_plane(&self, scene: &Scene) -> Option<f64> {
+    /// Returns the scene's highest level plane that is drawn below the eye.
+    fn level_plane<'a>(&self, scene: &'a Scene) -> Option<&'a Plane> {
         let shown = if self.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
-        let is_level = |plane: &&Plane| unit(plane.normal).is_some_and(|n| n.y.abs() == 1.0);
-        scene.planes().iter().take(shown).find(is_level).map(|plane| plane.point.y)
+        let is_floor = |plane: &&Plane| {
+            plane.point.y < self.camera.eye.y
+                && unit(plane.normal).is_some_and(|n| n.y.abs() == 1.0)
+                && self.pane(scene, plane).is_some()
+        };
+        let floors = scene.planes().iter().take(shown).filter(is_floor);
+        floors.max_by(|a, b| a.point.y.total_cmp(&b.point.y))
     }
 
     /// Returns the centres and radii of the spheres that the observer sees in their surroundings.
@@ -239,7 +243,7 @@ impl Sketch<'_> {
         let pen = pen.patterned(Some(DROP));
         let spheres = view.near_spheres(scene.scene).chain([(view.camera.eye, 0.0)]);
         for (center, radius) in spheres {
-            let (bottom, foot) = (center - radius * DVec3::Y, center.with_y(floor.height));
+            let (bottom, foot) = (center - radius * DVec3::Y, center.with_y(floor.corners()[0].y));
             if bottom.y - foot.y > SHORTEST_DROP * floor.step && floor.contains(foot) {
                 self.line(bottom, foot, pen);
                 self.point(foot, FINE, pen);

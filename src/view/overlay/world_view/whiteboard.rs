@@ -43,7 +43,8 @@ impl Sketch<'_> {
 
     /// Draws the parallelogram that the factors of a cross product span, with its area, which is the length
     /// of the product since the second factor has length 1. `arrow` is the length at which a unit vector is
-    /// drawn. Returns both factors as they are drawn, and the area.
+    /// drawn; a much shorter or longer first factor is drawn with that length, too. Returns both factors as
+    /// they are drawn, and the product's length in such units.
     pub(crate) fn cross_area(
         &mut self,
         (eye, arrow): (DVec3, f64),
@@ -52,8 +53,8 @@ impl Sketch<'_> {
         pen: LineStyle,
         names: [&str; 3],
     ) -> Option<([DVec3; 2], f64)> {
-        let length = side_length(cross.first.length);
-        let a = arrow * length * unit(cross.first.vector)?;
+        let side = side_length(cross.first.length);
+        let a = arrow * side * unit(cross.first.vector)?;
         let b = arrow * unit(cross.second.vector)?;
         let corners = [eye, eye + a, eye + a + b, eye + b];
         let fill = LineStyle { color: pen.color.gamma_multiply(0.3), ..pen }.without_halo();
@@ -63,18 +64,19 @@ impl Sketch<'_> {
         if let Some(spot) = self.screen.spot(corners[2]) {
             let number = |x: f64| highlighted.number(x);
             let sine_of = format!("sin({}°)", number(angle.to_degrees()));
-            let area = length * sine;
-            let is = highlighted.relation(&[length, angle.to_degrees(), area]);
-            let of = format!("|{} × {}| = ", names[0], names[1]);
-            let text = if number(length) == number(1.0) {
-                format!("{of}{sine_of} {is} {}", number(sine))
-            } else {
-                format!("{of}{} · {sine_of} {is} {}", number(length), number(area))
+            let length = cross.first.length;
+            let substituted = highlighted.relation(&[length, angle.to_degrees()]);
+            let factor = match number(length) {
+                one if one == number(1.0) => String::new(),
+                other => format!("{other} · "),
             };
+            let is = highlighted.relation(&[cross.area]);
+            let (of, area) = (format!("|{} × {}|", names[0], names[1]), number(cross.area));
+            let text = format!("{of} {substituted} {factor}{sine_of} {is} {area}");
             let outward = self.on_screen(corners[2], a + b);
             self.label(pen, &text, [spot.at, outward], POINT);
         }
-        Some(([a, b], length * sine))
+        Some(([a, b], side * sine))
     }
 
     /// Draws the arcs from u to v, from v to w and from w to u, and the right angles between these vectors.
