@@ -59,7 +59,7 @@ fn the_floor_lies_below_everything_and_lines_drop_to_it() {
 
 #[test]
 fn the_floor_is_the_highest_level_plane_below_the_eye() {
-    let level = |y: f64| Plane::new([0.0, y, 0.0], [0.0, 1.0, 0.0]).unwrap();
+    let level = |y: f64| Plane::new([0.0, y, 0.0], [0.0, 1.0, 0.0]).expect("a plane");
     for (heights, floor) in [([2.0, -2.0, -3.0], -2.0), ([2.0, 3.0, 4.0], -0.6)] {
         let ball = vec![sphere(0.0, 2.0, -4.0, 0.5)];
         let stage = Stage::new(Camera::CANONICAL, ball, heights.map(level).to_vec());
