@@ -19,8 +19,8 @@ pub const SMALL_VIEWPORT: f64 = 52.0;
 /// depth.
 const BODY: (f64, f64) = (30.0, 34.0);
 
-/// Opacity of the sides of the frustum: up to the viewport, and from there to a plane.
-const SOLID: [f32; 2] = [0.1, 0.04];
+/// Opacity of the sides of the frustum, up to the viewport.
+const SOLID: f32 = 0.1;
 
 /// Shorter side of a view, in points, below which the camera's box shrinks with the view.
 const LOW: f64 = 300.0;
@@ -90,14 +90,13 @@ impl Sketch<'_> {
             (ray.at(wall.min(reach)), wall <= reach)
         });
         let viewport = rays.map(|ray| ray.at(1.0));
-        self.frustum_sides([resolved.eye(); 4], viewport, ink.gamma_multiply(SOLID[0]));
+        self.frustum_sides([resolved.eye(); 4], viewport, ink.gamma_multiply(SOLID));
         for (ray, (end, _)) in rays.iter().zip(ends) {
             self.line(ray.origin, ray.at(1.0), near);
             self.line(ray.at(1.0), end, far);
         }
         if ends.iter().all(|(_, on_plane)| *on_plane) {
             let ends = ends.map(|(end, _)| end);
-            self.frustum_sides(viewport, ends, ink.gamma_multiply(SOLID[1]));
             self.sides(ends, far);
         }
     }
