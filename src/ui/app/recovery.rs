@@ -41,6 +41,13 @@ pub(super) struct Recovery {
     writing: Option<JoinHandle<()>>,
 }
 
+impl Drop for Recovery {
+    /// Waits for the last write, which keeps the slot locked, so that the next window can open the slot.
+    fn drop(&mut self) {
+        self.finish_writing();
+    }
+}
+
 impl Recovery {
     /// Opens a recovery slot for this window, and finds the changes that ended windows have left in their
     /// slots.
@@ -50,7 +57,9 @@ impl Recovery {
         if let Some(fault) = fault {
             complain(&format!("unsaved changes may not be recoverable: {fault}"));
         }
-        Recovery { slot: slot.map(Arc::new), found, ..Recovery::default() }
+        let mut recovery = Recovery::default();
+        (recovery.slot, recovery.found) = (slot.map(Arc::new), found);
+        recovery
     }
 
     /// Returns a dialog that offers the next recovered changes, if there are any left.
