@@ -169,6 +169,14 @@ fn points(mark: &Mark) -> Vec<[f32; 2]> {
     }
 }
 
+/// Returns a stage's drawing with checked labels. Its picture is small, and so are all lengths that are
+/// measured in points.
+fn small_drawing(stage: &Stage) -> Drawing {
+    let drawing = WorldView { scale: 0.25, ..stage.view() }.drawing(stage.scene());
+    check_labels(&drawing, DVec2::new(SIZE.0.into(), SIZE.1.into()));
+    drawing
+}
+
 /// Checks that labels are inside the picture and do not overlap.
 fn check_labels(drawing: &Drawing, size: DVec2) {
     let boxes: Vec<(DVec2, DVec2)> = drawing

@@ -16,13 +16,6 @@ fn stage(spheres: Vec<Sphere>, uv: (f64, f64)) -> Stage {
     stage
 }
 
-/// Returns the drawing. The picture is small, and so are all lengths that are measured in points.
-fn drawing(stage: &Stage) -> Drawing {
-    let drawing = WorldView { scale: 0.25, ..stage.view() }.drawing(stage.scene());
-    check_labels(&drawing, DVec2::new(SIZE.0.into(), SIZE.1.into()));
-    drawing
-}
-
 fn texts(drawing: &Drawing) -> Vec<&str> {
     let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
     texts.sort_unstable();
@@ -51,7 +44,7 @@ fn has_line(stage: &Stage, drawing: &Drawing, ends: [DVec3; 2]) -> bool {
 fn a_hit_sphere_shows_roots_foot_radius_and_half_chord() {
     // d = (0, 0, -1) passes the centre at a distance of 0.6: D = 0.64.
     let stage = stage(vec![sphere(0.0, 0.6, -5.0, 1.0)], (0.0, 0.0));
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     let expected =
         ["c", "d", "r = 1", "t < 0", "t = 4.2, first hit", "t = 5.8", "t = −b/a = 5", "√D/a = 0.8"];
     assert_eq!(texts(&drawing), expected);
@@ -80,7 +73,7 @@ fn a_missed_sphere_shows_its_distance_against_its_radius() {
     // The first sphere is behind the eye, so the second one is closer to the ray.
     let spheres = vec![sphere(0.0, 0.0, 4.0, 1.0), sphere(0.0, 1.5, -5.0, 1.0)];
     let stage = stage(spheres, (0.0, 0.0));
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     let expected = ["c", "d", "distance = 1.5 > r", "r = 1", "t < 0", "t = −b/a = 5"];
     assert_eq!(texts(&drawing), expected);
     let (center, rim) = (DVec3::new(0.0, 1.5, -5.0), DVec3::new(0.0, 0.5, -5.0));
@@ -91,10 +84,10 @@ fn a_missed_sphere_shows_its_distance_against_its_radius() {
 
 #[test]
 fn a_touched_sphere_has_one_root_and_a_sphere_around_the_eye_one_behind_it() {
-    let touched = drawing(&stage(vec![sphere(0.0, 1.0, -5.0, 1.0)], (0.0, 0.0)));
+    let touched = small_drawing(&stage(vec![sphere(0.0, 1.0, -5.0, 1.0)], (0.0, 0.0)));
     assert!(texts(&touched).contains(&"t = 5, first hit"), "{:?}", texts(&touched));
     assert!(!texts(&touched).iter().any(|text| text.contains("distance")));
-    let around = drawing(&stage(vec![sphere(0.0, 0.0, -1.0, 2.0)], (0.0, 0.0)));
+    let around = small_drawing(&stage(vec![sphere(0.0, 0.0, -1.0, 2.0)], (0.0, 0.0)));
     for text in ["t = −1", "t = 3, first hit", "t = −b/a = 1", "√D/a = 2"] {
         assert!(texts(&around).contains(&text), "{text}: {:?}", texts(&around));
     }
@@ -107,7 +100,7 @@ fn a_sphere_behind_a_wall_is_entered_but_not_hit_first() {
     stage.scene = Scene::new(stage.scene.spheres().to_vec(), vec![wall]).expect("a scene");
     let ray = Inspection::new(stage.resolve(), &stage.scene, Selection::Uv(DVec2::ZERO));
     stage.inspection = Some(Arc::new(ray));
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     assert!(texts(&drawing).contains(&"t = 4.2"), "{:?}", texts(&drawing));
     assert!(!texts(&drawing).iter().any(|text| text.contains("first")));
 }

@@ -12,13 +12,6 @@ fn stage(camera: Camera, item: Item) -> Stage {
     stage
 }
 
-/// Returns the drawing. The picture is small, and so are all lengths that are measured in points.
-fn drawing(stage: &Stage) -> Drawing {
-    let drawing = WorldView { scale: 0.25, ..stage.view() }.drawing(stage.scene());
-    check_labels(&drawing, DVec2::new(SIZE.0.into(), SIZE.1.into()));
-    drawing
-}
-
 fn texts(drawing: &Drawing) -> Vec<&str> {
     drawing.labels.iter().map(|label| label.text.as_str()).collect()
 }
@@ -32,7 +25,7 @@ fn reaches(stage: &Stage, drawing: &Drawing, at: DVec3) -> bool {
 #[test]
 fn the_ring_goes_from_u_to_v_to_w_and_the_angles_are_squares() {
     let stage = stage(Camera::CANONICAL, Item::Ring);
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
     let heads = || drawing.marks.iter().filter(|mark| matches!(mark.shape, Shape::Polygon { .. }));
     assert_eq!(heads().count(), 3);
@@ -43,7 +36,7 @@ fn the_ring_goes_from_u_to_v_to_w_and_the_angles_are_squares() {
         assert!(heads().any(|head| wide(points(head)[0]).distance(tip) < 0.2), "{from} {to}");
     }
     let square = Stage { items: OverlayItems::NONE.with(Item::RightAngles, true), ..stage };
-    let drawing = self::drawing(&square);
+    let drawing = small_drawing(&square);
     for corner in [DVec3::new(1.0, 1.0, 0.0), DVec3::new(0.0, 1.0, 1.0), DVec3::new(1.0, 0.0, 1.0)]
     {
         assert!(reaches(&square, &drawing, 0.17 * length * corner), "{corner}");
@@ -54,7 +47,7 @@ fn the_ring_goes_from_u_to_v_to_w_and_the_angles_are_squares() {
 fn both_products_are_areas() {
     let orientation = Orientation::View { view: DVec3::NEG_Z, up: DVec3::new(0.0, 1.0, 1.0) };
     let stage = stage(Camera { orientation, ..Camera::CANONICAL }, Item::Areas);
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
     for corner in [DVec3::new(0.0, 1.0, 2.0), DVec3::new(1.0, 0.0, 1.0)] {
         assert!(reaches(&stage, &drawing, length * corner), "{corner}");
@@ -68,7 +61,7 @@ fn both_products_are_areas() {
     ] {
         let orientation = Orientation::View { view: DVec3::NEG_Z, up };
         let stage = self::stage(Camera { orientation, ..Camera::CANONICAL }, Item::Areas);
-        assert_eq!(texts(&self::drawing(&stage))[0], expected);
+        assert_eq!(texts(&small_drawing(&stage))[0], expected);
     }
 }
 
@@ -77,7 +70,7 @@ fn view_goes_from_the_eye_to_at_and_minus_view_back() {
     let at = DVec3::new(0.5, 0.2, -3.0);
     let camera = Camera { orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL };
     let stage = stage(camera, Item::ViewVector);
-    let drawing = drawing(&stage);
+    let drawing = small_drawing(&stage);
     assert_eq!(texts(&drawing), ["view = at − eye", "−view"]);
     let heads: Vec<DVec2> = drawing
         .marks
@@ -90,7 +83,7 @@ fn view_goes_from_the_eye_to_at_and_minus_view_back() {
     let eye = stage.to_screen(DVec3::ZERO);
     assert!((1.0..6.0).contains(&back.distance(eye)), "beside the eye");
     let stage = Stage { items: stage.items.with(Item::ViewAndUp, true), ..stage };
-    assert!(!texts(&self::drawing(&stage)).contains(&"view"), "no stub beside the whole vector");
+    assert!(!texts(&small_drawing(&stage)).contains(&"view"), "no stub beside the whole vector");
 }
 
 #[test]
@@ -104,7 +97,7 @@ fn the_viewport_has_its_measures_and_the_point_its_legs() {
         texts.sort_unstable();
         texts
     };
-    let drawn = drawing(&measured);
+    let drawn = small_drawing(&measured);
     assert_eq!(texts_of(&drawn), ["distance = 2", "height = 1", "width = 1.5"]);
     for at in [(-0.75, -0.64), (0.75, -0.64), (0.89, -0.5), (0.89, 0.5), (0.0, 0.0)] {
         assert!(reaches(&measured, &drawn, DVec3::new(at.0, at.1, -2.0)), "{at:?}");
@@ -113,7 +106,7 @@ fn the_viewport_has_its_measures_and_the_point_its_legs() {
     let selection = Selection::Uv(DVec2::new(0.4, -0.3));
     let ray = Inspection::new(measured.resolve(), &measured.scene, selection);
     measured.inspection = Some(Arc::new(ray));
-    let drawn = drawing(&measured);
+    let drawn = small_drawing(&measured);
     assert_eq!(texts_of(&drawn), ["u = 0.4", "v = −0.3"]);
     for at in [(0.0, 0.0), (0.4, 0.0), (0.4, -0.3)] {
         assert!(reaches(&measured, &drawn, DVec3::new(at.0, at.1, -2.0)), "{at:?}");

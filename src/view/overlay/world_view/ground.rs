@@ -103,7 +103,7 @@ impl WorldView {
 
     /// Returns the floor's grid.
     pub(crate) fn floor_patch(&self, scene: &Scene, rays: &PixelRays) -> Option<PlanePatch> {
-        let floor = self.floor(scene).filter(|_| self.level_plane(scene).is_none())?;
+        let floor = self.floor(scene).filter(|_| self.level_pane(scene).is_none())?;
         let colors = [Color32::TRANSPARENT, self.style.colors().ink];
         let patch = floor.patch(rays, colors, self.scale)?;
         Some(PlanePatch { opacity: FLOOR_LINES, ..patch })
@@ -114,8 +114,7 @@ impl WorldView {
         scene: ColoredScene<'a>,
     ) -> impl Iterator<Item = (Pane, &'a Plane, Rgb)> {
         let first = scene.scene.spheres().len();
-        let shown = if self.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
-        let planes = scene.scene.planes().iter().take(shown).enumerate();
+        let planes = self.shown_planes(scene.scene).iter().enumerate();
         planes.filter_map(move |(index, plane)| {
             let pane = self.pane(scene.scene, plane)?;
             Some((pane, plane, scene.color_of((first + index) as u32)))
@@ -144,8 +143,8 @@ impl WorldView {
         {
             return None;
         }
-        if let Some(plane) = self.level_plane(scene) {
-            return self.pane(scene, plane);
+        if let Some(pane) = self.level_pane(scene) {
+            return Some(pane);
         }
         let frame = self
             .resolved
@@ -160,16 +159,21 @@ impl WorldView {
         self.around(DVec3::Y, (lowest / step).floor() * step, parts.into_iter())
     }
 
-    /// Returns the scene's highest level plane that is drawn below the eye.
-    fn level_plane<'a>(&self, scene: &'a Scene) -> Option<&'a Plane> {
-        let shown = if self.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
+    /// Returns the pane of the scene's highest level plane that is drawn below the eye.
+    fn level_pane(&self, scene: &Scene) -> Option<Pane> {
         let is_floor = |plane: &&Plane| {
             plane.point.y < self.camera.eye.y
                 && unit(plane.normal).is_some_and(|n| n.y.abs() == 1.0)
-                && self.pane(scene, plane).is_some()
         };
-        let floors = scene.planes().iter().take(shown).filter(is_floor);
-        floors.max_by(|a, b| a.point.y.total_cmp(&b.point.y))
+        let planes = self.shown_planes(scene).iter().filter(is_floor);
+        let heights = planes.filter_map(|plane| Some((plane.point.y, self.pane(scene, plane)?)));
+        heights.max_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, pane)| pane)
+    }
+
+    /// Returns the planes that are drawn.
+    fn shown_planes<'a>(&self, scene: &'a Scene) -> &'a [Plane] {
+        let shown = if self.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
+        &scene.planes()[..shown.min(scene.planes().len())]
     }
 
     /// Returns the centres and radii of the spheres that the observer sees in their surroundings.
