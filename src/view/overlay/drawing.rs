@@ -154,12 +154,12 @@ impl Label {
     }
 }
 
-/// Significant digits of a number in a label. A longer label would cover what it names.
-const DIGITS: usize = 4;
+/// Maximum number of significant digits of a number in a label. A longer label would cover what it names.
+pub(super) const LABEL_DIGITS: usize = 4;
 
 /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
 pub(super) fn equals(x: f64) -> String {
-    equated(x, DIGITS)
+    equated(x, LABEL_DIGITS)
 }
 
 /// Returns the points of a unit circle around the origin. The last point repeats the first.

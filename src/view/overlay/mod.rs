@@ -46,12 +46,12 @@ pub use world_view::highlighted::Highlighted;
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
 use camera_view::CameraSketch;
-use drawing::{circle, dot, equals, wide};
+use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
 use paint::{Fills, StretchedPicture};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
-use style::{BOLD_POINT, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};
+use style::{BOLD_POINT, DIMMED, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};
 use world_view::camera_in_space::{BASIS, corners};
 use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,

@@ -159,8 +159,9 @@ const GREY_DARK: Colors = Colors {
 /// Least contrast of a dimmed label with the background (WCAG 2.2, *Contrast (Minimum)*).
 const LEGIBLE: f64 = 4.5;
 
-/// Weight of a label's own colour when it is dimmed, if it then is still legible.
-const DIMMED: f32 = 0.42;
+/// Opacity of all other marks while a concept is highlighted and the rest is dimmed; of a label, the weight
+/// of its own colour, if it then is still legible.
+pub(super) const DIMMED: f32 = 0.42;
 
 impl Colors {
     /// Returns the colour of a label while another concept is highlighted: closer to the background, but

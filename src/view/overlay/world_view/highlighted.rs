@@ -14,8 +14,8 @@ use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{
-    BASIS, Colors, Drawing, Head, LineStyle, POINT, Request, Sketch, VECTOR, circle, corners,
-    tangents, unit,
+    BASIS, Colors, DIMMED, Drawing, Head, LABEL_DIGITS, LineStyle, POINT, Request, Sketch, VECTOR,
+    circle, corners, tangents, unit,
 };
 
 /// The highlighted concept, and the inputs for drawing it.
@@ -52,12 +52,6 @@ impl Highlighted {
         format!("distance {}", self.equated(resolved.viewport().distance))
     }
 }
-
-/// Maximum number of significant digits of a number in a label. A longer label would cover what it names.
-const LABEL_DIGITS: usize = 4;
-
-/// Opacity of all other marks while a concept is highlighted and the rest is dimmed.
-const DIMMED: f32 = 0.42;
 
 /// The three components of a view ray's direction, with their concepts and labels.
 pub(crate) const ALONG: [(Concept, &str); 3] =

@@ -7,7 +7,9 @@ use pinhole_lecture::Cross;
 
 use crate::model::observer::{VIEW_LENGTH, side_length};
 use crate::model::{Concept, Inspection, Item};
-use crate::view::overlay::{Head, Highlighted, LineStyle, POINT, Sketch, cross_of, equals, unit};
+use crate::view::overlay::{
+    Head, Highlighted, LABEL_DIGITS, LineStyle, POINT, Sketch, cross_of, equals, unit,
+};
 
 /// Radius of the ring of arcs from u to v, v to w and w to u, and side of the squares that mark their right
 /// angles, as fractions of the basis arrows' length.
@@ -30,7 +32,7 @@ impl Sketch<'_> {
     pub(crate) fn areas(&mut self, arrow: f64) {
         let (camera, highlighted) = (self.view.camera, self.view.highlighted);
         for concept in [Concept::UpCrossW, Concept::WCrossU] {
-            let shown = Highlighted { concept, camera, digits: 4, dims: false };
+            let shown = Highlighted { concept, camera, digits: LABEL_DIGITS, dims: false };
             let is_lit = highlighted.is_some_and(|lit| lit.concept == concept);
             let Some((cross, names, colors)) = cross_of(shown, self.colors).filter(|_| !is_lit)
             else {
