@@ -27,9 +27,6 @@ pub(super) struct Cpu {
     /// True if the display's buffers may differ from the canvas, so that the next frame must be copied as a
     /// whole.
     stale: bool,
-    /// True if the display keeps the presented picture, so that a frame needs to present only its
-    /// changes. X11 does not: it can report the loss of a part in the same event as a requested redraw.
-    /// So on X11, every frame is presented as a whole.
     keeps_picture: bool,
     failures: u32,
 }
@@ -100,6 +97,10 @@ impl WindowSurface for Cpu {
         Some(MAX_TEXTURE_SIDE)
     }
 
+    fn keeps_picture(&self) -> bool {
+        self.keeps_picture
+    }
+
     fn paint(&mut self, frame: WindowFrame<'_>) -> Result<Duration, String> {
         let changed = self.painter.set_textures(frame.delta);
         let size = frame.size.map(|n| n as usize);
@@ -118,8 +119,7 @@ impl WindowSurface for Cpu {
                 screenshot.complete(Arc::clone(&image));
             }
         }
-        let exposed = frame.exposed || !self.keeps_picture;
-        match self.present(frame.window, frame.size, &rects, exposed) {
+        match self.present(frame.window, frame.size, &rects, frame.exposed) {
             Ok(()) => self.failures = 0,
             Err(error) => {
                 // New buffers are enough after a brief failure of the connection. A lost connection ends

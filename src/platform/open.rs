@@ -43,6 +43,8 @@ pub(super) struct Open {
     repaint_at: Option<Instant>,
     /// True if the next `RedrawRequested` event was requested by this program, not by the display.
     redraw_requested: bool,
+    /// Time when the whole picture must be presented, because a part may be lost since the last time.
+    whole_due: Option<Instant>,
     /// Time of the first input event that no frame has handled yet.
     input_since: Option<Instant>,
     /// True if the window should open maximised, but is not maximised yet.
@@ -62,6 +64,10 @@ pub(super) struct Open {
     file_dialogs: u64,
     window: Arc<Window>,
 }
+
+/// Maximum time until a lost part of the picture is presented again on a display that may not report the
+/// loss.
+const WHOLE_INTERVAL: Duration = Duration::from_secs(1);
 
 /// Time between two checks of the scene's file. A check causes a frame only if it finds a change.
 const CHECK_INTERVAL: Duration = Duration::from_secs(1);
@@ -108,6 +114,7 @@ impl Open {
             actions: Vec::new(),
             repaint_at: None,
             redraw_requested: false,
+            whole_due: None,
             input_since: None,
             maximizing: false,
             shown: None,
@@ -338,6 +345,7 @@ impl Open {
         if size.width == 0 || size.height == 0 {
             return Ok(());
         }
+        let exposed = self.presents_whole(began, exposed);
         let Some(surface) = &mut self.surface else { return Ok(()) };
         let primitives = self.ctx.tessellate(shapes, pixels_per_point);
         if self.renderer != Renderer::Cpu {
@@ -374,6 +382,23 @@ impl Open {
             log.frames.push((times, self.app.work_presented()));
         }
         Ok(())
+    }
+
+    /// Returns true if the frame must present the whole picture, not only its changes.
+    ///
+    /// X11 can report the loss of a part in the same event as a redraw that the program requested. But a
+    /// whole picture takes the display some milliseconds, and the next frame waits for it. So the frames
+    /// of a drag present their changes, and one frame a second, or one after the last of them, the whole.
+    fn presents_whole(&mut self, now: Instant, exposed: bool) -> bool {
+        let keeps_picture = self.surface.as_ref().is_none_or(|surface| surface.keeps_picture());
+        let due = self.whole_due.is_some_and(|due| due <= now);
+        if keeps_picture || exposed || due {
+            self.whole_due = None;
+        } else {
+            let due = *self.whole_due.get_or_insert(now + WHOLE_INTERVAL);
+            self.repaint_by(due);
+        }
+        exposed || due
     }
 
     /// Draws the window on the CPU from now on, because the graphics driver failed.

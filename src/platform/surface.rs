@@ -23,6 +23,12 @@ pub(super) trait WindowSurface {
     /// Returns the maximum side of a texture, if it is known.
     fn max_texture_side(&self) -> Option<usize>;
 
+    /// Returns true if the display keeps the presented picture, or reports its loss with certainty. If not,
+    /// the window must present the whole picture again from time to time.
+    fn keeps_picture(&self) -> bool {
+        true
+    }
+
     /// Draws a frame and presents it. Returns the time that it waited for the display.
     ///
     /// # Errors

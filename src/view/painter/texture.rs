@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::epaint::{ImageData, ImageDelta};
 use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
+use rayon::prelude::*;
 
 /// A texture.
 #[derive(Debug)]
@@ -167,7 +168,8 @@ fn all_opaque(texels: &[Color32]) -> bool {
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };
-    texels.chunks(256).all(|piece| common(piece) >> 24 == 255)
+    let opaque = |texels: &[Color32]| texels.chunks(256).all(|piece| common(piece) >> 24 == 255);
+    texels.par_chunks(1 << 16).all(opaque)
 }
 
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
