@@ -59,8 +59,28 @@ struct DerivationPass<'a> {
 struct Laid {
     derivation: Arc<Derivation>,
     width: f32,
+    size: f32,
     per_point: f32,
     lines: Vec<Vec<LaidLine>>,
+}
+
+impl<'a> DerivationPass<'a> {
+    fn new(ui: &Ui, document: &'a Document, session: &Session) -> DerivationPass<'a> {
+        DerivationPass {
+            givens: Givens {
+                document,
+                selection: session.shown_selection().inside(document.camera.image),
+                from_one: session.settings.count_from_one,
+            },
+            inks: Inks::from_ui(ui),
+            highlighted: session.highlighted(),
+            goal: None,
+            revealed: session.revealed_lines,
+            goal_line: None,
+            line: 0,
+            is_editable: true,
+        }
+    }
 }
 
 impl DerivationPanel {
@@ -115,22 +135,14 @@ impl DerivationPanel {
         let revealed = session.revealed_lines;
         let is_new = std::mem::replace(&mut self.revealed, revealed) != revealed;
         let mut frame = DerivationPass {
-            givens: Givens {
-                document,
-                selection: session.shown_selection().inside(document.camera.image),
-                from_one: session.settings.count_from_one,
-            },
-            inks: Inks::from_ui(ui),
-            highlighted: session.highlighted(),
             goal,
-            revealed,
             goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
-            line: 0,
             is_editable,
+            ..DerivationPass::new(ui, document, session)
         };
         self.fields.clear();
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
-            self.lay_out(ui, derivation);
+            self.lay_out(ui, derivation, SIZE);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
             for (k, section) in derivation.sections.iter().enumerate() {
                 self.section(ui, k, section, &mut frame);
@@ -144,11 +156,52 @@ impl DerivationPanel {
         });
     }
 
-    fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>) {
+    /// Returns the height of all lines without titles at this size and width, in points.
+    pub(crate) fn card_height(ui: &Ui, derivation: &Derivation, width: f32, size: f32) -> f32 {
+        let laid = laid_lines(ui, derivation, [width, size], |_, _| Id::NULL);
+        laid.iter().flatten().map(|laid| laid.height + BETWEEN_LINES).sum()
+    }
+
+    /// Shows the lines without titles and without scrolling, with the newest one lit. If they do not all
+    /// fit, the last ones are shown. While the step's question is open, none is shown.
+    pub(crate) fn card(
+        &mut self,
+        ui: &mut Ui,
+        derivation: &Arc<Derivation>,
+        document: &Document,
+        session: &Session,
+        size: f32,
+    ) {
+        self.fields.clear();
+        self.lay_out(ui, derivation, size);
+        let Some(laid) = self.laid.as_ref().filter(|_| !session.is_asking) else { return };
+        let frame = DerivationPass::new(ui, document, session);
+        let lines = derivation.sections.iter().flat_map(|section| &section.lines);
+        let lines: Vec<(&DerivedLine, &LaidLine)> =
+            lines.zip(laid.lines.iter().flatten()).collect();
+        let shown = &lines[..frame.revealed.unwrap_or(lines.len()).min(lines.len())];
+        let newest = frame.revealed.and(shown.len().checked_sub(1));
+        let mut room = ui.available_height();
+        let fits = |(_, laid): &&(&DerivedLine, &LaidLine)| {
+            room -= laid.height + BETWEEN_LINES;
+            room >= -1.0
+        };
+        let first = shown.len() - shown.iter().rev().take_while(fits).count();
+        ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
+        for (k, (line, laid)) in shown.iter().enumerate().skip(first) {
+            let is_about = |concept| line.is_about(concept);
+            let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
+            let response = show(ui, line, laid, frame.inks, is_lit);
+            self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+        }
+    }
+
+    fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>, size: f32) {
         let (width, per_point) = (ui.available_width(), ui.ctx().pixels_per_point());
         let known = self.laid.as_ref().is_some_and(|laid| {
             Arc::ptr_eq(&laid.derivation, derivation)
                 && laid.width == width
+                && laid.size == size
                 && laid.per_point == per_point
         });
         if known {
@@ -157,8 +210,9 @@ impl DerivationPanel {
         let id = |section: &DerivedSection, k: usize| {
             Id::unique(("derivation line", section.section, section.object, k))
         };
-        let lines = laid_lines(ui, derivation, width, id);
-        self.laid = Some(Laid { derivation: Arc::clone(derivation), width, per_point, lines });
+        let lines = laid_lines(ui, derivation, [width, size], id);
+        self.laid =
+            Some(Laid { derivation: Arc::clone(derivation), width, size, per_point, lines });
     }
 
     fn section(
@@ -197,11 +251,7 @@ impl DerivationPanel {
             }
             let response = show(ui, line, laid, frame.inks, is_lit(line));
             if frame.is_editable {
-                let baseline = baseline_of(response.rect, laid);
-                for given in &laid.layout.givens {
-                    let field = field(ui, given, baseline, &frame.givens);
-                    self.fields.extend(field.map(|field| (field.id, line.concept)));
-                }
+                self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
             }
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
             if is_goal {
@@ -330,6 +380,20 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     response
 }
 
+/// Shows the fields of a line's input numbers. Returns the field's ids with the line's concept.
+fn fields(
+    ui: &mut Ui,
+    line: &DerivedLine,
+    laid: &LaidLine,
+    response: &Response,
+    givens: &Givens,
+) -> Vec<(Id, Option<Concept>)> {
+    let baseline = baseline_of(response.rect, laid);
+    let shown = laid.layout.givens.iter();
+    let fields = shown.filter_map(|given| field(ui, given, baseline, laid.size, givens));
+    fields.map(|field| (field.id, line.concept)).collect()
+}
+
 /// Distance between the dots of the dotted underline of an editable number, in points.
 const BETWEEN_DOTS: f32 = 3.0;
 /// Radius of a dot of the dotted underline of an editable number, in points.
@@ -338,7 +402,13 @@ const DOT: f32 = 0.7;
 /// Shows the field of an input number over the number's digits in a formula; `baseline` is where the
 /// formula's first baseline begins. An edit requests an action, which is applied before the frame is
 /// presented.
-fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -> Option<Response> {
+fn field(
+    ui: &mut Ui,
+    shown: &GivenBox,
+    baseline: egui::Pos2,
+    size: f32,
+    givens: &Givens,
+) -> Option<Response> {
     let given = shown.given;
     let mut value = givens.value(given)?;
     let start = baseline + vec2(shown.at[0], shown.at[1]);
@@ -354,9 +424,9 @@ fn field(ui: &mut Ui, shown: &GivenBox, baseline: egui::Pos2, givens: &Givens) -
         field = NumberField { is_whole: true, range, ..field };
     }
     // A single digit is too narrow to grab.
-    let rect = rect.expand2(vec2((0.5 * (SIZE - rect.width())).max(0.0), 1.0));
+    let rect = rect.expand2(vec2((0.5 * (size - rect.width())).max(0.0), 1.0));
     let id = Id::unique(("derivation number", given));
-    let response = field.show_over(ui, id, rect, SIZE);
+    let response = field.show_over(ui, id, rect, size);
     if response.changed() {
         request(ui.ctx(), Action::Give(given, value));
     }

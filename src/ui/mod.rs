@@ -13,6 +13,7 @@ pub mod practice;
 pub mod ray;
 pub mod scene;
 pub(crate) mod second_picture;
+pub(crate) mod stage;
 pub mod tools;
 pub mod widgets;
 pub(crate) mod workspaces;

@@ -204,6 +204,31 @@ fn strip_buttons(ui: &mut Ui, has_lesson: bool) -> bool {
     switched
 }
 
+/// Shows the numbers at the foot of a lesson's main figure: one line of them, or all.
+pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let (derived, document, style) = (context.derived, &context.open.document, context.style);
+    let area = ui.available_rect_before_wrap();
+    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill.gamma_multiply(0.85));
+    let all = context.session.settings.unfolded.numbers;
+    let mut switched = false;
+    if context.session.presenting.is_some() {
+        readouts::band(ui, derived, document, style);
+    } else if all {
+        switched = ui.small_button("Fewer numbers").clicked();
+        readouts::ui(ui, derived, document, style);
+    } else {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            switched = ui.small_button("All numbers").clicked();
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                readouts::band(ui, derived, document, style);
+            });
+        });
+    }
+    if switched {
+        context.session.settings.unfolded.numbers = !all;
+    }
+}
+
 const DERIVATION: Page = Page {
     follows_pointer: true,
     areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),

@@ -416,7 +416,7 @@ fn presented_derivation(folder: &std::path::Path, more: &str) -> Harness<'static
     let text = format!(
         "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"One\"\ntext = \"Look.\"\n\
          scene = \"canonical\"\nlayout = \"both\"\n[[step]]\ntitle = \"Two\"\ntext = \"See.\"\n\
-         layout = \"derivation\"\nderivation = [\"basis\", \"pixel-to-ray\", \"objects\"]\n{more}"
+         layout = \"derivation\"\nformulas = [\"eye\", \"at\", \"view\", \"w\", \"u\"]\n{more}"
     );
     std::fs::write(&path, text).unwrap();
     let (id, file) = LessonArgument::parse(path.to_str().unwrap()).unwrap().load().unwrap();

@@ -6,6 +6,7 @@ mod files;
 mod leaving;
 mod numbers;
 mod questions;
+mod stage;
 mod strip;
 mod walk;
 

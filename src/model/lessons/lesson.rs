@@ -80,6 +80,8 @@ pub struct StepView {
     pub keep_picture: Option<bool>,
     /// True if the teaching part of the camera panel is unfolded.
     pub teaching: Option<bool>,
+    /// The concepts whose lines of the derivation form the step's card of formulas.
+    pub formulas: Option<Arc<[Concept]>>,
     /// The sections of the derivation that are shown.
     pub derivation: Option<DerivationSections>,
     /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
@@ -136,6 +138,15 @@ impl OpenLesson {
     /// Returns the id of the current step.
     pub fn id(&self) -> StepId {
         self.id
+    }
+
+    /// Returns the step's number among the steps of all built-in lessons, and the number of these; `None`
+    /// for a lesson from a file.
+    pub fn number_of_all(&self) -> Option<[usize; 2]> {
+        let Which::Builtin(index) = self.id.lesson else { return None };
+        let count = |lessons: &[Arc<Lesson>]| lessons.iter().map(|lesson| lesson.steps.len()).sum();
+        let before: usize = count(&builtin::all()[..index]);
+        Some([before + self.id.step + 1, count(builtin::all())])
     }
 
     /// Returns the whole lesson.

@@ -24,7 +24,7 @@ const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// The keys that a step may have in addition to the tables of a scene.
 const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
-                    count_from_one digits keep_picture teaching derivation highlight mistake t \
+                    count_from_one digits keep_picture teaching derivation formulas highlight mistake t \
                     play lines exercise seed";
 
 /// Reads a lesson file.
@@ -110,7 +110,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
     if is_new {
         // The observer and t belong to the previous scene.
-        (view.observer, view.t) = (None, None);
+        (view.observer, view.t, view.formulas) = (None, None, None);
     }
     let selection = match last.filter(|_| !is_new) {
         Some(step) => step.selection,
@@ -222,6 +222,9 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     say(section, "keep_picture", &mut view.keep_picture, TomlField::boolean)?;
     say(section, "teaching", &mut view.teaching, TomlField::boolean)?;
     say(section, "derivation", &mut view.derivation, derivation)?;
+    say(section, "formulas", &mut view.formulas, |field| {
+        elements(field, "[\"view\", \"w\"]")?.iter().map(|one| concept(one, objects)).collect()
+    })?;
     say(section, "highlight", &mut view.highlighted, |field| highlighted(field, objects))?;
     say(section, "mistake", &mut view.mistake, |field| {
         choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
@@ -305,9 +308,17 @@ fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
 
 /// Reads the name of a concept in a scene with `objects` objects, or the word `nothing` for no concept.
 fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
+    match field.text() {
+        Ok(NOTHING) => Ok(None),
+        _ => concept(field, objects).map(Some),
+    }
+}
+
+/// Reads the name of a concept in a scene with `objects` objects.
+fn concept(field: &TomlField, objects: usize) -> Result<Concept, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {
-        Some(_) if is_in_scene(numbered, objects) => return Ok(numbered),
+        Some(concept) if is_in_scene(numbered, objects) => return Ok(concept),
         Some(_) if objects == 0 => return Err(field.error("the scene has no objects")),
         Some(_) => {
             let right = format!("the scene's objects are 0 to {}", objects - 1);
@@ -317,7 +328,7 @@ fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, Fil
     }
     let numbered = ["object 0", "root 0 1"];
     let known: Vec<&str> = [NOTHING].into_iter().chain(Concept::names()).chain(numbered).collect();
-    Ok(Concept::from_name(field.one_of(&known)?))
+    Concept::from_name(field.one_of(&known)?).ok_or_else(|| field.error("it must be a concept"))
 }
 
 /// The name that stands for no highlighted concept.

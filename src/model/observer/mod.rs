@@ -99,6 +99,21 @@ impl Observer {
         }
     }
 
+    /// Returns an observer on the way to another one: this one for a share of 0, the other one for 1. It
+    /// turns the shorter way round, and its distance grows by equal factors in equal shares.
+    #[must_use]
+    pub fn toward(&self, other: &Observer, share: f64) -> Observer {
+        const TURN: f64 = std::f64::consts::TAU;
+        let turn = (other.azimuth - self.azimuth + 0.5 * TURN).rem_euclid(TURN) - 0.5 * TURN;
+        Observer {
+            target: self.target.lerp(other.target, share),
+            azimuth: self.azimuth + share * turn,
+            elevation: self.elevation + share * (other.elevation - self.elevation),
+            distance: self.distance * (other.distance / self.distance).powf(share),
+        }
+        .in_range()
+    }
+
     /// Turns the observer around the target by two angles in radians: to the right and upwards.
     pub fn orbit(&mut self, right: f64, up: f64) {
         self.azimuth += right;

@@ -1,5 +1,7 @@
 //! The state of a document's views, which a scene file does not store, and the user's settings.
 
+use std::sync::Arc;
+
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
@@ -50,6 +52,9 @@ pub struct Session {
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
+    /// The concepts whose lines the derivation is reduced to, as a lesson's step asks; `None` for all lines
+    /// of the shown sections.
+    pub formulas: Option<Arc<[Concept]>>,
     /// How many lines of the derivation are shown, from the first one; `None` if all are. The total number
     /// depends on the derivation.
     pub revealed_lines: Option<usize>,

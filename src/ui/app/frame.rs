@@ -12,6 +12,7 @@ use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
 
 use crate::model::fault::caught;
+use crate::model::session::Split;
 use crate::model::{Hovered, NumberStyle, Session, ViewLayout, Workspace};
 use crate::ui::action::{
     Action, Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested,
@@ -24,9 +25,13 @@ use crate::ui::panels::{camera, objects, section, top_bar};
 use crate::ui::practice::vote;
 use crate::ui::scene::{Divider, Numbers, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
+use crate::ui::stage::Stage;
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
+
+/// Minimum width of the window in which a lesson's step has the side panel beside it, in points.
+const LEAST_WIDTH: f32 = 640.0;
 
 impl App {
     /// Runs one frame.
@@ -43,8 +48,11 @@ impl App {
         self.panels(ui, &mut start);
         // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
-        CentralPanel::default().show(ui, |ui| {
-            let rects = self.rects(ui);
+        let margin = egui::Frame::central_panel(ui.style());
+        let frame = if self.scene.has_stage() { margin.inner_margin(0) } else { margin };
+        CentralPanel::default().frame(frame).show(ui, |ui| {
+            let stage = self.stage(ui);
+            let rects = self.rects(ui, stage.as_ref());
             self.view_inputs(ui, &rects);
             for action in take_requested(&ctx) {
                 // Moving the camera or the observer changes only the views. Other actions may show in bars or
@@ -54,7 +62,7 @@ impl App {
                 self.apply(&ctx, action);
             }
             self.derive(ui, &rects);
-            self.outputs(ui, &rects);
+            self.outputs(ui, &rects, stage.as_ref());
             is_old |= is_any_requested(&ctx);
             if let Some(pen) = &mut self.scene.session.pen {
                 views::pen(ui, ui.max_rect(), pen);
@@ -193,14 +201,15 @@ impl App {
             let bar = Panel::top("top bar");
             bar.show(ui, |ui| top_bar::ui(ui, open, recent, steps, there, settings));
         }
-        scene.lesson_strip(ui);
         self.advance_animation(ui);
         let session = &self.scene.session;
         // The panels above do not show the values that an animation changes, so they need not be drawn
         // again.
         start.session.ray_point_t = session.ray_point_t;
         start.session.scanned_pixels = session.scanned_pixels;
-        let hidden = presenting || session.settings.hides_panel;
+        // On a phone there is room for the step alone.
+        let is_narrow = self.scene.has_stage() && ui.available_width() < LEAST_WIDTH;
+        let hidden = presenting || session.settings.hides_panel || is_narrow;
         if !hidden && self.page().has_panel {
             let panel =
                 Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
@@ -254,13 +263,31 @@ impl App {
         ui.add_space(8.0);
     }
 
+    /// Returns the stage of the open lesson's step; `None` without a lesson, and during a vote, which asks a
+    /// question of its own.
+    fn stage(&self, ui: &Ui) -> Option<Stage> {
+        let session = &self.scene.session;
+        let settings = &session.settings;
+        let band = match (session.presenting, settings.unfolded.numbers) {
+            (None, true) => settings.splits.get(Split::Readouts),
+            _ if settings.presents_numbers => readouts::BAND,
+            _ => 0.0,
+        };
+        let whole = ui.available_rect_before_wrap();
+        self.scene.has_stage().then(|| Stage::new(whole, settings.layout, band))
+    }
+
     /// Lays out the views and the rest of the page.
-    fn rects(&mut self, ui: &mut Ui) -> ViewRects {
+    fn rects(&mut self, ui: &mut Ui, stage: Option<&Stage>) -> ViewRects {
         let areas = self.page().areas;
         let session = &mut self.scene.session;
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
-        let whole = ui.available_rect_before_wrap();
+        let per_point = ui.ctx().pixels_per_point();
+        if let Some(areas) = stage.and_then(|stage| stage.areas(image)) {
+            return ViewRects::new(areas, image, per_point, true);
+        }
+        let whole = stage.map_or(ui.available_rect_before_wrap(), |stage| stage.main);
         let numbers = match (presenting, session.settings.unfolded.numbers) {
             (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
             (true, _) => Numbers::Strip(readouts::PRESENTED),
@@ -269,7 +296,6 @@ impl App {
         };
         let splits = &mut session.settings.splits;
         let areas = areas(&mut Divider { ui, whole, splits, numbers });
-        let per_point = ui.ctx().pixels_per_point();
         ViewRects::new(areas, image, per_point, presenting)
     }
 
@@ -306,10 +332,11 @@ impl App {
     }
 
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
-    fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects) {
+    fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects, stage: Option<&Stage>) {
         let page = self.page();
-        self.show_views(ui, rects);
+        self.show_views(ui, rects, stage.is_some());
         let style = NumberStyle::new(&self.scene.session.settings);
+        let is_changed = self.scene.differs_from_step();
         let mut context = PageContext {
             open: &self.scene.open,
             session: &mut self.scene.session,
@@ -322,6 +349,10 @@ impl App {
             (page.second, rects.second_area, rects.second)
         {
             second_picture::show(ui, &mut context, second, [area, rect]);
+        }
+        if let (Some(stage), Some(step)) = (stage, self.scene.lessons.step(is_changed)) {
+            stage.show(ui, rects.rest, &step, &mut context);
+            return files::notice(ui.ctx(), &mut self.scene);
         }
         // Answers stay hidden while the class thinks. A vote asks its own question, and reveals nothing about
         // the step's question.

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::{Panel, Ui};
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use super::scene::{OpenScene, Opened};
@@ -11,7 +10,7 @@ use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
 use crate::model::{Observer, Session, Settings, Workspace};
-use crate::ui::panels::lesson_strip;
+use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
 
 /// The open lesson, and the state to restore when it closes.
@@ -36,6 +35,12 @@ impl Lessons {
         if self.seen_from.is_none() || self.seen_from == before {
             self.seen_from = Some(observer);
         }
+    }
+
+    /// Returns the open step for the column of the stage.
+    pub(super) fn step(&self, is_changed: bool) -> Option<OpenStep<'_>> {
+        let (open, file) = (self.open.as_ref()?, self.file.as_deref());
+        Some(OpenStep { open, file, is_changed })
     }
 
     /// Returns the settings without the changes made by lessons.
@@ -181,21 +186,8 @@ impl OpenScene {
         })
     }
 
-    /// Shows the lesson's strip. While presenting, an open classroom vote replaces the strip, because the
-    /// vote asks a question of its own.
-    pub(super) fn lesson_strip(&self, ui: &mut Ui) {
-        let Some(open) = &self.lessons.open else { return };
-        if self.session.presenting.is_some() && self.session.shows_vote() {
-            return;
-        }
-        Panel::top("lesson").show(ui, |ui| {
-            let is_asking = self.session.is_asking;
-            if self.session.presenting.is_some() {
-                lesson_strip::slim(ui, open, is_asking);
-            } else {
-                let (file, differs) = (self.lessons.file.as_deref(), self.differs_from_step());
-                lesson_strip::ui(ui, open, file, is_asking, differs);
-            }
-        });
+    /// Returns true if a lesson's step fills the window.
+    pub(super) fn has_stage(&self) -> bool {
+        self.lessons.open.is_some() && !self.session.shows_vote()
     }
 }

@@ -4,6 +4,7 @@
 mod apply;
 mod files;
 mod frame;
+mod glide;
 mod history;
 mod lessons;
 mod over;

@@ -6,8 +6,9 @@ use egui::{Align2, Context, Event, Key, Pos2, Ui, Vec2};
 use pinhole_core::Selection;
 
 use super::App;
+use super::glide::Glide;
 use crate::model::symbols::typeset_message;
-use crate::model::{Fault, ViewSize};
+use crate::model::{Fault, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, views};
 use crate::ui::tools::accuracy;
@@ -38,6 +39,8 @@ pub(super) struct Views {
     pub(super) rested_at: Option<Pos2>,
     /// The times of the last frame's work, if they are measured.
     pub(super) frame_work: Option<FrameWork>,
+    /// The observer's glide from one step of a lesson to the next.
+    glide: Glide,
     world_size: Option<ViewSize>,
     world: ViewTexture,
     camera: ViewTexture,
@@ -67,6 +70,11 @@ impl App {
         let stopwatch = Stopwatch::start();
         let watch = |work| stopwatch.record(work);
         let (document, session) = (&scene.open.document, &scene.session);
+        let (step, is_still) = (scene.lessons.open.as_ref(), session.settings.reduced_motion);
+        let observer = views.glide.follow(ctx, step, session.observer, is_still);
+        let gliding =
+            (observer != session.observer).then(|| Session { observer, ..session.clone() });
+        let session = gliding.as_ref().unwrap_or(session);
         views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);
         let times = stopwatch.stop();
         if let Some(traced) = times.traced() {
@@ -84,11 +92,11 @@ impl App {
     }
 
     /// Shows the pictures with their labels.
-    pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects) {
+    pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
         let App { scene, dragging, views: shown, .. } = self;
         shown.world_size = rects.world.map(views::size_of).or(shown.world_size);
         let derived = &shown.derived;
-        if scene.session.presenting.is_none() {
+        if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;
             let settings = &mut scene.session.settings;
             views::strips(ui, rects, settings, image);
@@ -102,6 +110,9 @@ impl App {
             views::speak(ui, views::WORLD, &spoken);
         }
         if let (Some(rect), Some(view)) = (rects.camera, &derived.camera_view) {
+            if rects.world.is_some_and(|world| world.contains_rect(rect)) {
+                views::frame_inset(ui, rect);
+            }
             views::show(ui, rect, view, &mut shown.camera, derived.fault.is_some());
             views::speak(ui, views::CAMERA, &spoken);
         }

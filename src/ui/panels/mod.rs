@@ -2,7 +2,6 @@
 //! requests [actions](super::action) for everything else.
 
 pub(crate) mod camera;
-pub(crate) mod lesson_strip;
 pub(crate) mod objects;
 pub(crate) mod play;
 mod teaching;

@@ -48,7 +48,8 @@ fn size_with_room(ui: &Ui, exercises: &Exercises) -> f32 {
         let paragraphs = exercises::question(&question.given);
         let texts =
             paragraphs.iter().map(|text| (text.as_str(), *size)).chain([(HINT, size - 1.0)]);
-        let text = texts.map(|(text, size)| marked_text::height(ui, text, size));
+        let text = texts
+            .map(|(text, size)| marked_text::height_within(ui, text, size, ui.available_width()));
         let height = text.sum::<f32>() + (question.parts.len() as f32 + 0.5) * ROW;
         height <= ui.available_height() - BAR * size
     };

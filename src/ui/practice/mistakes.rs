@@ -142,6 +142,18 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     }
 }
 
+/// Shows the right and the wrong basis and the checks, on the stage of a lesson.
+pub(crate) fn card(ui: &mut Ui, derived: &Derived, style: NumberStyle) {
+    let Some(wrong) = derived.wrong_camera.as_deref() else { return };
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    ui.spacing_mut().item_spacing.y = 1.0;
+    if let Ok(camera) = &wrong.camera {
+        basis(ui, camera, style);
+    }
+    ui.add_space(4.0);
+    checks(ui, wrong, style);
+}
+
 fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
     ui.scope_builder(UiBuilder::new().id_salt(name).max_rect(rect), |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));

@@ -42,6 +42,13 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     plane(ui, left, lab, digits);
 }
 
+/// Shows only the drawing of the lab, in which the lines can be dragged.
+pub(crate) fn figure(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let area = ui.available_rect_before_wrap();
+    plane(ui, area, lab, digits);
+}
+
 /// Shows both lines, but not their intersection, while a lesson asks the class where they meet.
 pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
     draw_question(ui, ui.available_rect_before_wrap(), lab);

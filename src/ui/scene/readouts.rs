@@ -318,6 +318,19 @@ pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: 
     }
 }
 
+/// Height of the line of numbers on a lesson's stage, in points.
+pub(crate) const BAND: f32 = 26.0;
+
+/// Shows the selected ray and its first hit in one line.
+pub(crate) fn band(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    let shown = derived.resolved.as_ref().zip(derived.inspection.as_ref());
+    let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
+    let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
+    let hit = inspection.hit_readings(|object| document.title_of(object));
+    let row: Vec<Reading> = [uv, d].into_iter().chain(hit).collect();
+    rows(ui, &[row], &[16.0, 14.0, WRITTEN], ui.available_height(), style);
+}
+
 /// Shows rows of numbers, each at least `height` points high, with the most digits and then with the first
 /// of the text sizes with which all numbers fit.
 fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: NumberStyle) {

@@ -180,9 +180,9 @@ impl Divider<'_> {
 
 impl ViewRects {
     /// Lays out everything in these areas, with a title above each picture.
-    pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, presenting: bool) -> Self {
-        // A second picture keeps its title and legend while presenting.
-        let strip = if presenting && areas.second.is_none() { 0.0 } else { STRIP };
+    pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, is_bare: bool) -> Self {
+        // Pictures that are compared always have their titles and legends.
+        let strip = if is_bare && areas.second.is_none() { 0.0 } else { STRIP };
         let below_strip = |rect: Rect| snapped(rect.with_min_y(rect.top() + strip), per_point);
         let [world, camera_area, second_area] =
             [areas.world, areas.camera, areas.second].map(|part| part.map(below_strip));
@@ -190,7 +190,7 @@ impl ViewRects {
         let both = camera_area.zip(second_area).map(|(a, b)| a.size().min(b.size()));
         let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
         let [camera_area, second_area] = [camera_area, second_area].map(|area| area.map(of_both));
-        let fitted = |area| fitted(area, image, per_point, !presenting);
+        let fitted = |area| fitted(area, image, per_point, !is_bare);
         let (camera, second) = (camera_area.map(fitted), second_area.map(fitted));
         ViewRects { world, camera_area, camera, second_area, second, rest: areas.rest }
     }

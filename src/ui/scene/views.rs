@@ -52,10 +52,22 @@ pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
     ViewSizes {
         world: rects.world.map(|rect| physical(ui, rect)),
         camera: rects.camera.map(|rect| physical(ui, rect)),
+        covered: rects.world.map(|world| covered(ui, rects, world)).unwrap_or_default(),
         scale: ui.ctx().pixels_per_point(),
         style: theme::style(ui),
         ..ViewSizes::default()
     }
+}
+
+/// Returns the rectangles that the camera view and the rest of the page cover of the world view, in its
+/// physical pixels.
+fn covered(ui: &Ui, rects: &ViewRects, world: Rect) -> [Option<[f32; 4]>; 2] {
+    let scale = ui.ctx().pixels_per_point();
+    [rects.camera, Some(rects.rest)].map(|rect| {
+        let inside = rect?.intersect(world);
+        let (min, max) = ((inside.min - world.min) * scale, (inside.max - world.min) * scale);
+        inside.is_positive().then_some([min.x, min.y, max.x, max.y])
+    })
 }
 
 /// Returns the size of a world view, in points.
@@ -377,6 +389,13 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
             labels::write_label(&painter, rect.min, per_point, label);
         }
     }
+}
+
+/// Draws the frame of a picture that is an inset of another one.
+pub(crate) fn frame_inset(ui: &Ui, rect: Rect) {
+    let stroke = egui::Stroke::new(1.0, ui.visuals().weak_text_color());
+    let (frame, fill) = (rect.expand(4.0), ui.visuals().panel_fill);
+    ui.painter().rect(frame, 4.0, fill, stroke, egui::StrokeKind::Inside);
 }
 
 /// Size of the text of a badge on a picture, in points.

@@ -17,10 +17,10 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     ui.add(Label::new(job).wrap()).spoken(plain(text));
 }
 
-/// Returns the height of the text when it is wrapped to the available width.
-pub(crate) fn height(ui: &Ui, text: &str, size: f32) -> f32 {
+/// Returns the height of the text when it is wrapped to this width.
+pub(crate) fn height_within(ui: &Ui, text: &str, size: f32, width: f32) -> f32 {
     let mut job = laid_out(ui, text, size);
-    job.wrap.max_width = ui.available_width();
+    job.wrap.max_width = width;
     ui.painter().layout_job(job).size().y
 }
 

@@ -112,6 +112,18 @@ impl fmt::Display for DerivedLine {
 }
 
 impl Derivation {
+    /// Keeps only the lines about these concepts, and those that say why the derivation fails.
+    #[must_use]
+    pub fn reduced_to(mut self, concepts: &[Concept]) -> Derivation {
+        let is_kept = |line: &DerivedLine| {
+            line.is_fault || line.concept.is_some_and(|concept| concepts.contains(&concept))
+        };
+        self.sections.iter_mut().for_each(|section| section.lines.retain(is_kept));
+        self.sections.retain(|section| !section.lines.is_empty());
+        self.left_out = 0;
+        self
+    }
+
     /// Returns the number of lines.
     pub fn line_count(&self) -> usize {
         self.sections.iter().map(|section| section.lines.len()).sum()

@@ -175,6 +175,9 @@ pub struct ViewSizes {
     pub style: Style,
     /// Whether the pictures are for the window or for a figure.
     pub purpose: Purpose,
+    /// The rectangles of the world view, in physical pixels, that other content covers; see
+    /// [`WorldView::covered`](crate::view::overlay::WorldView).
+    pub covered: [Option<[f32; 4]>; 2],
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
     /// True if the user is dragging something. Slow work is then postponed if possible.

@@ -17,6 +17,8 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
+use crate::model::Concept;
+use crate::model::derivation_sections::DerivationSections;
 use crate::model::observer::enclosing;
 use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
@@ -84,6 +86,7 @@ impl WorldViews {
             handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
             is_clear: sizes.purpose.is_clear(),
             names_all: session.spoken.is_some() || without_marks,
+            covered: sizes.covered.into_iter().flatten().collect(),
             without_marks,
         };
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
@@ -309,7 +312,10 @@ const PRESENTED_DECIMALS: usize = 3;
 
 /// The last derivation and its inputs.
 #[derive(Debug, Default)]
-pub(super) struct Derivations(Memo<(Document, DerivationSettings), Arc<Derivation>>);
+pub(super) struct Derivations(Memo<(Document, DerivationKey), Arc<Derivation>>);
+
+/// The choices on which a derivation depends: the settings, and the concepts to whose lines it is reduced.
+type DerivationKey = (DerivationSettings, Option<Arc<[Concept]>>);
 
 impl Derivations {
     /// Returns the derivation; `None` if the layout does not show it.
@@ -321,12 +327,13 @@ impl Derivations {
         let layout = session.settings.layout;
         let is_solution =
             layout == ViewLayout::Exercises && sizes.world.is_some() && session.exercises.is_solved;
-        if !layout.shows_derivation() && !is_solution {
+        let only = session.formulas.clone().filter(|_| !is_solution);
+        if !layout.shows_derivation() && !is_solution && only.is_none() {
             return None;
         }
         let settings = DerivationSettings {
             selection: session.shown_selection(),
-            sections: session.sections,
+            sections: only.as_ref().map_or(session.sections, |_| DerivationSections::default()),
             numbers: NumberFormat {
                 rounding: match session.presenting {
                     Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
@@ -338,20 +345,24 @@ impl Derivations {
             fault: derived.fault,
         };
         // The document may be large, so it is compared before it is cloned.
-        let is_same = |(known, chosen): &(Document, DerivationSettings)| {
-            *chosen == settings && known == document
-        };
+        let key = (settings, only);
+        let is_same =
+            |(known, chosen): &(Document, DerivationKey)| *chosen == key && known == document;
         if let Some(made) = self.0.known(is_same) {
             return Some(Arc::clone(made));
         }
-        Some(self.0.get((document.clone(), settings), |_| {
-            Arc::new(derivation(&DerivationInputs {
+        Some(self.0.get((document.clone(), key), |(_, (_, only))| {
+            let whole = derivation(&DerivationInputs {
                 document,
                 resolved: derived.resolved.as_ref(),
                 scene: derived.scene.as_deref(),
                 inspection: derived.inspection.as_deref(),
                 settings,
-            }))
+            });
+            Arc::new(match only {
+                Some(concepts) => whole.reduced_to(concepts),
+                None => whole,
+            })
         }))
     }
 }

@@ -112,6 +112,8 @@ const WIDE: f32 = 0.34;
 const STROKE: f32 = 0.066;
 /// Size of superscripts and subscripts, relative to the surrounding text.
 const SMALL: f32 = 0.72;
+/// Minimum size of smaller parts, in points, unless the text around them is smaller.
+const LEAST: f32 = 12.0;
 /// Size of numerators and denominators, relative to the surrounding text.
 pub(super) const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
@@ -144,7 +146,7 @@ pub fn layout(formula: &Formula, size: f32, measure: Measure<'_>) -> Layout {
         Formula::Row(parts) => row(parts, size, measure),
         Formula::Root(inner) => root(layout(inner, size, measure), size),
         Formula::Fraction(above, below) => {
-            let small = FRACTION * size;
+            let small = smaller(FRACTION, size);
             fraction(layout(above, small, measure), layout(below, small, measure), size)
         }
         Formula::Power(base, small) => script(base, small, -0.38, size, measure),
@@ -260,11 +262,17 @@ fn root(inner: Layout, size: f32) -> Layout {
     whole
 }
 
+/// Returns the size of an index, a power or a part of a fraction: this share of the surrounding text's, but
+/// legible.
+fn smaller(share: f32, size: f32) -> f32 {
+    (share * size).max(size.min(LEAST))
+}
+
 /// Lays out a base with a superscript or subscript, whose baseline is `shift` ems lower (higher if
 /// negative).
 fn script(base: &Formula, small: &Formula, shift: f32, size: f32, measure: Measure<'_>) -> Layout {
     let mut whole = layout(base, size, measure);
-    let small = layout(small, SMALL * size, measure);
+    let small = layout(small, smaller(SMALL, size), measure);
     let raised = if shift < 0.0 { (ASCENT * size - whole.ascent).min(0.0) } else { 0.0 };
     let x = whole.width + 0.03 * size;
     whole.put(small, x, shift * size + raised);

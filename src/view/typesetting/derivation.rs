@@ -9,6 +9,7 @@ use egui::{
 };
 
 use crate::model::derivation_sections::DerivationSection;
+use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols::plain_scalars;
 use crate::model::symbols::{SymbolKind, meaning};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
@@ -23,6 +24,9 @@ pub(crate) const SIZE: f32 = 17.0;
 
 /// Size of the em of notes, in points.
 pub(crate) const NOTE: f32 = 15.0;
+
+/// Size of a note's em, as a fraction of its formula's.
+const NOTE_SHARE: f32 = NOTE / SIZE;
 
 /// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
@@ -40,6 +44,8 @@ pub(crate) const BETWEEN_LINES: f32 = 2.0;
 /// A line of the derivation after layout.
 pub(crate) struct LaidLine {
     pub(crate) id: Id,
+    /// Size of the formula's em, in points.
+    pub(crate) size: f32,
     pub(crate) text: String,
     pub(crate) layout: Layout,
     /// Position of the note, from the line's upper left corner.
@@ -47,9 +53,14 @@ pub(crate) struct LaidLine {
     pub(crate) height: f32,
 }
 
-pub(crate) fn note_galley(ui: &Ui, line: &DerivedLine, width: f32) -> Arc<Galley> {
+fn note_galley(ui: &Ui, line: &DerivedLine, size: f32, width: f32) -> Arc<Galley> {
     let color = if line.is_fault { error_color(ui) } else { ui.visuals().weak_text_color() };
-    ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
+    ui.painter().layout(
+        line.note.clone(),
+        FontId::proportional((NOTE_SHARE * size).max(WRITTEN)),
+        color,
+        width,
+    )
 }
 
 /// Maximum width of the part before a formula's relation, as a fraction of the column, for which the indent
@@ -62,11 +73,11 @@ const LEFT: f32 = 0.32;
 pub(crate) fn laid_lines(
     ui: &Ui,
     derivation: &Derivation,
-    width: f32,
+    [width, size]: [f32; 2],
     id: impl Fn(&DerivedSection, usize) -> Id,
 ) -> Vec<Vec<LaidLine>> {
     let inner = (width - 2.0 * PAD.x).max(20.0);
-    let left = |line: &DerivedLine| left_width(&line.formula, SIZE, &mut Fonts(ui.ctx()));
+    let left = |line: &DerivedLine| left_width(&line.formula, size, &mut Fonts(ui.ctx()));
     let indent_of = |kind: DerivationSection| {
         let sections = derivation.sections.iter().filter(|section| section.section == kind);
         let lefts = sections.flat_map(|section| &section.lines).map(left);
@@ -74,7 +85,7 @@ pub(crate) fn laid_lines(
     };
     let indents = DerivationSection::ALL.map(indent_of);
     let of_section = |section: &DerivedSection| {
-        let column = Column { size: SIZE, width: inner, indent: indents[section.section as usize] };
+        let column = Column { size, width: inner, indent: indents[section.section as usize] };
         let lines = section.lines.iter().enumerate();
         lines.map(|(k, line)| laid_line(ui, line, id(section, k), column)).collect()
     };
@@ -82,14 +93,14 @@ pub(crate) fn laid_lines(
 }
 
 fn laid_line(ui: &Ui, line: &DerivedLine, id: Id, column: Column) -> LaidLine {
-    let Column { width: inner, indent, .. } = column;
+    let Column { size, width: inner, indent } = column;
     let layout = lines(&line.formula, column, &mut Fonts(ui.ctx()));
     let height = layout.ascent + layout.descent;
-    let mut whole = LaidLine { id, text: line.to_string(), layout, note: PAD, height };
+    let mut whole = LaidLine { id, size, text: line.to_string(), layout, note: PAD, height };
     if !line.note.is_empty() {
-        let note = note_galley(ui, line, inner - indent).size();
+        let note = note_galley(ui, line, size, inner - indent).size();
         let behind = whole.layout.width + 18.0;
-        if behind + note.x <= inner && height < 2.4 * SIZE {
+        if behind + note.x <= inner && height < 2.4 * size {
             whole.note.x += behind;
             whole.note.y += whole.layout.ascent - 0.78 * note.y;
         } else {
@@ -111,7 +122,7 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLin
     paint_formula(ui.painter(), baseline_of(rect, laid), &laid.layout, inks);
     if !line.note.is_empty() {
         let width = (rect.width() - laid.note.x).max(20.0);
-        let galley = note_galley(ui, line, width);
+        let galley = note_galley(ui, line, laid.size, width);
         ui.painter().galley(rect.min + laid.note, galley, ui.visuals().text_color());
     }
 }
@@ -132,7 +143,7 @@ pub(crate) fn draw(
         height
     };
     let mut at = column.min;
-    let laid = laid_lines(ui, derivation, column.width(), |_, _| Id::NULL);
+    let laid = laid_lines(ui, derivation, [column.width(), SIZE], |_, _| Id::NULL);
     for (k, (section, laid)) in derivation.sections.iter().zip(&laid).enumerate() {
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
         let color = ui.visuals().strong_text_color();

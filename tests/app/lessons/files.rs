@@ -22,7 +22,7 @@ fn a_teachers_own_lesson_opens_and_is_in_the_contents() {
     let mut window = window("canonical");
     window.state_mut().open_lesson(id, file);
     window.run();
-    assert_says(&window, "My lesson");
+    assert_says(&window, "My lesson · 1 of 1 · One");
     assert_says(&window, "Look.");
     let next = window.get_by_role_and_label(Role::Button, "Next");
     assert!(next.accesskit_node().is_disabled());

@@ -41,15 +41,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (2, 1, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (0.2, −0.1, −1)")]),
     (2, 2, &[("(u, v)", "(0.2, −0.1)"), ("pixel", "the corner of four pixels")]),
     // (0.5 + 0.2) 10 = 7 columns from the left and (0.5 + 0.1) 10 = 6 rows from the top.
-    (
-        2,
-        3,
-        &[
-            (SAYS, "Camera view, 10 × 10 pixels"),
-            ("pixel", "the corner of four pixels"),
-            ("d", "(0.2, −0.1, −1)"),
-        ],
-    ),
+    (2, 3, &[("pixel", "the corner of four pixels"), ("d", "(0.2, −0.1, −1)")]),
     (2, 4, &[("t", "6"), ("hit", "(1.2, −0.6, −6)")]),
     (2, 5, &[(SAYS, "What is the viewing ray p + t d through (u, v) = (0.3, −0.2)?")]),
     (

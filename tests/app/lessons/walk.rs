@@ -40,6 +40,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         digits,
         keep_picture,
         teaching,
+        formulas,
         derivation,
         highlighted,
         mistake,
@@ -60,6 +61,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
             }),
         ),
         ("layout", layout.is_none_or(|said| settings.layout == said)),
+        ("formulas", session.formulas == formulas),
         ("items", items.is_none_or(|said| own_items(settings.items) == own_items(said))),
         ("shade", shade.is_none_or(|said| settings.shade == said)),
         ("count_from_one", count_from_one.is_none_or(|said| settings.count_from_one == said)),
@@ -90,15 +92,17 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
         for (k, step) in lesson.steps.iter().enumerate() {
             let now = (index + 1, k + 1);
             assert_eq!(shown_step(&window), now);
-            assert_says(&window, &format!("Lesson {}: {}", now.0, lesson.title));
-            assert_says(&window, &step.title);
+            let steps = lesson.steps.len();
+            assert_says(
+                &window,
+                &format!("Lesson {} · {} of {steps} · {}", now.0, now.1, step.title),
+            );
             assert_says(&window, &step.text.replace('*', ""));
             if let Some(question) = &step.question {
                 assert_says(&window, &question.ask.replace('*', ""));
                 answer(&mut window);
                 assert_says(&window, &question.answer.replace('*', ""));
             }
-            assert_says(&window, &format!("{} of {}", now.1, lesson.steps.len()));
             assert_is_as_said(window.state(), step, now);
             for wrong in ["NaN", "nan"] {
                 assert!(texts_with(&window, wrong).is_empty(), "{now:?}");

@@ -260,7 +260,7 @@ fn a_key_reveals_before_a_lesson_goes_on() {
     show(&mut window, ViewLayout::Mistakes);
     assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
     let step = |window: &Harness<'_, App>| window.state().lesson().unwrap().id();
-    click(&mut window, "Guess which");
+    command(&mut window, "Guess which");
     let before = step(&window);
     window.key_press(egui::Key::PageDown);
     window.run();
@@ -319,7 +319,7 @@ fn a_vote_has_room_beside_a_lesson() {
     {
         let mut window = window("look-at");
         command(&mut window, step);
-        let title = window.state().lesson().unwrap().step().title.clone();
+        let title = format!("{} · ", window.state().lesson().unwrap().short_title());
         show(&mut window, ViewLayout::Mistakes);
         window.key_press(egui::Key::F5);
         window.run();

@@ -119,7 +119,7 @@ impl CameraView {
             overlay.highlight(highlighted, scene);
         }
         let requests = std::mem::take(&mut overlay.requests);
-        place_labels(requests, &mut overlay.drawing, self.extent());
+        place_labels(requests, &mut overlay.drawing, self.extent(), &[]);
         overlay.loupe();
         overlay.drawing
     }

@@ -111,6 +111,7 @@ impl Stage {
             answer_marks: Arc::default(),
             is_clear: false,
             names_all: true,
+            covered: Vec::new(),
             without_marks: false,
         }
     }

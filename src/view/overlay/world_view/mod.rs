@@ -64,6 +64,9 @@ pub struct WorldView {
     /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
     /// and the highlighted concept have labels.
     pub names_all: bool,
+    /// The rectangles, in physical pixels, that an inset and a line of numbers cover: left, top, right and
+    /// bottom of each.
+    pub covered: Vec<[f32; 4]>,
     /// True if the marks are not painted into the picture, as for figures, which draw them separately.
     pub without_marks: bool,
 }
@@ -242,7 +245,7 @@ impl WorldView {
         }
         sketch.handles();
         let Sketch { mut drawing, requests, .. } = sketch;
-        place_labels(requests, &mut drawing, screen.size);
+        place_labels(requests, &mut drawing, screen.size, &self.covered);
         drawing
     }
 }

@@ -429,12 +429,21 @@ type Area = (DVec2, DVec2);
 
 /// Places the requested labels in order of rank, so that the first ones get the best positions. Adds
 /// the labels and their leader lines to the drawing, and omits labels that fit nowhere near their
-/// anchors.
-pub(crate) fn place_labels(mut requests: Vec<Request>, drawing: &mut Drawing, size: DVec2) {
+/// anchors. No label is placed in a `covered` rectangle (left, top, right and bottom).
+pub(crate) fn place_labels(
+    mut requests: Vec<Request>,
+    drawing: &mut Drawing,
+    size: DVec2,
+    covered: &[[f32; 4]],
+) {
     requests.sort_by_key(|request| request.rank);
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
     let mut taken = handle_areas(drawing);
+    taken.extend(covered.iter().map(|[left, top, right, bottom]| {
+        let (least, most) = (wide([*left, *top]), wide([*right, *bottom]));
+        (0.5 * (least + most), 0.5 * (most - least))
+    }));
     for mut request in requests {
         let half = wide(request.label.half_extent(scale));
         let free = |center: DVec2| {

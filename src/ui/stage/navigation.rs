@@ -1,92 +1,24 @@
-//! The strip of the open lesson: the step's text, and the navigation through the lessons.
+//! The buttons that lead through the lessons, and the table of contents.
 
 use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Align, Button, FontId, Label, Layout, RichText, ScrollArea, Ui, vec2};
+use egui::{Button, RichText, ScrollArea, Ui, vec2};
 
+use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
-use crate::ui::widgets::{ResponseExt as _, marked_text, text_width};
+use crate::ui::widgets::ResponseExt as _;
 
-/// Size of the text, in points; it is legible from the back row of a classroom.
-const TEXT: f32 = 18.0;
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
 const NEXT: &str = "Next →";
 const SHOW_ANSWER: &str = "Show the answer";
-/// Number of lines of text that are always reserved, so that the views stay in place from step to step.
-const LINES: f32 = 2.0;
-
-/// Shows the strip. `file` is the lesson that was opened from a file. `asks` is true while the step's
-/// question is open. `changed` is true if anything differs from the step.
-pub(crate) fn ui(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, asks: bool, changed: bool) {
-    ui.add_space(2.0);
-    ui.horizontal(|ui| {
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            buttons(ui, open, file, asks, changed);
-            // The reserved width keeps the titles the same before and after the answer.
-            let [next, answer] = [NEXT, SHOW_ANSWER].map(|text| width(ui, text, BUTTON));
-            let reserved = if asks { 0.0 } else { answer - next };
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open, reserved));
-        });
-    });
-    text(ui, open, asks);
-}
-
-/// Shows the strip while presenting: the text without buttons.
-pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
-    ui.add_space(2.0);
-    ui.horizontal(|ui| titles(ui, open, 0.0));
-    text(ui, open, is_asking);
-}
-
-/// Shows the step's text, and its question or the answer.
-fn text(ui: &mut Ui, open: &OpenLesson, is_asking: bool) {
-    let step = open.step();
-    let size = vec2(ui.available_width(), LINES * marked_text::row_height(ui, TEXT));
-    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
-        ui.set_min_size(size);
-        marked_text::label(ui, &step.text, TEXT);
-        if let Some(question) = &step.question {
-            let text = if is_asking { &question.ask } else { &question.answer };
-            // The views stay in place when the answer replaces the question.
-            let texts = [&question.ask, &question.answer];
-            let height = texts.map(|text| marked_text::height(ui, text, TEXT));
-            ui.scope(|ui| {
-                ui.set_min_height(height[0].max(height[1]));
-                marked_text::label(ui, text, TEXT);
-            });
-        }
-    });
-    ui.add_space(2.0);
-}
-
-/// Shows the titles of the lesson and the step, and leaves `reserved` points free. If the lesson's title does
-/// not fit next to the longest title of its steps, only its number is shown.
-fn titles(ui: &mut Ui, open: &OpenLesson, reserved: f32) {
-    let gap = 10.0;
-    ui.spacing_mut().item_spacing.x = gap;
-    let steps = &open.lesson().steps;
-    let number = format!("{} of {}", open.id().step + 1, steps.len());
-    let longest = steps.iter().map(|step| width(ui, &step.title, TEXT)).fold(0.0, f32::max);
-    let title = open.title();
-    let row = width(ui, &title, TEXT) + width(ui, &number, TEXT) + longest + 2.0 * gap + reserved;
-    let title = if row <= ui.available_width() { title } else { open.short_title() };
-    ui.label(RichText::new(title).size(TEXT).strong());
-    ui.label(RichText::new(number).size(TEXT).weak());
-    let title = RichText::new(&open.step().title).size(TEXT).strong();
-    ui.add(Label::new(title).truncate());
-}
-
-/// Returns the width of a text of this size.
-fn width(ui: &Ui, text: &str, size: f32) -> f32 {
-    text_width(ui, text, FontId::proportional(size))
-}
 
 /// Shows the buttons from right to left.
-fn buttons(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, is_asking: bool, changed: bool) {
+pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
+    let OpenStep { open, file, is_changed } = *step;
     let button = |ui: &mut Ui, text: &str, name: &str, hint: &str, can: bool, action: Action| {
         let button = Button::new(RichText::new(text).size(BUTTON));
         let response = ui.add_enabled(can, button).on_hover_text(hint).on_disabled_hover_text(hint);
@@ -95,7 +27,7 @@ fn buttons(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, is_asking: boo
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
     let back = format!("Back to the step ({})", shortcut(Leave::BackToStep));
     let hint = "Resets everything to the step";
-    button(ui, &back, "Back to the step", hint, changed, Leave::BackToStep.into());
+    button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     let can = is_asking || open.next().is_some();
     let (text, name, about) = match is_asking {

@@ -1,0 +1,55 @@
+//! The glide of the observer (the world view's own camera) from one step of a lesson to the next, so that
+//! a class sees how one picture becomes the other.
+
+use egui::Context;
+
+use crate::model::{Observer, OpenLesson};
+
+/// Duration of a glide, in seconds.
+const DURATION: f64 = 0.4;
+
+/// The observer that is shown while it glides from step to step.
+#[derive(Default)]
+pub(super) struct Glide {
+    /// The lesson's step in the last frame.
+    step: Option<OpenLesson>,
+    /// The observer that was shown last.
+    shown: Option<Observer>,
+    /// The observer from which the glide began, and the time in seconds at which it did.
+    from: Option<(Observer, f64)>,
+}
+
+impl Glide {
+    /// Returns the observer to show, which is on its way to `to` after a step to another view of the same
+    /// scene. A press of the mouse or another step ends the glide; with `is_still` there is none.
+    pub(super) fn follow(
+        &mut self,
+        ctx: &Context,
+        step: Option<&OpenLesson>,
+        to: Option<Observer>,
+        is_still: bool,
+    ) -> Option<Observer> {
+        let (time, is_pressed) = ctx.input(|i| (i.time, i.pointer.any_down()));
+        if self.step.as_ref() != step {
+            let both = self.step.as_ref().zip(step);
+            let same_scene = both.is_some_and(|(before, now)| before.shares_scene_with(now));
+            self.from = self.shown.filter(|_| same_scene).map(|shown| (shown, time));
+            self.step = step.cloned();
+        }
+        let share = |start: f64| (time - start) / DURATION;
+        self.from = self.from.filter(|(_, start)| share(*start) < 1.0 && !is_pressed && !is_still);
+        self.shown = match (self.from, to) {
+            (Some((from, start)), Some(to)) if from != to => {
+                ctx.request_repaint();
+                Some(from.toward(&to, eased(share(start))))
+            }
+            _ => to,
+        };
+        self.shown
+    }
+}
+
+/// Maps a share of the duration to a share of the way that starts and ends slowly.
+fn eased(share: f64) -> f64 {
+    share * share * (3.0 - 2.0 * share)
+}

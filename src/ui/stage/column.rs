@@ -1,0 +1,175 @@
+//! The column of the stage: the step's title and text, its question, the room for the answer, the card of
+//! formulas, and the way through the lessons.
+
+use egui::{Align, Color32, FontId, Frame, Label, Layout, Margin, Rect, RichText, Ui, vec2};
+
+use super::{Stage, navigation};
+use crate::model::ViewLayout;
+use crate::model::lessons::{Lesson, OpenLesson, StepQuestion};
+use crate::model::session::presenting::WRITTEN;
+use crate::ui::derivation::DerivationPanel;
+use crate::ui::practice::mistakes;
+use crate::ui::widgets::{inside, marked_text};
+use crate::ui::workspaces::PageContext;
+use crate::view::lines::substitution;
+use crate::view::typesetting::theme;
+
+/// Distance between the column's edge and its contents, in points.
+const MARGIN: [f32; 2] = [14.0, 10.0];
+/// Distance between two texts, in points.
+const GAP: f32 = 8.0;
+/// Padding around the answer, in points.
+const PADDING: f32 = 6.0;
+/// Height of the row with the buttons or the step's number, in points.
+const FOOT: f32 = 30.0;
+/// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
+const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
+
+/// The open lesson.
+pub(crate) struct OpenStep<'a> {
+    pub(crate) open: &'a OpenLesson,
+    /// The lesson that was opened from a file.
+    pub(crate) file: Option<&'a Lesson>,
+    /// True if anything differs from the step.
+    pub(crate) is_changed: bool,
+}
+
+/// Shows the column.
+pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mut PageContext<'_>) {
+    let fill = ui.visuals().panel_fill;
+    ui.painter().rect_filled(stage.column, 0.0, fill);
+    let whole = stage.column.shrink2(MARGIN.into());
+    let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - FOOT);
+    let (texts, card) = if stage.is_above_column() && whole.width() > 1.5 * whole.height() {
+        let (left, right) = above.split_left_right_at_x(above.center().x);
+        (left.with_max_x(left.right() - MARGIN[0]), Some(right))
+    } else {
+        (above, None)
+    };
+    let size = size_that_fits(ui, step.open, context, texts, card);
+    let mut end = texts.top();
+    inside(ui, texts, |ui| {
+        ui.set_clip_rect(stage.column.intersect(ui.clip_rect()));
+        words(ui, step.open, context.session.is_asking, size);
+        end = ui.cursor().top();
+    });
+    let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
+    inside(ui, card, |ui| {
+        ui.set_clip_rect(card.intersect(ui.clip_rect()));
+        formulas(ui, context, size);
+    });
+    inside(ui, foot, |ui| bottom(ui, step, context));
+}
+
+/// Returns the largest size at which the texts and the card fit. `card` is the card's own area, if it is not
+/// below the texts.
+fn size_that_fits(
+    ui: &mut Ui,
+    open: &OpenLesson,
+    context: &PageContext<'_>,
+    texts: Rect,
+    card: Option<Rect>,
+) -> f32 {
+    let fits = |size: &f32| {
+        let words = words_height(ui, open, texts.width(), *size);
+        let formulas = formulas_height(ui, context, card.unwrap_or(texts).width(), *size);
+        match card {
+            Some(card) => words <= texts.height() && formulas <= card.height(),
+            None => words + formulas <= texts.height(),
+        }
+    };
+    SIZES.into_iter().find(fits).unwrap_or(WRITTEN)
+}
+
+/// Returns the height of the title, the texts and the room for the answer.
+fn words_height(ui: &Ui, open: &OpenLesson, width: f32, size: f32) -> f32 {
+    let height = |text: &str, width: f32| marked_text::height_within(ui, text, size, width);
+    let step = open.step();
+    let title = marked_text::height_within(ui, &title(open), title_size(size), width);
+    let question = step.question.as_ref().map_or(0.0, |StepQuestion { ask, answer, .. }| {
+        height(ask, width) + height(answer, width - 2.0 * PADDING) + 2.0 * (GAP + PADDING)
+    });
+    title + GAP + height(&step.text, width) + question + GAP
+}
+
+fn title(open: &OpenLesson) -> String {
+    let steps = open.lesson().steps.len();
+    format!("{} · {} of {steps} · {}", open.short_title(), open.id().step + 1, open.step().title)
+}
+
+/// Returns the size of the title above texts of this size.
+fn title_size(size: f32) -> f32 {
+    (0.75 * size).max(WRITTEN)
+}
+
+/// Shows the title, the text, the question, and the answer in its room.
+fn words(ui: &mut Ui, open: &OpenLesson, is_asking: bool, size: f32) {
+    ui.spacing_mut().item_spacing.y = GAP;
+    let step = open.step();
+    let small = FontId::proportional(title_size(size));
+    ui.add(Label::new(RichText::new(title(open)).font(small).weak()).wrap());
+    marked_text::label(ui, &step.text, size);
+    let Some(question) = &step.question else { return };
+    marked_text::label(ui, &question.ask, size);
+    let width = ui.available_width() - 2.0 * PADDING;
+    let room = marked_text::height_within(ui, &question.answer, size, width);
+    let fill = if is_asking { Color32::TRANSPARENT } else { ui.visuals().faint_bg_color };
+    Frame::NONE.fill(fill).corner_radius(6.0).inner_margin(Margin::same(PADDING as i8)).show(
+        ui,
+        |ui| {
+            ui.set_min_size(vec2(width, room));
+            if !is_asking {
+                marked_text::label(ui, &question.answer, size);
+            }
+        },
+    );
+}
+
+/// Returns true if a layout's main figure has lines of the derivation beside it.
+fn has_card(layout: ViewLayout) -> bool {
+    use ViewLayout::{Both, Camera, Derivation, Plot, World};
+    matches!(layout, Both | World | Camera | Derivation | Plot)
+}
+
+/// Returns the height of the card.
+fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
+    match (context.session.settings.layout, &context.derived.derivation) {
+        (ViewLayout::Lines, _) => 11.0 * marked_text::row_height(ui, size),
+        (layout, Some(derivation)) if has_card(layout) => {
+            DerivationPanel::card_height(ui, derivation, width, size)
+        }
+        _ => 0.0,
+    }
+}
+
+/// Shows the card: the lines of the derivation that the step names, the substitution of one line into the
+/// other, or the checks that catch a mistake.
+fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
+    let PageContext { session, derived, open, style, tools, .. } = context;
+    let is_asking = session.is_asking;
+    match (session.settings.layout, &derived.derivation) {
+        (ViewLayout::Lines, _) if !is_asking => {
+            ui.style_mut().override_font_id = Some(FontId::proportional(size));
+            substitution(ui, &session.lines, style.digits);
+        }
+        (ViewLayout::Mistakes, _) if !is_asking => mistakes::card(ui, derived, *style),
+        (layout, Some(derivation)) if has_card(layout) => {
+            tools.derivation.card(ui, derivation, &open.document, session, size);
+        }
+        _ => {}
+    }
+}
+
+/// Shows the buttons that lead through the lessons, or the step's number while presenting.
+fn bottom(ui: &mut Ui, step: &OpenStep<'_>, context: &PageContext<'_>) {
+    if theme::installed(ui.ctx()).presenting {
+        if let Some([number, all]) = step.open.number_of_all() {
+            let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| ui.label(text));
+        }
+        return;
+    }
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        navigation::buttons(ui, step, context.session.is_asking);
+    });
+}

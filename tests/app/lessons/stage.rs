@@ -1,0 +1,134 @@
+//! The stage: in every step, the figure fills the window, nothing moves when the answer comes, and every
+//! line that the step names is there.
+
+use egui::accesskit::Role;
+use egui::{Key, Rect, Vec2, vec2};
+use egui_kittest::kittest::Queryable as _;
+use pinhole::model::lessons::{StepId, Which, builtin};
+use pinhole::model::session::ViewLayout;
+
+use super::{Window, key};
+use crate::harness::window;
+
+/// The steps that have a figure of their own, which an exercise has not.
+fn steps() -> impl Iterator<Item = (StepId, ViewLayout)> {
+    builtin::all().iter().enumerate().flat_map(|(index, lesson)| {
+        let id = move |step| StepId { lesson: Which::Builtin(index), step };
+        let layouts = lesson.steps.iter().map(|step| step.view.layout.unwrap_or(ViewLayout::Both));
+        let all = layouts.enumerate().map(move |(step, layout)| (id(step), layout));
+        all.filter(|(_, layout)| *layout != ViewLayout::Exercises)
+    })
+}
+
+/// The names of the pictures that form a layout's main figure.
+fn names(layout: ViewLayout) -> &'static [&'static str] {
+    match layout {
+        ViewLayout::Camera => &["Camera view"],
+        ViewLayout::Lines => &["Plane with both lines"],
+        ViewLayout::Mistakes => &["World view", "Camera view", "Wrong camera"],
+        _ => &["World view"],
+    }
+}
+
+fn figure(window: &Window, layout: ViewLayout) -> Vec<Rect> {
+    let rect = |name: &&str| window.get_by_role_and_label(Role::Image, name).rect();
+    names(layout).iter().map(rect).collect()
+}
+
+fn open(window: &mut Window, id: StepId) {
+    window.state_mut().open_lesson(id, None);
+    window.run();
+}
+
+/// Gives the window this size, and presents unless it is a phone's.
+fn present_in(window: &mut Window, size: Vec2) {
+    let is_phone = size.x < size.y;
+    if window.state().session().presenting.is_some() == is_phone {
+        key(window, Key::F5);
+    }
+    window.set_size(size);
+    window.run();
+}
+
+/// Sizes of the window, in points, and the least share of it that the main figure takes: 1920 x 1080,
+/// 1280 x 800 and 1024 x 768 pixels while presenting, and a phone of 390 x 844.
+const SIZES: [(Vec2, f32); 4] = [
+    (vec2(820.0, 461.0), 0.45),
+    (vec2(737.0, 461.0), 0.45),
+    (vec2(614.0, 461.0), 0.4),
+    (vec2(390.0, 844.0), 0.4),
+];
+
+#[test]
+fn the_figure_fills_the_window_and_stays_when_the_answer_comes() {
+    let mut window = window("canonical");
+    for (size, least) in SIZES {
+        present_in(&mut window, size);
+        for (id, layout) in steps() {
+            open(&mut window, id);
+            // The lines can be dragged only when the question is answered.
+            if layout == ViewLayout::Lines {
+                key(&mut window, Key::End);
+            }
+            let before = figure(&window, layout);
+            let area: f32 = before.iter().map(|rect| rect.area()).sum();
+            let share = area / (size.x * size.y);
+            // A square picture of pixels cannot fill an area that is not square.
+            let is_square = matches!(layout, ViewLayout::Camera | ViewLayout::Mistakes);
+            let least = if is_square { 0.8 * least } else { least };
+            assert!(share >= least, "{id:?} at {size}: {share}");
+            key(&mut window, Key::End);
+            assert!(!window.state().session().is_asking);
+            assert_eq!(figure(&window, layout), before, "{id:?} at {size}");
+        }
+    }
+}
+
+#[test]
+fn every_line_on_the_card_is_whole() {
+    let mut window = window("canonical");
+    let mut cut = Vec::new();
+    for (size, _) in SIZES {
+        present_in(&mut window, size);
+        for (id, layout) in steps() {
+            open(&mut window, id);
+            key(&mut window, Key::End);
+            let Some(derivation) = window.state().derived().derivation.clone() else { continue };
+            if layout == ViewLayout::Mistakes || layout == ViewLayout::Lines {
+                continue;
+            }
+            let lines = derivation.sections.iter().flat_map(|section| &section.lines);
+            let inside = window.ctx.content_rect().shrink(1.0);
+            let is_whole = |text: &String| {
+                let mut nodes = window.query_all_by_label(text);
+                nodes.next().is_some_and(|node| inside.contains_rect(node.rect()))
+            };
+            let texts = lines.map(ToString::to_string).filter(|text| !is_whole(text));
+            cut.extend(texts.map(|text| format!("{id:?} at {size}: {text}")));
+        }
+    }
+    assert!(cut.is_empty(), "{}", cut.join("\n"));
+}
+
+#[test]
+fn the_observer_glides_to_the_next_step_unless_motion_is_reduced() {
+    for reduced_motion in [false, true] {
+        let mut window = window("canonical");
+        if reduced_motion {
+            crate::harness::command(&mut window, "Reduced motion");
+        }
+        let id = |step| StepId { lesson: Which::Builtin(6), step };
+        open(&mut window, id(1));
+        window.state_mut().open_lesson(id(2), None);
+        window.set_size(vec2(1280.0, 800.0));
+        let eye =
+            |window: &Window| window.state().derived().world_frame.clone().unwrap().camera().eye();
+        let from = eye(&window);
+        window.run_steps(2);
+        let between = eye(&window);
+        window.run();
+        let to = eye(&window);
+        assert!(from != to);
+        assert_eq!(between == to, reduced_motion, "{from} {between} {to}");
+    }
+}
