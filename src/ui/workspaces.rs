@@ -208,10 +208,10 @@ fn strip_buttons(ui: &mut Ui, has_lesson: bool) -> bool {
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     let area = ui.available_rect_before_wrap();
-    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill.gamma_multiply(0.85));
-    let all = context.session.settings.unfolded.numbers;
+    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
+    let all = context.session.settings.unfolded.numbers && area.height() > readouts::BAND;
     let mut switched = false;
-    if context.session.presenting.is_some() {
+    if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
         readouts::band(ui, derived, document, style);
     } else if all {
         switched = ui.small_button("Fewer numbers").clicked();

@@ -55,15 +55,16 @@ pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, s
 /// Size of the smallest text in the window without zoom, in points: that of a subscript in a fraction.
 pub const WRITTEN: f32 = 12.0;
 
-/// The window size to which [`crate::model::session::Settings::smallest_text`] refers, in points.
-const PROJECTOR: [f32; 2] = [1024.0, 768.0];
+/// The window size to which [`crate::model::session::Settings::smallest_text`] refers, in points: that of a
+/// projector.
+const PROJECTOR: [f32; 2] = [1229.0, 768.0];
 
-/// Returns the window's zoom while presenting, at which no text is smaller than `smallest_text`. In a
-/// window larger than a projector's, everything is enlarged in proportion. `window` is the window's size in
-/// points without zoom.
+/// Returns the window's zoom while presenting, at which no text is smaller than `smallest_text` on a
+/// projector. In a larger or smaller window, everything is larger or smaller in proportion, but no text is
+/// smaller than [`WRITTEN`]. `window` is the window's size in points without zoom.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
-    let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
-    larger * smallest_text / WRITTEN
+    let in_proportion = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]);
+    (in_proportion * smallest_text / WRITTEN).max(1.0)
 }
 
 /// The pen, and the strokes drawn over the views since it was taken up.
@@ -121,10 +122,10 @@ mod tests {
     }
 
     #[test]
-    fn text_grows_with_the_window_and_never_below_the_setting() {
-        assert_eq!(zoom([1024.0, 768.0], WRITTEN), 1.0);
-        assert_eq!(zoom([640.0, 480.0], 2.0 * WRITTEN), 2.0);
-        assert_eq!(zoom([2048.0, 1536.0], WRITTEN), 2.0);
+    fn text_grows_with_the_window_and_is_never_too_small_to_read() {
+        assert_eq!(zoom([1280.0, 768.0], 2.0 * WRITTEN), 2.0);
+        assert_eq!(zoom([614.5, 768.0], 4.0 * WRITTEN), 2.0);
+        assert_eq!(zoom([640.0, 480.0], WRITTEN), 1.0);
         assert_eq!(zoom([4096.0, 1536.0], WRITTEN), 2.0);
     }
 }

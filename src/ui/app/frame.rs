@@ -268,12 +268,13 @@ impl App {
     fn stage(&self, ui: &Ui) -> Option<Stage> {
         let session = &self.scene.session;
         let settings = &session.settings;
+        let whole = ui.available_rect_before_wrap();
+        let has_room = whole.width() > readouts::LEAST;
         let band = match (session.presenting, settings.unfolded.numbers) {
-            (None, true) => settings.splits.get(Split::Readouts),
+            (None, true) if has_room => settings.splits.get(Split::Readouts),
             _ if settings.presents_numbers => readouts::BAND,
             _ => 0.0,
         };
-        let whole = ui.available_rect_before_wrap();
         self.scene.has_stage().then(|| Stage::new(whole, settings.layout, band))
     }
 

@@ -123,6 +123,7 @@ impl App {
     /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if the step
     /// does not exist.
     pub fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) {
+        self.stop_animation();
         if let Some(opened) = self.scene.open_lesson(id, file) {
             self.history.take_as_settled(&self.scene.open.document);
             self.show_opened(opened);

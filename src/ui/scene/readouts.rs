@@ -321,28 +321,34 @@ pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: 
 /// Height of the line of numbers on a lesson's stage, in points.
 pub(crate) const BAND: f32 = 26.0;
 
-/// Shows the selected ray and its first hit in one line.
+/// Minimum width of the area with a choice between one line of numbers and all of them, in points.
+pub(crate) const LEAST: f32 = 420.0;
+
+/// Shows the selected ray and its first hit in one line, as far as there is room for them.
 pub(crate) fn band(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let shown = derived.resolved.as_ref().zip(derived.inspection.as_ref());
     let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
     let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
     let hit = inspection.hit_readings(|object| document.title_of(object));
-    let row: Vec<Reading> = [uv, d].into_iter().chain(hit).collect();
+    let mut row: Vec<Reading> = [uv, d].into_iter().chain(hit).collect();
+    let smallest = (FEWEST.min(style.digits), WRITTEN);
+    while row.len() > 1 && width(ui, &row, smallest, style) > ui.available_width() {
+        row.pop();
+    }
     rows(ui, &[row], &[16.0, 14.0, WRITTEN], ui.available_height(), style);
+}
+
+/// Returns the width of a row of numbers with this number of digits, at this text size.
+fn width(ui: &Ui, row: &[Reading], (digits, size): (usize, f32), style: NumberStyle) -> f32 {
+    let jobs = row.iter().map(|reading| job_of(ui, reading, style.at_most(digits), true, size));
+    jobs.map(|job| ui.painter().layout_job(job).size().x + GAP * size).sum()
 }
 
 /// Shows rows of numbers, each at least `height` points high, with the most digits and then with the first
 /// of the text sizes with which all numbers fit.
 fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: NumberStyle) {
-    let job = |ui: &Ui, reading: &Reading, (digits, size): (usize, f32)| {
-        job_of(ui, reading, style.at_most(digits), true, size)
-    };
     let fits = |choice: &(usize, f32)| {
-        let width = |row: &Vec<Reading>| -> f32 {
-            let jobs = row.iter().map(|reading| job(ui, reading, *choice));
-            jobs.map(|job| ui.painter().layout_job(job).size().x + GAP * choice.1).sum()
-        };
-        rows.iter().all(|row| width(row) <= ui.available_width())
+        rows.iter().all(|row| width(ui, row, *choice, style) <= ui.available_width())
     };
     let digits = (FEWEST.min(style.digits)..=style.digits).rev();
     let choices = digits.flat_map(|digits| sizes.iter().map(move |size| (digits, *size)));
@@ -352,8 +358,9 @@ fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: N
             ui.spacing_mut().item_spacing.x = GAP * choice.1;
             ui.set_min_height(height);
             for reading in row {
-                let label = ui.add(Label::new(job(ui, reading, choice)).extend());
-                explain(label, reading, style.at_most(choice.0));
+                let style = style.at_most(choice.0);
+                let job = job_of(ui, reading, style, true, choice.1);
+                explain(ui.add(Label::new(job).extend()), reading, style);
             }
         });
     }

@@ -413,25 +413,30 @@ pub(crate) fn badge(ui: &mut Ui, rect: Rect, corner: Align2, text: &str) {
     });
 }
 
-/// Writes the reason why a picture is out of date across that picture.
+/// Maximum distance of a reason's text from the edges of its band, in points.
+const REASON_MARGIN: f32 = 16.0;
+
+/// Writes the reason why a picture is out of date across that picture, shortened if it is too long for it.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let usual = if theme::installed(ui.ctx()).presenting { 24.0 } else { 17.0 };
+    let side = REASON_MARGIN.min(0.1 * rect.width());
+    let width = (rect.width() - 2.0 * side).max(1.0);
     let galley = |size: f32| {
         let font = FontId::proportional(size);
-        let width = (rect.width() - 32.0).max(1.0);
+        let row = ui.fonts_mut(|fonts| fonts.row_height(&font));
         let mut job = LayoutJob::simple(unbroken(text), font, Color32::WHITE, width);
         job.halign = egui::Align::Center;
+        job.wrap.max_rows = ((rect.height() - REASON_MARGIN) / row).max(1.0) as usize;
         ui.painter().layout_job(job)
     };
     // The largest size at which all of the text fits.
     let sizes = [usual, 0.8 * usual, 0.6 * usual].map(galley);
-    let has_room = |galley: &&Arc<Galley>| galley.size().y + 12.0 <= rect.height();
+    let has_room = |galley: &&Arc<Galley>| !galley.elided;
     let galley = sizes.iter().find(has_room).unwrap_or(&sizes[2]).clone();
     let height = (galley.size().y + 40.0).min(rect.height());
     let band = Rect::from_center_size(rect.center(), vec2(rect.width(), height));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
-    let position =
-        Rect::from_center_size(band.center(), vec2(band.width() - 32.0, galley.size().y));
+    let position = Rect::from_center_size(band.center(), vec2(width, galley.size().y));
     let response = ui.put(position, egui::Label::new(galley));
     // Screen readers get the text without the non-breaking spaces.
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));

@@ -40,7 +40,8 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
     ui.painter().rect_filled(stage.column, 0.0, fill);
     let whole = stage.column.shrink2(MARGIN.into());
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - FOOT);
-    let (texts, card) = if stage.is_above_column() && whole.width() > 1.5 * whole.height() {
+    let has_card = formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;
+    let (texts, card) = if has_card && stage.is_above_column() && whole.width() > whole.height() {
         let (left, right) = above.split_left_right_at_x(above.center().x);
         (left.with_max_x(left.right() - MARGIN[0]), Some(right))
     } else {

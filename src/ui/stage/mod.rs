@@ -21,9 +21,9 @@ mod navigation;
 /// Width of the main figure, as a fraction of a wide window's.
 const BESIDE_COLUMN: f32 = 0.58;
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
-const ABOVE_COLUMN: [f32; 2] = [0.58, 0.5];
+const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
 /// Aspect ratio of a window from which on the column stands beside the figure.
-const WIDE: f32 = 1.45;
+const WIDE: f32 = 1.2;
 /// Distance of an inset from the edges of the main figure, in points.
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.
@@ -67,7 +67,7 @@ impl Stage {
     /// Returns the areas of the layout's views; `None` if the layout's page arranges the main figure itself.
     pub(crate) fn areas(&self, image: ImageSize) -> Option<Areas> {
         let Stage { main, band, layout, .. } = *self;
-        let foot = main.with_min_y(main.bottom() - band);
+        let (main, foot) = main.split_top_bottom_at_y(main.bottom() - band);
         let picture = vec2(image.width() as f32, image.height() as f32);
         let areas = |world, camera, rest| Some(Areas { world, camera, second: None, rest });
         match layout {
@@ -76,7 +76,7 @@ impl Stage {
                 areas(Some(main), Some(self.corner(picture * (room / picture).min_elem())), foot)
             }
             ViewLayout::World => areas(Some(main), None, foot),
-            ViewLayout::Camera => areas(None, Some(main.with_max_y(foot.top())), foot),
+            ViewLayout::Camera => areas(None, Some(main), foot),
             ViewLayout::Plot => areas(Some(main), None, self.corner(main.size() * GRAPH)),
             ViewLayout::Mistakes => {
                 let y = main.top() + COMPARED * main.height();

@@ -101,7 +101,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             ("u 𝐮", "0.2 (1/√2, 0, −1/√2) = (√2/10, 0, −√2/10)"),
             ("v 𝐯", "−0.1 (0, 1, 0) = (0, −0.1, 0)"),
             ("−distance 𝐰", "−1 (1/√2, 0, 1/√2) = (−1/√2, 0, −1/√2)"),
-            ("𝐝", "(−2 √2/5, −0.1, −3 √2/5)"),
+            ("d", "(−0.56569, −0.1, −0.84853)"),
         ],
     ),
     (
@@ -130,7 +130,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     ),
     (6, 3, &[("𝐝", "(−2 √2/5, −0.1, −3 √2/5)")]),
     // -w has an x, too.
-    (6, 4, &[("−distance 𝐰", "(−1/√2, 0, −1/√2)"), ("𝐝", "(−2 √2/5, −0.1, −3 √2/5)")]),
+    (6, 4, &[("−distance 𝐰", "(−1/√2, 0, −1/√2)"), ("d", "(−0.56569, −0.1, −0.84853)")]),
     (6, 5, &[("t", "5 √2"), ("hit", "(−4, −1/√2, −6)")]),
     (
         6,
@@ -260,23 +260,16 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         )],
     ),
     // 10 - 2 and 10 + 2; 5 - 1 and 5 + 1; the wall.
-    (
-        13,
-        1,
-        &[
-            ("Camera view", "u 0, v 0: hits object 1 at t = 4"),
-            (SAYS, "D > 0: in at t = 4, out at t = 6"),
-            (SAYS, "D > 0: in at t = 8, out at t = 12"),
-            (SAYS, "straight line, 0 at t = 14"),
-        ],
-    ),
+    (13, 1, &[("World view", "u 0, v 0: hits object 1 at t = 4"), ("t₁", "4"), ("t₂", "6")]),
     // -5 - 1 and -5 + 1.
     (
         13,
         2,
         &[
-            ("Camera view", "u 0, v 0: hits object 1 at t = 4"),
-            (SAYS, "0 only at t = −6 and t = −4, not ahead of the eye: no hit"),
+            ("World view", "u 0, v 0: hits object 1 at t = 4"),
+            ("t₁", "4"),
+            ("t₁", "−6"),
+            ("t₂", "−4"),
         ],
     ),
     // Half a pixel off the middle; the ball's surface is √682 - 3 away, as in 8.3.
@@ -320,26 +313,28 @@ fn texts(window: &Window) -> Vec<(String, Option<String>)> {
         .collect()
 }
 
-fn check(window: &Window, (lesson, step): (usize, usize), wanted: Reads) {
+/// Returns what is missing, and what there is instead.
+fn missing(window: &Window, (lesson, step): (usize, usize), wanted: Reads) -> Option<String> {
     let texts = texts(window);
     let found = texts.iter().any(|(text, value)| match value {
         Some(value) => text == wanted.0 && value == wanted.1 || reads(value, wanted),
         None => reads(text, wanted),
     });
-    let alike =
-        || -> Vec<_> { texts.iter().filter(|(text, _)| text.starts_with(wanted.0)).collect() };
-    assert!(found, "{lesson}.{step}: no {wanted:?}; there is {:?}", alike());
+    let alike = || -> Vec<_> {
+        texts.iter().filter(|(text, _)| wanted.0 != SAYS && text.starts_with(wanted.0)).collect()
+    };
+    (!found).then(|| format!("{lesson}.{step}: no {wanted:?}; there is {:?}", alike()))
 }
 
 #[test]
 fn every_step_reads_what_it_is_about() {
     let mut window = at_step(1, 1);
+    let mut all_missing = Vec::new();
     for &(lesson, step, wanted) in NUMBERS {
         go_to(&mut window, lesson, step);
-        for reads in wanted {
-            check(&window, (lesson, step), *reads);
-        }
+        all_missing.extend(wanted.iter().filter_map(|it| missing(&window, (lesson, step), *it)));
     }
+    assert!(all_missing.is_empty(), "{}", all_missing.join("\n"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use egui::accesskit::Role;
 use egui::{Key, Rect, Vec2, vec2};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which, builtin};
 use pinhole::model::session::ViewLayout;
 
@@ -55,7 +55,7 @@ fn present_in(window: &mut Window, size: Vec2) {
 const SIZES: [(Vec2, f32); 4] = [
     (vec2(820.0, 461.0), 0.45),
     (vec2(737.0, 461.0), 0.45),
-    (vec2(614.0, 461.0), 0.4),
+    (vec2(737.0, 553.0), 0.4),
     (vec2(390.0, 844.0), 0.4),
 ];
 
