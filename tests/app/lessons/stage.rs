@@ -3,7 +3,7 @@
 
 use egui::accesskit::Role;
 use egui::{Key, Rect, Vec2, vec2};
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
 use pinhole::model::session::ViewLayout;
 
