@@ -51,8 +51,37 @@ pub enum Concept {
         /// Index of the point among all points where the line meets this object, by ascending t.
         number: u8,
     },
+    /// A step on the way to the t at which the selected ray's line meets an object.
+    Equation {
+        /// Index of the object.
+        object: u32,
+        /// The step.
+        step: EquationStep,
+    },
     /// The normal at the first hit.
     Normal,
+}
+
+/// A step in solving the equation for the t at which a ray's line meets an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum EquationStep {
+    /// The ray is substituted into the object's implicit equation.
+    Substitution,
+    /// The coefficients of the equation for t are computed.
+    Coefficients,
+    /// The quadratic equation is solved for t.
+    Solution,
+    /// The discriminant of the quadratic equation is computed.
+    Discriminant,
+}
+
+impl EquationStep {
+    const ALL: [(EquationStep, &str); 4] = [
+        (EquationStep::Substitution, "substitution "),
+        (EquationStep::Coefficients, "coefficients "),
+        (EquationStep::Solution, "solution "),
+        (EquationStep::Discriminant, "discriminant "),
+    ];
 }
 
 /// The concept under the pointer, and which part of the window the pointer is over.
@@ -99,9 +128,14 @@ const NAMES: [(Concept, &str, &str); 19] = [
 ];
 
 impl Concept {
-    /// Returns the concept with this name in files: `up-cross-w`, `object 0`, or `root 0 1` (root 1
-    /// of object 0).
+    /// Returns the concept with this name in files: `up-cross-w`, `object 0`, `root 0 1` (root 1 of
+    /// object 0), or `substitution 0` (of the ray into the equation of object 0).
     pub fn from_name(name: &str) -> Option<Concept> {
+        for (step, prefix) in EquationStep::ALL {
+            if let Some(object) = name.strip_prefix(prefix) {
+                return Some(Concept::Equation { object: object.parse().ok()?, step });
+            }
+        }
         if let Some(object) = name.strip_prefix("object ") {
             return Some(Concept::Object(object.parse().ok()?));
         }
@@ -120,11 +154,19 @@ impl Concept {
         NAMES.map(|(_, name, _)| name)
     }
 
+    /// Returns the concept that the views highlight for this one.
+    pub fn in_views(self) -> Concept {
+        match self {
+            Concept::Equation { object, .. } => Concept::Object(object),
+            other => other,
+        }
+    }
+
     /// Returns the concept's description. `title` maps an object's index to its title, which the
     /// descriptions of objects and roots contain.
     pub fn description(self, title: impl Fn(u32) -> String) -> String {
         match self {
-            Concept::Object(object) => title(object),
+            Concept::Object(object) | Concept::Equation { object, .. } => title(object),
             Concept::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
             other => {
                 let found = NAMES.iter().find(|(concept, ..)| *concept == other);
@@ -143,12 +185,13 @@ mod tests {
         let numbered = [
             (Concept::Object(7), "object 7"),
             (Concept::Root { object: 2, number: 1 }, "root 2 1"),
+            (Concept::Equation { object: 1, step: EquationStep::Discriminant }, "discriminant 1"),
         ];
         for (concept, name) in NAMES.iter().map(|(c, name, _)| (*c, *name)).chain(numbered) {
             assert_eq!(Concept::from_name(name), Some(concept));
             assert!(!concept.description(|k| format!("sphere {k}")).is_empty());
         }
-        for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x"] {
+        for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x", "discriminant"] {
             assert_eq!(Concept::from_name(wrong), None, "{wrong}");
         }
     }

@@ -113,7 +113,7 @@ impl Inspection {
             Some(first) if self.roots[first].t == t && t.is_normal() => {
                 "farther than the hit, by less than the digits of t show"
             }
-            _ => "farther than the hit",
+            _ => "beyond the hit",
         }
     }
 

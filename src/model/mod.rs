@@ -26,7 +26,7 @@ pub mod store;
 pub mod symbols;
 pub mod translator;
 
-pub use concept::{Concept, HoverSource, Hovered};
+pub use concept::{Concept, EquationStep, HoverSource, Hovered};
 pub use derivation_sections::{DerivationSection, DerivationSections};
 pub use fault::Fault;
 pub use files::OpenDocument;

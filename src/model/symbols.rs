@@ -31,7 +31,7 @@ const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is th
 const UV: &str = "(𝑢, 𝑣): the position in the viewport, from its middle, in world units";
 
 /// All symbols that have an explanation, with their kinds and meanings.
-const MEANINGS: [(SymbolKind, &str, &str); 38] = [
+const MEANINGS: [(SymbolKind, &str, &str); 39] = [
     (Vector, "eye", EYE),
     (Vector, "at", AT),
     (Vector, "view", VIEW),
@@ -42,6 +42,7 @@ const MEANINGS: [(SymbolKind, &str, &str); 38] = [
     (Vector, "p", P),
     (Vector, "d", D),
     (Vector, "n", "𝐧: the plane's normal, perpendicular to it, of any length"),
+    (Vector, "x", "𝐱: any point of the object"),
     (Vector, "centre", "centre: the middle of the sphere"),
     (Vector, "point", "point: some point of the plane"),
     (Vector, "hit", "hit: the point where the ray meets the object first"),

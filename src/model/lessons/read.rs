@@ -301,7 +301,11 @@ fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
 /// Returns true if the concept exists in a scene with `objects` objects.
 fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     match concept {
-        Some(Concept::Object(object) | Concept::Root { object, .. }) => (object as usize) < objects,
+        Some(
+            Concept::Object(object)
+            | Concept::Root { object, .. }
+            | Concept::Equation { object, .. },
+        ) => (object as usize) < objects,
         _ => true,
     }
 }
@@ -326,7 +330,14 @@ fn concept(field: &TomlField, objects: usize) -> Result<Concept, FileError> {
         }
         None => {}
     }
-    let numbered = ["object 0", "root 0 1"];
+    let numbered = [
+        "object 0",
+        "root 0 1",
+        "substitution 0",
+        "coefficients 0",
+        "solution 0",
+        "discriminant 0",
+    ];
     let known: Vec<&str> = [NOTHING].into_iter().chain(Concept::names()).chain(numbered).collect();
     Concept::from_name(field.one_of(&known)?).ok_or_else(|| field.error("it must be a concept"))
 }

@@ -17,7 +17,7 @@ use pinhole_lecture::numbers::grouped;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use crate::model::{Concept, DerivationSection, DerivationSections, Fault, Inspection, symbols};
-use crate::view::derivation::numbers::related;
+use crate::view::derivation::numbers::equation;
 use crate::view::formula::{Formula, latex, row, word};
 
 pub use numbers::NumberFormat;
@@ -80,9 +80,8 @@ impl DerivedLine {
     /// Creates a line of the derivation from the sides of an equation, such as `a = b = c`. The last side
     /// is the result.
     fn chain<const N: usize>(concept: Concept, sides: [Formula; N]) -> DerivedLine {
-        let mut sides = sides.into_iter();
-        let first = sides.next();
-        DerivedLine::new(concept, row(first.into_iter().chain(sides.map(related))))
+        let formula = sides.into_iter().reduce(equation).unwrap_or_else(|| row([]));
+        DerivedLine::new(concept, formula)
     }
 
     fn also(self, also: &'static [Concept]) -> DerivedLine {
@@ -95,7 +94,8 @@ impl DerivedLine {
 
     /// Returns true if the line is highlighted together with this concept.
     pub fn is_about(&self, concept: Concept) -> bool {
-        self.concept == Some(concept) || self.also.contains(&concept)
+        let own = [self.concept, self.concept.map(Concept::in_views)];
+        own.contains(&Some(concept)) || self.also.contains(&concept)
     }
 }
 

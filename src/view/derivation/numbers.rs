@@ -3,16 +3,16 @@
 //! A number is written in its exact form (such as `1/sqrt(2)`) if the settings ask for exact forms and a
 //! short one is recognised ([`NumberForm::is_short`]). Otherwise it is written as a decimal.
 //!
-//! `=` is used only before an exact value: an exact form, a given number with all its digits, or a
-//! terminating decimal. All other decimals are rounded and follow `≈`.
+//! `=` is used only between exact values: exact forms, given numbers with all their digits, and terminating
+//! decimals. All other decimals are rounded, and `≈` is before and after them.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::{NumberForm, Rounding, VectorForm};
 
 use crate::model::given::{Given, GivenVector};
 use crate::view::formula::{
-    Formula, Operator, SymbolInk, fraction, given, number, parentheses, rounded, row, square_root,
-    tuple, word,
+    Formula, Operator, SymbolInk, fraction, given, negative, number, parentheses, power, rounded,
+    row, square_root, tuple, word,
 };
 
 /// The format of numbers.
@@ -103,6 +103,25 @@ impl NumberFormat {
         if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
+    /// Returns `a t² + b t + c` as it is written by hand: without terms that are 0, and without a factor
+    /// of 1.
+    pub(super) fn quadratic(self, coefficients: [f64; 3]) -> Formula {
+        let powers = [Some(power(T, "2")), Some(T), None];
+        let terms = coefficients.into_iter().zip(powers).filter(|(factor, _)| *factor != 0.0);
+        let terms = terms.map(|(factor, power)| {
+            let size = self.scalar(factor.abs());
+            let is_one = power.is_some() && size == number("1");
+            (factor < 0.0, row((!is_one).then_some(size).into_iter().chain(power)))
+        });
+        let sum = terms.fold(None, |sum, (is_negative, term)| match (sum, is_negative) {
+            (None, false) => Some(term),
+            (None, true) => Some(negative(term)),
+            (Some(sum), false) => Some(joined(sum, Operator::Plus, term)),
+            (Some(sum), true) => Some(minus(sum, term)),
+        });
+        sum.unwrap_or_else(|| number("0"))
+    }
+
     /// Converts an angle in radians to a formula in degrees.
     pub(super) fn degrees(self, angle: f64) -> Formula {
         match self.decimal(angle.to_degrees()) {
@@ -117,12 +136,6 @@ impl NumberFormat {
         let from = u32::from(self.from_one);
         (pixel.row + from, pixel.column + from)
     }
-}
-
-/// Puts `=` before an exact value and `≈` before a rounded one: `= 5 sqrt 2`, `= 0.2`, `≈ 0.14286`.
-pub(super) fn related(value: Formula) -> Formula {
-    let relation = if value.begins_rounded() { Operator::Approximately } else { Operator::Equals };
-    row([relation.into(), value])
 }
 
 /// Returns the formula of a recognised number.
@@ -161,9 +174,11 @@ pub(super) const HIT: Formula = Formula::Vector("hit", SymbolInk::Text);
 pub(super) const T: Formula = Formula::Scalar("t");
 pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 
-/// Returns `left = right`, or `left ≈ right` if the right side is rounded.
+/// Returns `left = right`, or `left ≈ right` if one of the two sides is rounded.
 pub(super) fn equation(left: Formula, right: Formula) -> Formula {
-    row([left, related(right)])
+    let is_rounded = left.ends_rounded() || right.begins_rounded();
+    let relation = if is_rounded { Operator::Approximately } else { Operator::Equals };
+    joined(left, relation, right)
 }
 
 /// Returns `left sign right`.

@@ -1,4 +1,5 @@
-//! Derivation of the intersection with one object: the coefficients, the roots, the hit and the normal.
+//! Derivation of the intersection with one object: the ray is substituted into the object's implicit
+//! equation, which then is an equation for t; its coefficients, its roots, the hit and the normal.
 
 use pinhole_core::{Object, Plane, Ray, Root, Sphere};
 use pinhole_exchange::document::{Document, Item};
@@ -8,13 +9,15 @@ use pinhole_lecture::{
 
 use super::DerivedLine;
 use super::camera::along;
-use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, minus};
+use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, joined, minus};
+use crate::model::EquationStep::{self, Coefficients, Discriminant, Solution, Substitution};
 use crate::model::{Concept, Given, GivenVector, Inspection};
 use crate::view::formula::{
     Formula, Operator, SymbolInk, fraction, index, negative, norm, number, parentheses, power, row,
     square_root,
 };
 
+const X: Formula = Formula::Vector("x", SymbolInk::Text);
 const A: Formula = Formula::Scalar("a");
 const B: Formula = Formula::Scalar("b");
 const C: Formula = Formula::Scalar("c");
@@ -72,8 +75,13 @@ pub(super) fn lines(
 }
 
 impl ObjectLines<'_> {
-    fn line<const N: usize>(&mut self, sides: [Formula; N]) {
-        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides));
+    fn line<const N: usize>(&mut self, step: EquationStep, sides: [Formula; N]) {
+        self.noted_line(step, sides, "");
+    }
+
+    fn noted_line<const N: usize>(&mut self, step: EquationStep, sides: [Formula; N], note: &str) {
+        let concept = Concept::Equation { object: self.object, step };
+        self.lines.push(DerivedLine::chain(concept, sides).noted(note));
     }
 
     fn root_concept(&self, number: usize) -> Concept {
@@ -91,9 +99,9 @@ impl ObjectLines<'_> {
 
     fn sphere(&mut self, derivation: &SphereDerivation) {
         let numbers = self.numbers;
-        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
-        self.line([minus(P, CENTRE), minus(p, c), numbers.vector(derivation.from_center)]);
-        self.quadratic(derivation);
+        self.sphere_substitution(&derivation.sphere);
+        self.coefficients(derivation);
+        self.discriminant(derivation);
         let roots: Vec<Root> = derivation.roots.iter().flatten().copied().collect();
         for (k, root) in roots.iter().enumerate() {
             self.sphere_root(derivation, k, root, roots.len() == 1);
@@ -108,15 +116,45 @@ impl ObjectLines<'_> {
         }
     }
 
-    /// Adds the lines that compute the coefficients a, b, c of the quadratic equation and its discriminant
-    /// D, with a note on what the sign of D means.
-    fn quadratic(&mut self, derivation: &SphereDerivation) {
+    /// Adds the lines that substitute the ray into the sphere's equation and multiply it out.
+    fn sphere_substitution(&mut self, sphere: &Sphere) {
+        let numbers = self.numbers;
+        let squares = |of: Formula, radius| [power(norm(of), "2"), power(radius, "2")];
+        let implicit = squares(minus(X, CENTRE), R);
+        self.noted_line(Substitution, implicit, "implicit: 𝐱 is on the sphere");
+        let symbols = squares(minus(along(P, T, D), CENTRE), R);
+        self.noted_line(Substitution, symbols, "the ray put in");
+        let substituted = minus(self.ray_in_numbers(), numbers.vector(sphere.center));
+        let radius = squared(numbers.scalar(sphere.radius));
+        self.line(Substitution, squares(substituted, radius));
+        let from_centre = minus(P, CENTRE);
+        let terms = [
+            row([power(T, "2"), dot(D, D)]),
+            row([number("2"), T, dot(D, parentheses(from_centre.clone()))]),
+            power(norm(from_centre), "2"),
+        ];
+        let sum = |[a, b, c]: [Formula; 3]| joined(joined(a, Operator::Plus, b), Operator::Plus, c);
+        self.noted_line(Substitution, [sum(terms), power(R, "2")], "multiplied out");
+        let terms = [row([A, power(T, "2")]), row([number("2"), B, T]), C];
+        self.noted_line(Substitution, [sum(terms), number("0")], "sorted by 𝑡");
+    }
+
+    /// Returns `p + t d` with the ray's numbers.
+    fn ray_in_numbers(&self) -> Formula {
+        let Ray { origin, direction, .. } = self.ray;
+        along(self.numbers.vector(origin), T, self.numbers.vector(direction))
+    }
+
+    /// Adds the lines that compute the coefficients a, b, c of the quadratic equation, and the equation.
+    fn coefficients(&mut self, derivation: &SphereDerivation) {
         let (numbers, quadratic) = (self.numbers, &derivation.quadratic);
+        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
+        let sides = [minus(P, CENTRE), minus(p, c), numbers.vector(derivation.from_center)];
+        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides));
         let d = || numbers.vector(self.ray.direction);
         let oc = || numbers.vector(derivation.from_center);
         let from_centre = minus(P, CENTRE);
         let radius = numbers.scalar(derivation.sphere.radius);
-        let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
         let squares = |derivation: Formula, minus_of: Formula| {
             minus(power(derivation, "2"), power(minus_of, "2"))
         };
@@ -124,19 +162,35 @@ impl ObjectLines<'_> {
             (A, dot(D, D), dot(d(), d()), quadratic.a),
             (B, dot(D, parentheses(from_centre.clone())), dot(d(), oc()), quadratic.b),
             (C, squares(norm(from_centre), R), squares(norm(oc()), squared(radius)), quadratic.c),
-            (
-                DISCRIMINANT,
-                minus(power(B, "2"), row([A, C])),
-                minus(power(squared(b), "2"), dot(a, c.guarded())),
-                quadratic.discriminant,
-            ),
         ];
         for (name, symbols, substituted, value) in parts {
-            self.line([name, symbols, substituted, numbers.scalar(value)]);
+            self.line(Coefficients, [name, symbols, substituted, numbers.scalar(value)]);
         }
-        if let Some(last) = self.lines.last_mut() {
-            last.note = meaning(derivation.meeting).to_owned();
-        }
+        let equation = numbers.quadratic([quadratic.a, 2.0 * quadratic.b, quadratic.c]);
+        self.line(Coefficients, [equation, number("0")]);
+    }
+
+    /// Adds the lines that solve the equation for t and compute the discriminant D. Their notes say why b is
+    /// half of the linear coefficient, and what the sign of D means.
+    fn discriminant(&mut self, derivation: &SphereDerivation) {
+        let (numbers, quadratic) = (self.numbers, &derivation.quadratic);
+        let two = |of: &Formula| row([number("2"), of.clone()]);
+        let solved = |b: Formula, discriminant, a| {
+            let above = [negative(b), Operator::MinusOrPlus.into(), square_root(discriminant)];
+            fraction(row(above), a)
+        };
+        let four = minus(power(parentheses(two(&B)), "2"), row([number("4"), A, C]));
+        let sides = [T, solved(two(&B), four, two(&A)), solved(B, DISCRIMINANT, A)];
+        let note = "every 2 cancels, so 𝑏 is half of the school's";
+        self.noted_line(Solution, sides, note);
+        let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
+        let sides = [
+            DISCRIMINANT,
+            minus(power(B, "2"), row([A, C])),
+            minus(power(squared(b), "2"), dot(a, c.guarded())),
+            numbers.scalar(quadratic.discriminant),
+        ];
+        self.noted_line(Discriminant, sides, meaning(derivation.meeting));
     }
 
     fn sphere_root(&mut self, derivation: &SphereDerivation, k: usize, root: &Root, is_only: bool) {
@@ -155,13 +209,22 @@ impl ObjectLines<'_> {
     fn plane(&mut self, derivation: &PlaneDerivation) {
         let numbers = self.numbers;
         let n = || numbers.vector(derivation.plane.normal);
-        let rate = numbers.scalar(derivation.terms.rate);
-        self.line([dot(N, D), dot(n(), numbers.vector(self.ray.direction)), rate]);
+        let rate = || numbers.scalar(derivation.terms.rate);
         let (point, p) = (numbers.vector(derivation.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
+        let zero = |n, of| [dot(n, parentheses(of)), number("0")];
+        let implicit = zero(N, minus(X, POINT));
+        self.noted_line(Substitution, implicit, "implicit: 𝐱 is on the plane");
+        let sides = zero(N, minus(along(P, T, D), POINT));
+        self.noted_line(Substitution, sides, "the ray put in");
+        self.line(Coefficients, zero(n(), minus(self.ray_in_numbers(), point.clone())));
+        let sides = [row([T, parentheses(dot(N, D))]), dot(N, to_point.clone())];
+        self.noted_line(Substitution, sides, "multiplied out");
+        let sides = [dot(N, D), dot(n(), numbers.vector(self.ray.direction)), rate()];
+        self.line(Coefficients, sides);
         let substituted = dot(n(), parentheses(minus(point, p)));
         let offset = numbers.scalar(derivation.terms.offset);
-        self.line([dot(N, to_point.clone()), substituted, offset.clone()]);
+        self.line(Coefficients, [dot(N, to_point.clone()), substituted, offset.clone()]);
         let quotient = fraction(dot(N, to_point), dot(N, D));
         let Some(root) = derivation.root else {
             let note = match derivation.meeting {
@@ -172,7 +235,7 @@ impl ObjectLines<'_> {
             self.lines.push(line.noted(note));
             return;
         };
-        let substituted = fraction(offset, numbers.divisor(derivation.terms.rate));
+        let substituted = fraction(offset, rate());
         self.root([T, quotient, substituted, numbers.scalar(root.t)], 0);
         if derivation.hit().is_some() {
             self.hit(T, 0, &root);

@@ -143,7 +143,7 @@ fn opaque([r, g, b]: Rgb) -> Color32 {
 /// Returns the highlighted concept; `None` if no concept is highlighted.
 fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlighted> {
     Some(Highlighted {
-        concept: session.highlighted()?,
+        concept: session.highlighted()?.in_views(),
         camera: document.camera,
         digits: session.settings.digits,
         dims: session.dims(),

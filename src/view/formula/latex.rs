@@ -47,7 +47,7 @@ impl TextMeasure for ComputerModern {
             'e' if is_number => 2.0,
             '(' | ')' => 0.39,
             '.' | ',' | ' ' | '·' => 0.34,
-            '=' | '≈' | '+' | '−' | '×' => 0.78,
+            '=' | '≈' | '+' | '−' | '∓' | '×' => 0.78,
             'm' | 'w' => 0.85,
             _ if face == Face::Bold => 0.6,
             _ => 0.55,
@@ -158,12 +158,13 @@ pub(crate) fn text(text: &str) -> String {
 }
 
 /// Signs that LaTeX has only in math mode, each with its command there.
-const SIGNS: [(&str, &str); 16] = [
+const SIGNS: [(&str, &str); 17] = [
     ("−", "-"),
     ("×", r"\times"),
     ("·", r"\cdot"),
     ("√", r"\surd"),
     ("±", r"\pm"),
+    ("∓", r"\mp"),
     ("≈", r"\approx"),
     ("≤", r"\le"),
     ("≥", r"\ge"),

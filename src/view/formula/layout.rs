@@ -381,9 +381,10 @@ pub fn lines(formula: &Formula, column: Column, measure: Measure<'_>) -> Layout 
     let start = if left > 0.0 { (indent - left).max(0.0) } else { 0.0 };
     let mut set = LineBuilder { column, start, done: Vec::new(), open: None };
     let mut before: Vec<&[Formula]> = Vec::new();
+    let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
     for piece in pieces(formula.parts(), Formula::is_relation) {
         if piece.first().is_some_and(Formula::is_relation) {
-            if before.iter().any(|before| need_own_lines(before, piece)) {
+            if has_tuple(piece) && before.iter().any(|before| has_tuple(before)) {
                 set.end_line();
                 before.clear();
             }
@@ -401,16 +402,6 @@ pub fn lines(formula: &Formula, column: Column, measure: Measure<'_>) -> Layout 
         }
     }
     set.stacked()
-}
-
-/// Returns true if two sides of an equation, each with the relation before it, must not share a line. This
-/// applies to two sides with vectors, and to `≈ a = b`, which would claim that a equals b, although b is
-/// the exact value of the first side.
-fn need_own_lines(before: &[Formula], after: &[Formula]) -> bool {
-    let has_tuple = |piece: &[Formula]| piece.iter().any(Formula::has_tuple);
-    let begins_with = |piece: &[Formula], sign| piece.first() == Some(&Formula::Operator(sign));
-    (has_tuple(before) && has_tuple(after))
-        || (begins_with(before, Operator::Approximately) && begins_with(after, Operator::Equals))
 }
 
 /// Splits a row into pieces. A new piece starts at each part for which `begins` returns true.

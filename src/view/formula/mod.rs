@@ -89,6 +89,8 @@ pub enum Operator {
     Approximately,
     Plus,
     Minus,
+    /// Minus for the first of two values, plus for the second.
+    MinusOrPlus,
     /// The cross product.
     Times,
     /// The dot product, and the product of two numbers.
@@ -106,6 +108,7 @@ impl Operator {
             Operator::Approximately => "≈",
             Operator::Plus => "+",
             Operator::Minus | Operator::Negative => "−",
+            Operator::MinusOrPlus => "∓",
             Operator::Times => "×",
             Operator::Dot => "·",
             Operator::Comma => ",",
@@ -121,8 +124,8 @@ impl Operator {
     /// Returns true for an operator between two terms or factors. A formula is broken before such an
     /// operator only if breaking it before its relations is not enough.
     fn is_binary(self) -> bool {
-        use Operator::{Dot, Minus, Plus, Times};
-        matches!(self, Plus | Minus | Times | Dot)
+        use Operator::{Dot, Minus, MinusOrPlus, Plus, Times};
+        matches!(self, Plus | Minus | MinusOrPlus | Times | Dot)
     }
 }
 
@@ -240,6 +243,11 @@ impl Formula {
     /// Returns true if a rounded number occurs before the formula's first relation, such as `=`.
     pub fn begins_rounded(&self) -> bool {
         self.parts().iter().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
+    }
+
+    /// Returns true if a rounded number occurs after the formula's last relation.
+    pub fn ends_rounded(&self) -> bool {
+        self.parts().iter().rev().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
     }
 
     fn is_rounded(&self) -> bool {

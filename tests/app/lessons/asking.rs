@@ -152,7 +152,7 @@ fn what_end_has_shown_stays_shown_in_the_next_step() {
 
 #[test]
 fn a_line_of_text_ends_in_no_short_formula() {
-    let mut window = at_step(12, 2);
+    let mut window = at_step(12, 3);
     key(&mut window, Key::F5);
     for width in [560.0, 600.0, 640.0, 680.0] {
         window.set_size(egui::vec2(width, 512.0));

@@ -234,26 +234,22 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         &[(SAYS, "= 1"), (SAYS, "Parallel: f(p + t d) is 1 at every t, never 0. They never meet.")],
     ),
     (11, 6, &[(SAYS, "The line x − 3y + 11 = 0 and the ray (1, 3) + t (−3, −2).")]),
-    (12, 1, &[(SAYS, "straight line, 0 at t = 6"), ("p + t d", "(1.2, −0.6, −6)")]),
-    (12, 2, &[(SAYS, "D > 0: in at t = 4, out at t = 6"), ("p + t d", "(0, 0, −4)")]),
-    // At (1, -0.5, -5): 1 + 0.25 - 1.
-    (12, 3, &[(SAYS, "D < 0: f is never 0: missed"), (SAYS, "at t = 5: f = 0.25 > 0: outside")]),
-    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent, so it hits")]),
-    // 1 - 4 and 1 + 4; -2 - 1/2 and -2 + 1/2.
+    (12, 1, &[("t (𝐧 · 𝐝)", "𝐧 · (point − 𝐩)"), ("t", "6"), ("hit", "(1.2, −0.6, −6)")]),
+    (12, 2, &[("|𝐱 − centre|²", "r²"), ("a t² + 2 b t + c", "0")]),
+    // The middle is (0, 0.75, -4) from the eye: 0.75² + 16 - 1.25².
+    (12, 3, &[("a", "1"), ("b", "−4"), ("c", "15"), ("t² − 8 t + 15", "0")]),
+    // 16 - 15.
+    (12, 4, &[("D", "1")]),
+    // (5 - 1)/1 and (5 + 1)/1.
+    (12, 5, &[("t₁", "4"), ("hit", "(0, 0, −4)"), ("t₂", "6")]),
+    // 25 - 1.05 · 24, and 25 - 25.
+    (12, 6, &[("D", "−0.2")]),
+    (12, 7, &[("D", "0"), ("t", "5")]),
+    // 1 + 15; (1 + 4)/1.
+    (12, 8, &[("D", "16"), ("t₂", "5")]),
     (
         12,
-        5,
-        &[
-            (
-                SAYS,
-                "f < 0 at t = 0: the eye is inside; t = −3 is behind, t = 5 is its first root ahead",
-            ),
-            (SAYS, "0 only at t = −2.5 and t = −1.5, not ahead of the eye: no hit"),
-        ],
-    ),
-    (
-        12,
-        6,
+        9,
         &[(
             SAYS,
             "The ray (0, −2, 1) + t (0, 0, −2) and the sphere around (4, −2, −10) of radius 5.",

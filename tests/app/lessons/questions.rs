@@ -51,7 +51,7 @@ const QUESTIONS: &[(usize, usize, Answers)] = &[
     (11, 6, &[("t", &["-1"]), ("point", &["4", "5"])]),
     // From (0, -2, 1) along -z, 4 beside the centre at z = -10: half the chord is √(25 - 16) = 3, so in
     // at z = -7; the normal is (-4, 0, 3)/5.
-    (12, 6, &[("t", &["4"]), ("point", &["0", "-2", "-7"]), ("normal", &["-0.8", "0", "0.6"])]),
+    (12, 9, &[("t", &["4"]), ("point", &["0", "-2", "-7"]), ("normal", &["-0.8", "0", "0.6"])]),
 ];
 
 const ALL_RIGHT: &str = "All correct.";
