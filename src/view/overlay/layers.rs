@@ -142,7 +142,7 @@ impl ViewportLayer<'_> {
             None => below,
         };
         match self.grid {
-            Some((_, opacity)) => mix(base, contrast(base, self.behind), line * opacity),
+            Some((_, opacity)) => mix(base, opposing_grey(base, self.behind), line * opacity),
             None => base,
         }
     }
@@ -440,7 +440,7 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
 /// Returns a grey that contrasts with a colour: black for a light colour, white for a very dark one (by the
 /// luma of ITU-R BT.601), and a grey in between for others, so that a line across a shaded surface has no
 /// seam. For a transparent colour, the colour `behind` it counts.
-pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
+pub(crate) fn opposing_grey(color: Color32, behind: Color32) -> Color32 {
     const FROM: u32 = 40_000;
     const TO: u32 = 95_000;
     let color = if color.a() < 128 { behind } else { color };
@@ -456,7 +456,7 @@ mod tests {
     fn lines_over_a_shaded_surface_have_no_seam() {
         let line = |grey: u8| {
             let base = Color32::from_gray(grey);
-            i32::from(mix(base, contrast(base, Color32::BLACK), 0.45).r())
+            i32::from(mix(base, opposing_grey(base, Color32::BLACK), 0.45).r())
         };
         for grey in 1..=255 {
             assert!((line(grey) - line(grey - 1)).abs() <= 4, "{grey}");

@@ -48,7 +48,7 @@ pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of
 use camera_view::CameraSketch;
 use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
-use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, contrast, mix};
+use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
 use style::{BOLD_POINT, DIMMED, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};

@@ -171,7 +171,7 @@ impl Colors {
         let shares = || (0..=STEPS).map(|k| f32::from(k) / f32::from(STEPS));
         let weaker = shares().map(|s| mix(self.background, color, DIMMED + s * (1.0 - DIMMED)));
         let stronger = shares().map(|s| mix(color, self.hit, s));
-        let is_legible = |color: &Color32| contrast(*color, self.background) >= LEGIBLE;
+        let is_legible = |color: &Color32| contrast_ratio(*color, self.background) >= LEGIBLE;
         weaker.chain(stronger).find(is_legible).unwrap_or(self.hit)
     }
 }
@@ -189,7 +189,7 @@ fn luminance([r, g, b]: [f64; 3]) -> f64 {
 }
 
 /// Returns WCAG 2's contrast ratio of two opaque colours.
-fn contrast(a: Color32, b: Color32) -> f64 {
+fn contrast_ratio(a: Color32, b: Color32) -> f64 {
     let [a, b] = [a, b].map(|color| luminance(linear(color)) + 0.05);
     a.max(b) / a.min(b)
 }

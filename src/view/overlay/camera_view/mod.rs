@@ -11,7 +11,7 @@ use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 use crate::model::{Concept, Inspection, Item, OverlayItems};
 use crate::view::overlay::{
     Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, POINT, Picture,
-    Request, Same, Shape, Style, contrast, dot, equals, mix, place_labels, position_of,
+    Request, Same, Shape, Style, dot, equals, mix, opposing_grey, place_labels, position_of,
 };
 
 /// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key. The
@@ -90,7 +90,7 @@ impl CameraView {
 
     fn paint_grid(&self, [columns, rows]: &[Vec<bool>; 2], top: usize, dots: &mut [Color32]) {
         let behind = self.style.colors().background;
-        let darken = |dot: &mut Color32| *dot = mix(*dot, contrast(*dot, behind), 0.3);
+        let darken = |dot: &mut Color32| *dot = mix(*dot, opposing_grey(*dot, behind), 0.3);
         for (dots, on_edge) in dots.chunks_exact_mut(columns.len()).zip(&rows[top..]) {
             if *on_edge {
                 dots.iter_mut().for_each(darken);

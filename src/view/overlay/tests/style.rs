@@ -55,7 +55,7 @@ fn every_colour_stands_out_from_the_background() {
         let c = style.colors();
         let [u, v, w] = c.basis;
         for color in [c.ink, u, v, w, c.given, c.ray, c.hit, c.mark] {
-            let ratio = contrast(color, c.background);
+            let ratio = contrast_ratio(color, c.background);
             assert!(ratio >= 3.0, "{style:?}: {color:?} has {ratio:.2}");
         }
     }
@@ -69,9 +69,9 @@ fn dimmed_labels_are_legible_and_haloes_are_not_seen() {
         let named = [c.ink, c.given, c.ray, c.hit, c.mark].into_iter().chain(c.basis).chain(c.axes);
         for color in named {
             let dimmed = c.dimmed(color);
-            let ratio = contrast(dimmed, c.background);
+            let ratio = contrast_ratio(dimmed, c.background);
             assert!(dimmed.is_opaque() && ratio >= 4.5, "{style:?}: {color:?} has {ratio:.2}");
-            let own = contrast(color, c.background);
+            let own = contrast_ratio(color, c.background);
             assert!(own < 5.5 || ratio < own - 0.5, "{style:?}: {color:?} is dimmed");
         }
     }

@@ -4,6 +4,7 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera, Rgb, Root, Sphere};
 
+use super::ASKED_SPHERES;
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
@@ -63,7 +64,6 @@ impl Sketch<'_> {
     /// Returns the t up to which the frustum's edges are drawn. It lies beyond every sphere of ordinary
     /// size and distance.
     fn reach(&self, resolved: &ResolvedCamera) -> f64 {
-        const ASKED_SPHERES: usize = 1024;
         const LEAST: f64 = 2.2;
         let distance = resolved.viewport().distance;
         let limit = 8.0 * self.view.observer.distance() / distance;

@@ -5,6 +5,7 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Plane, Rgb, Scene};
 
+use super::ASKED_SPHERES;
 use crate::model::Item;
 use crate::view::overlay::{
     ColoredScene, FINE, Flat, Grid, LineStyle, PixelRays, PlanePatch, Sketch, THIN, WorldView,
@@ -27,8 +28,6 @@ const FLOOR_LINES: f32 = 0.3;
 
 /// Maximum number of planes that are considered.
 const SHOWN_PLANES: usize = 16;
-/// Maximum number of spheres for which a pane makes room.
-const ASKED_SPHERES: usize = 1024;
 /// Maximum number of objects in a scene with a floor. More drop lines would hide the objects.
 const WITH_FLOOR: usize = 64;
 

@@ -22,6 +22,10 @@ use crate::view::overlay::{
     place_labels, wide,
 };
 
+/// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
+/// reaches beyond, and among which the one closest to the ray is looked for.
+const ASKED_SPHERES: usize = 1024;
+
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldView {

@@ -6,14 +6,12 @@
 
 use pinhole_core::{DVec2, DVec3, ExactRay, Ray, Sphere, SphereQuadratic};
 
+use super::ASKED_SPHERES;
 use crate::model::inspection::ObjectTerms;
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
     BOLD_POINT, Head, LineStyle, MARK, POINT, Shape, Sketch, VECTOR, dot, equals, silhouette, unit,
 };
-
-/// Maximum number of spheres among which the one closest to the ray is looked for.
-const ASKED_SPHERES: usize = 1024;
 
 /// Dash and gap of the ray's line behind its origin, in points.
 const DOTS: [f32; 2] = [2.0, 4.0];
