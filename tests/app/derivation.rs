@@ -443,12 +443,13 @@ fn page_down_reveals_line_by_line_before_an_audience() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = presented_derivation(folder.path(), "");
     let all = lines(&window);
-    for count in 0..=all.len() {
+    // *eye* and *at* are given, and come with what follows from them.
+    for count in [0].into_iter().chain(3..=all.len()) {
         for line in &all {
             let is_shown = all[..count].contains(line);
             assert_eq!(says(&window, line), is_shown, "{line} with {count} lines revealed");
         }
-        if count < 2 {
+        if count == 0 {
             assert!(!fields(&window).contains(&"at x".to_owned()));
         }
         window.key_press(egui::Key::PageDown);
@@ -479,7 +480,7 @@ fn a_step_reveals_the_lines_that_it_is_about_and_the_next_one_goes_on() {
         window.run();
     }
     let through_w = *counts.last().unwrap();
-    assert_eq!(counts, (0..=through_w).collect::<Vec<_>>());
+    assert_eq!(counts, [0].into_iter().chain(3..=through_w).collect::<Vec<_>>());
     assert!(through_w > 0 && through_w < all.len(), "{through_w} of {all:?}");
     assert_eq!(shown(&window), through_w, "the next step begins with what was shown");
     window.key_press(egui::Key::PageDown);

@@ -111,7 +111,8 @@ impl OpenScene {
         let all = derivation.lines_through(session.highlighted);
         let is_left = count < all;
         if is_left {
-            session.revealed_lines = Some(if is_asking { all } else { count + 1 });
+            let next = derivation.lines_after(count, all);
+            session.revealed_lines = Some(if is_asking { all } else { next });
         }
         is_asking || is_left
     }

@@ -2,7 +2,9 @@
 //! that the user entered directly; then the view ray of a pixel or of a point (u, v).
 
 use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
-use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross, RayDerivation};
+use pinhole_lecture::{
+    BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, RayDerivation,
+};
 
 use crate::model::{Concept, Given, GivenVector, Inspection, symbols};
 use crate::view::derivation::DerivedLine;
@@ -66,7 +68,7 @@ fn given_line(
     concept: Concept,
     numbers: NumberFormat,
 ) -> DerivedLine {
-    DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value)))
+    DerivedLine::new(concept, equation(name, numbers.given_vector(as_given, value))).given()
 }
 
 /// Returns the line of the derivation that computes w. If there is no w, its note says why.
@@ -136,32 +138,53 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
     for ((name, concept), (as_given, value)) in names().zip(values) {
         lines.push(given_line(name, as_given, value, concept, numbers).noted("set by hand"));
     }
-    let verdict = |line: DerivedLine, passes: bool, right: &str, wrong: &str| DerivedLine {
-        is_fault: !passes,
-        ..line.noted(if passes { right } else { wrong })
-    };
-    for ((name, concept), check) in names().zip(derivation.lengths) {
-        let Some(check) = check else { continue };
-        let line = DerivedLine::chain(concept, [norm(name), numbers.scalar(check.value)]);
-        lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
-    }
-    let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
-    for ((a, b, concept), check) in pairs.into_iter().zip(derivation.dots) {
-        let Some(check) = check else { continue };
-        let line = DerivedLine::chain(concept, [dot(a, b), numbers.scalar(check.value)]);
-        lines.push(verdict(line, check.passes, "perpendicular", "must be 0"));
-    }
+    let [u, v, w] = [norm(U), norm(V), norm(W)];
+    lines.extend(checks([u, v, w], derivation.lengths, ["of length 1", "must be 1"], numbers));
+    let pairs = [dot(U, V), dot(V, W), dot(W, U)];
+    lines.extend(checks(pairs, derivation.dots, ["perpendicular", "must be 0"], numbers));
     if let Some(check) = derivation.handedness {
         let formula = dot(parentheses(times(U, V)), W);
         let line = DerivedLine::chain(Concept::W, [formula, numbers.scalar(check.value)]);
-        let wrong = "left-handed: must be greater than 0";
-        lines.push(verdict(line, check.passes, "right-handed", wrong));
+        let texts = ["right-handed", "left-handed: must be greater than 0"];
+        lines.push(judged(line, check.passes, texts));
     }
     if let Err(error) = derivation.basis {
         let line = failed(Concept::W, word("there is no basis"), Some(error));
         lines.push(DerivedLine { concept: None, ..line });
     }
     lines
+}
+
+/// Adds to the line of a check what it means if the check passes, or if it does not.
+fn judged(line: DerivedLine, passes: bool, [right, wrong]: [&str; 2]) -> DerivedLine {
+    DerivedLine { is_fault: !passes, ..line.noted(if passes { right } else { wrong }) }
+}
+
+/// Returns the lines of three checks of the same kind, about u, v and w: a single one if all of them pass with
+/// the same number.
+fn checks(
+    symbols: [Formula; 3],
+    checks: [Option<BasisCheck>; 3],
+    texts: [&str; 2],
+    numbers: NumberFormat,
+) -> Vec<DerivedLine> {
+    if let [Some(a), Some(b), Some(c)] = checks {
+        let value = numbers.scalar(a.value);
+        let is_same = |other: BasisCheck| other.passes && numbers.scalar(other.value) == value;
+        if a.passes && is_same(b) && is_same(c) {
+            let [first, second, third] = symbols;
+            let line = DerivedLine::chain(Concept::U, [first, second, third, value]);
+            return vec![judged(line.also(&[Concept::V, Concept::W]), true, texts)];
+        }
+    }
+    let concepts = [Concept::U, Concept::V, Concept::W];
+    let each = concepts.into_iter().zip(symbols).zip(checks);
+    let lines = each.filter_map(|((concept, symbol), check)| {
+        let check = check?;
+        let line = DerivedLine::chain(concept, [symbol, numbers.scalar(check.value)]);
+        Some(judged(line, check.passes, texts))
+    });
+    lines.collect()
 }
 
 /// Returns the lines of the derivation with the given numbers that determine the ray. They are shown even
@@ -177,14 +200,14 @@ pub(super) fn ray_givens(
     };
     let Viewport { width, height, distance, .. } = camera.viewport;
     let distance =
-        DerivedLine::new(Concept::Distance, scalar("distance", Given::Distance, distance));
+        DerivedLine::new(Concept::Distance, scalar("distance", Given::Distance, distance)).given();
     match selection {
         Selection::Uv(uv) => {
             let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
             let values = [(Given::PositionU, uv.x), (Given::PositionV, uv.y)];
             let values = tuple(values.map(|(as_given, x)| numbers.given(as_given, x)));
             let position = DerivedLine::new(Concept::Pixel, equation(symbols, values));
-            vec![distance, position.noted(note.unwrap_or_default())]
+            vec![distance, position.noted(note.unwrap_or_default()).given()]
         }
         Selection::Pixel(pixel) => {
             let (i, j) = numbers.counted(pixel);
@@ -201,10 +224,10 @@ pub(super) fn ray_givens(
             let pixel = [index("row", "i", Given::Row, i), index("column", "j", Given::Column, j)];
             let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
             vec![
-                DerivedLine::new(Concept::Viewport, list(viewport)),
-                DerivedLine::new(Concept::Viewport, list(image)).noted("pixels"),
+                DerivedLine::new(Concept::Viewport, list(viewport)).given(),
+                DerivedLine::new(Concept::Viewport, list(image)).noted("pixels").given(),
                 distance,
-                DerivedLine::new(Concept::Pixel, list(pixel)).noted(counted),
+                DerivedLine::new(Concept::Pixel, list(pixel)).noted(counted).given(),
             ]
         }
     }

@@ -64,6 +64,8 @@ pub struct DerivedLine {
     pub note: String,
     /// True if the derivation fails here; the note then says why.
     pub is_fault: bool,
+    /// True if the line only says what is given.
+    pub is_given: bool,
 }
 
 impl DerivedLine {
@@ -74,6 +76,7 @@ impl DerivedLine {
             also: &[],
             note: String::new(),
             is_fault: false,
+            is_given: false,
         }
     }
 
@@ -86,6 +89,10 @@ impl DerivedLine {
 
     fn also(self, also: &'static [Concept]) -> DerivedLine {
         DerivedLine { also, ..self }
+    }
+
+    fn given(self) -> DerivedLine {
+        DerivedLine { is_given: true, ..self }
     }
 
     fn noted(self, note: impl Into<String>) -> DerivedLine {
@@ -142,6 +149,14 @@ impl Derivation {
         let lines = self.sections.iter().flat_map(|section| &section.lines);
         let about = lines.enumerate().filter(|(_, line)| concept.is_some_and(|c| line.is_about(c)));
         about.last().map_or(self.line_count(), |(k, _)| k + 1)
+    }
+
+    /// Returns the number of lines up to and including the first derived one after these, so that given
+    /// numbers come together with what follows from them. Returns `all` if no derived line is among those.
+    pub fn lines_after(&self, shown: usize, all: usize) -> usize {
+        let lines = self.sections.iter().flat_map(|section| &section.lines);
+        let mut rest = lines.take(all).skip(shown);
+        rest.position(|line| !line.is_given).map_or(all, |k| shown + k + 1)
     }
 }
 
@@ -259,6 +274,7 @@ fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
         also: &[],
         note: symbols::typeset_message(fault),
         is_fault: true,
+        is_given: false,
     }
 }
 

@@ -249,12 +249,8 @@ fn the_lectures_forty_five_degrees() {
               𝐮 = (1/√2, 0, −1/√2); set by hand
               𝐯 = (0, 1, 0); set by hand
               𝐰 = (1/√2, 0, 1/√2); set by hand
-              |𝐮| = 1; of length 1
-              |𝐯| = 1; of length 1
-              |𝐰| = 1; of length 1
-              𝐮 · 𝐯 = 0; perpendicular
-              𝐯 · 𝐰 = 0; perpendicular
-              𝐰 · 𝐮 = 0; perpendicular
+              |𝐮| = |𝐯| = |𝐰| = 1; of length 1
+              𝐮 · 𝐯 = 𝐯 · 𝐰 = 𝐰 · 𝐮 = 0; perpendicular
               (𝐮 × 𝐯) · 𝐰 = 1; right-handed
 
             Pixel to ray
@@ -499,12 +495,8 @@ fn as_latex_and_as_markdown() {
           \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \quad \text{set by hand} \\
           \mathbf{v} &= \left( 0, 1, 0 \right) \quad \text{set by hand} \\
           \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \quad \text{set by hand} \\
-          \left| \mathbf{u} \right| &= 1 \quad \text{of length 1} \\
-          \left| \mathbf{v} \right| &= 1 \quad \text{of length 1} \\
-          \left| \mathbf{w} \right| &= 1 \quad \text{of length 1} \\
-          \mathbf{u} \cdot \mathbf{v} &= 0 \quad \text{perpendicular} \\
-          \mathbf{v} \cdot \mathbf{w} &= 0 \quad \text{perpendicular} \\
-          \mathbf{w} \cdot \mathbf{u} &= 0 \quad \text{perpendicular} \\
+          \left| \mathbf{u} \right| &= \left| \mathbf{v} \right| = \left| \mathbf{w} \right| = 1 \quad \text{of length 1} \\
+          \mathbf{u} \cdot \mathbf{v} &= \mathbf{v} \cdot \mathbf{w} = \mathbf{w} \cdot \mathbf{u} = 0 \quad \text{perpendicular} \\
           \left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} &= 1 \quad \text{right-handed}
         \end{align*}
         \subsection*{Pixel to ray}
@@ -531,12 +523,8 @@ fn as_latex_and_as_markdown() {
         - $\mathbf{u} = \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right)$; set by hand
         - $\mathbf{v} = \left( 0, 1, 0 \right)$; set by hand
         - $\mathbf{w} = \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right)$; set by hand
-        - $\left| \mathbf{u} \right| = 1$; of length 1
-        - $\left| \mathbf{v} \right| = 1$; of length 1
-        - $\left| \mathbf{w} \right| = 1$; of length 1
-        - $\mathbf{u} \cdot \mathbf{v} = 0$; perpendicular
-        - $\mathbf{v} \cdot \mathbf{w} = 0$; perpendicular
-        - $\mathbf{w} \cdot \mathbf{u} = 0$; perpendicular
+        - $\left| \mathbf{u} \right| = \left| \mathbf{v} \right| = \left| \mathbf{w} \right| = 1$; of length 1
+        - $\mathbf{u} \cdot \mathbf{v} = \mathbf{v} \cdot \mathbf{w} = \mathbf{w} \cdot \mathbf{u} = 0$; perpendicular
         - $\left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} = 1$; right-handed
 
         ### Pixel to ray
