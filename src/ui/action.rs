@@ -280,6 +280,19 @@ pub enum LookAction {
     Fill(ViewLayout),
 }
 
+/// Takes part in the open vote.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VoteAction {
+    /// Choose the option with this index.
+    Choose(usize),
+    /// Type the numbers of raised hands.
+    CountHands,
+    /// Begin the second round.
+    NextRound,
+    /// Show which option is right.
+    Reveal,
+}
+
 /// Opens an entry of the Help menu over the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HelpAction {
@@ -339,6 +352,8 @@ actions! {
     Play(PlayAction),
     /// Freeze, drop or swap the ghost.
     Ghost(GhostAction),
+    /// Vote.
+    Vote(VoteAction),
     /// Move the camera.
     Steer(Steer),
     /// Move the observer of the world view.
@@ -387,6 +402,8 @@ pub(crate) struct Available {
     pub(crate) ghost: bool,
     /// True if a student's answers are open.
     pub(crate) answers: bool,
+    /// True if a vote is open whose right option is not shown yet.
+    pub(crate) vote: bool,
     /// True while presenting.
     pub(crate) presenting: bool,
 }
@@ -402,6 +419,7 @@ impl Action {
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway) => there.answers,
+            Action::Vote(_) => there.vote,
             Action::Look(
                 LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,
             ) => there.presenting,

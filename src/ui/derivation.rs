@@ -372,7 +372,7 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     let symbol =
         hovered.and_then(|at| meaning_at(ui.ctx(), &laid.layout, at - baseline_of(rect, laid)));
     if let Some(words) = symbol {
-        Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
+        Tooltip::for_enabled(&response).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));
             ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
         });

@@ -20,6 +20,7 @@ use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, button_width};
 use crate::view::derive::{Derived, SecondPicture};
+use crate::view::typesetting::theme;
 
 /// Returns the page of a layout.
 pub(crate) fn page(layout: ViewLayout) -> &'static Page {
@@ -101,8 +102,12 @@ impl Page {
     };
 }
 
-/// Shows a message that the answer is hidden, and the key that reveals it, if there is room.
+/// Shows a message that the answer is hidden, and the key that reveals it, if there is room. Shows nothing
+/// while presenting, when a dot tells the lecturer.
 fn hidden(ui: &mut Ui) {
+    if theme::installed(ui.ctx()).presenting {
+        return;
+    }
     let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
     let room = ui.available_height();
     if room > ui.spacing().interact_size.y {

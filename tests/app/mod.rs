@@ -17,6 +17,7 @@ mod pace;
 mod palette;
 mod play;
 mod practice;
+mod presented_steps;
 mod presenter;
 mod ray;
 mod scene;

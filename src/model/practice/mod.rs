@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::{AnswerKind, Mistake, Vote};
+use vote::OpenVote;
 
 pub mod answer_marks;
 pub mod exercises;
+pub mod vote;
 
 /// Maximum seed of a question or a vote, far below 2^53, up to which the seed's `f64` number field is
 /// exact.
@@ -36,17 +38,6 @@ pub struct MistakesView {
     pub wants_vote: bool,
     /// True if the user wants to see a map of the pixels that differ in place of the wrong picture.
     pub wants_differences: bool,
-}
-
-/// An open vote: a picture made with a mistake, which the class names by voting.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OpenVote {
-    /// The options, and which one is right.
-    pub vote: Vote,
-    /// Index of the option that was voted for.
-    pub answer: Option<usize>,
-    /// True once the right option is shown.
-    pub is_revealed: bool,
 }
 
 impl Default for MistakesView {
@@ -84,7 +75,7 @@ impl MistakesView {
         self.nothing_shows = vote.is_none();
         self.wants_vote = false;
         self.wants_differences = false;
-        self.open_vote = vote.map(|vote| OpenVote { vote, answer: None, is_revealed: false });
+        self.open_vote = vote.map(OpenVote::new);
     }
 
     /// Reveals which option is right.

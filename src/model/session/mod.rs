@@ -240,6 +240,11 @@ impl Session {
             && (view.open_vote.is_some() || view.wants_vote)
     }
 
+    /// Returns true if a vote is open whose right option is not shown yet.
+    pub fn is_voting(&self) -> bool {
+        self.shows_vote() && !self.mistakes_view.is_revealed()
+    }
+
     /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         self.selection = self.selection.in_another_image(before.image, now.image);

@@ -23,10 +23,23 @@ impl Presenting {
         Presenting { spotlight_before, theme: ThemeName::Light, ..Presenting::default() }
     }
 
-    /// Fills the window with the views of the layout `full`.
+    /// Fills the window with the views of the layout `full`. For the camera view, which swaps places with the
+    /// world view on a lesson's stage, does so back and forth.
     pub fn fill(&mut self, full: ViewLayout, layout: &mut ViewLayout) {
+        if full == ViewLayout::Camera && self.is_swapped(*layout) {
+            *layout = self.before(*layout);
+            self.replaced = None;
+            return;
+        }
         self.replaced = Some((full, self.before(*layout)));
         *layout = full;
+    }
+
+    /// Returns true if the camera view has replaced a layout that shows the world view, too. `now` is the
+    /// current layout.
+    pub fn is_swapped(&self, now: ViewLayout) -> bool {
+        let before = self.replaced.filter(|(own, _)| *own == now && now == ViewLayout::Camera);
+        before.is_some_and(|(_, before)| before != ViewLayout::Camera)
     }
 
     /// Returns the layout to restore: the one that was replaced or, if a lesson's step has set another

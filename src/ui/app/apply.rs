@@ -19,6 +19,8 @@ use crate::ui::action::{
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
 use crate::ui::dialogs::{Dialog, FileQuestion, PathField, Question};
+use crate::ui::practice::vote;
+use crate::ui::widgets::may_explain;
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
 
@@ -82,6 +84,7 @@ impl App {
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Vote(action) => vote::apply(ctx, &mut self.scene.session, action),
             Action::Help(action) => self.over.apply(action),
         }
         None
@@ -405,6 +408,9 @@ fn present_or_end(session: &mut Session) {
     }
 }
 
+/// Delay of tooltips that do not appear, in seconds; egui takes no infinite one.
+const NEVER: f32 = 86_400.0;
+
 /// Applies the settings' theme, text size and zoom to the window.
 pub(super) fn follow_look(ctx: &Context, session: &Session) {
     let settings = &session.settings;
@@ -415,6 +421,11 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
     });
     let presenting = session.presenting.is_some();
     theme::install(ctx, Look::new(settings, presenting));
+    let usual = egui::style::Interaction::default().tooltip_delay;
+    let delay = if may_explain(ctx) { usual } else { NEVER };
+    if ctx.global_style().interaction.tooltip_delay != delay {
+        ctx.all_styles_mut(|style| style.interaction.tooltip_delay = delay);
+    }
     let zoom = if presenting {
         presenting::zoom(window_size(ctx), settings.smallest_text)
     } else {

@@ -22,7 +22,6 @@ use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, top_bar};
-use crate::ui::practice::vote;
 use crate::ui::scene::{Divider, Numbers, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::Stage;
@@ -134,14 +133,13 @@ impl App {
         let has_lesson = self.scene.lessons.open.is_some();
         let presenting = self.scene.session.presenting.is_some();
         let has_animation = self.playback.player.is_some();
-        // An open vote handles its keys first, because they must reveal the vote's answer rather than advance
-        // the lesson.
-        if !is_typing {
-            vote::reveal_by_key(ctx, &mut self.scene.session);
-        }
+        let is_voting = self.scene.session.is_voting();
         let pressed = commands_table::pressed(ctx, |when| match when {
             When::Anywhere => true,
             When::Untyped => !is_typing,
+            When::Vote => is_voting,
+            When::VoteUntyped => is_voting && !is_typing,
+            When::VoteUnfocused => is_voting && !has_focus,
             When::Lesson => has_lesson,
             When::LessonUntyped => has_lesson && !is_typing,
             When::LessonUnfocused => has_lesson && !has_focus,
@@ -151,7 +149,7 @@ impl App {
         });
         for (when, action) in pressed {
             let focused = ctx.memory(|memory| memory.focused());
-            let ends_typing = matches!(when, When::Anywhere | When::Lesson);
+            let ends_typing = matches!(when, When::Anywhere | When::Lesson | When::Vote);
             match focused.filter(|_| ends_typing) {
                 // The field must lose the focus first, to accept the typed number; the action follows in the
                 // next pass.
@@ -183,6 +181,7 @@ impl App {
             animation: self.playback.player.is_some(),
             ghost: self.scene.session.ghost.is_some(),
             answers: self.scene.session.answers.is_some(),
+            vote: self.scene.session.is_voting(),
             presenting: self.scene.session.presenting.is_some(),
         }
     }
@@ -263,8 +262,7 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// Returns the stage of the open lesson's step; `None` without a lesson, and during a vote, which asks a
-    /// question of its own.
+    /// Returns the stage of the open vote or of the lesson's step; `None` without either.
     fn stage(&self, ui: &Ui) -> Option<Stage> {
         let session = &self.scene.session;
         let settings = &session.settings;
@@ -275,7 +273,9 @@ impl App {
             _ if settings.presents_numbers => readouts::BAND,
             _ => 0.0,
         };
-        self.scene.has_stage().then(|| Stage::new(whole, settings.layout, band))
+        let is_swapped = session.presenting.is_some_and(|now| now.is_swapped(settings.layout));
+        let stage = || Stage { is_swapped, ..Stage::new(whole, settings.layout, band) };
+        self.scene.has_stage().then(stage)
     }
 
     /// Lays out the views and the rest of the page.
@@ -351,17 +351,19 @@ impl App {
         {
             second_picture::show(ui, &mut context, second, [area, rect]);
         }
-        if let (Some(stage), Some(step)) = (stage, self.scene.lessons.step(is_changed)) {
-            stage.show(ui, rects.rest, &step, &mut context);
-            return files::notice(ui.ctx(), &mut self.scene);
+        // A vote asks its own question, and reveals nothing about the step's question.
+        let is_vote = context.session.shows_vote();
+        match (stage, self.scene.lessons.step(is_changed)) {
+            (Some(stage), _) if is_vote => {
+                clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
+            }
+            (Some(stage), Some(step)) => stage.show(ui, rects.rest, &step, &mut context),
+            // Answers stay hidden while the class thinks.
+            _ => clipped(ui, rects.rest, |ui| match context.session.is_asking {
+                false => (page.rest)(ui, &mut context),
+                true => (page.asked)(ui, &context),
+            }),
         }
-        // Answers stay hidden while the class thinks. A vote asks its own question, and reveals nothing about
-        // the step's question.
-        let shown = !context.session.is_asking || context.session.shows_vote();
-        clipped(ui, rects.rest, |ui| match shown {
-            true => (page.rest)(ui, &mut context),
-            false => (page.asked)(ui, &context),
-        });
         files::notice(ui.ctx(), &mut self.scene);
     }
 }

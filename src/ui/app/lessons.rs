@@ -187,8 +187,8 @@ impl OpenScene {
         })
     }
 
-    /// Returns true if a lesson's step fills the window.
+    /// Returns true if a lesson's step or a vote fills the window.
     pub(super) fn has_stage(&self) -> bool {
-        self.lessons.open.is_some() && !self.session.shows_vote()
+        self.lessons.open.is_some() || self.session.shows_vote()
     }
 }

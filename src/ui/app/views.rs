@@ -104,17 +104,29 @@ impl App {
         let (document, session) = (&scene.open.document, &scene.session);
         let picture = rects.camera.or(rects.world);
         let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
-        if let (Some(rect), Some(view)) = (rects.world, &derived.world_view) {
-            let stale = matches!(derived.fault, Some(Fault::Scene(_)));
-            views::show(ui, rect, view, &mut shown.world, stale);
-            views::speak(ui, views::WORLD, &spoken);
-        }
-        if let (Some(rect), Some(view)) = (rects.camera, &derived.camera_view) {
-            if rects.world.is_some_and(|world| world.contains_rect(rect)) {
+        let has_world_inset = rects.has_world_inset();
+        // An inset is drawn over the other view.
+        for is_world in [!has_world_inset, has_world_inset] {
+            let (rect, view, texture, stale, name) = match is_world {
+                true => {
+                    let stale = matches!(derived.fault, Some(Fault::Scene(_)));
+                    (rects.world, &derived.world_view, &mut shown.world, stale, views::WORLD)
+                }
+                false => {
+                    let stale = derived.fault.is_some();
+                    (rects.camera, &derived.camera_view, &mut shown.camera, stale, views::CAMERA)
+                }
+            };
+            let (Some(rect), Some(view)) = (rect, view) else { continue };
+            let is_inset = match is_world {
+                true => has_world_inset,
+                false => rects.world.is_some_and(|world| world.contains_rect(rect)),
+            };
+            if is_inset {
                 views::frame_inset(ui, rect);
             }
-            views::show(ui, rect, view, &mut shown.camera, derived.fault.is_some());
-            views::speak(ui, views::CAMERA, &spoken);
+            views::show(ui, rect, view, texture, stale);
+            views::speak(ui, name, &spoken);
         }
         // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use egui::{Context, Event, Key, Modifiers};
 
-use crate::ui::action::{Action, ObjectAction, Observe, Steer};
+use crate::ui::action::{Action, ObjectAction, Observe, Steer, VoteAction};
 
 pub use search::found;
 pub use table::GESTURES;
@@ -28,6 +28,8 @@ pub enum Group {
     Lesson,
     /// Presenter mode.
     Presenting,
+    /// The open vote.
+    Vote,
     /// The selected pixel and the observer.
     Views,
     /// Moving the camera by its handles or in the camera view.
@@ -66,6 +68,7 @@ impl Group {
             Group::Edit => "Edit",
             Group::Lesson => "Lesson",
             Group::Presenting => "Presenting",
+            Group::Vote => "Vote",
             Group::Views => "Views",
             Group::Hand => "Manipulate",
             Group::Objects => "Objects",
@@ -150,6 +153,7 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer (world view)"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom (world view)"),
         Action::Object(ObjectAction::Next(_)) => Some("Previous and next object"),
+        Action::Vote(VoteAction::Choose(_)) => Some("Choose this option"),
         _ => None,
     }
 }
@@ -206,6 +210,12 @@ pub enum When {
     LessonUntyped,
     /// While a lesson is open and nothing has the focus.
     LessonUnfocused,
+    /// While a vote is open whose right option is not shown yet, even during typing.
+    Vote,
+    /// During such a vote, except during typing.
+    VoteUntyped,
+    /// During such a vote, while nothing has the focus.
+    VoteUnfocused,
     /// While presenting, except during typing.
     Presenting,
     /// While presenting without an open animation, except during typing.
@@ -216,6 +226,13 @@ pub enum When {
     CameraView,
     /// While the world view has the focus, or is the only view and nothing has the focus.
     WorldView,
+}
+
+impl When {
+    /// Returns true if the key works only during a vote.
+    fn is_of_vote(self) -> bool {
+        matches!(self, When::Vote | When::VoteUntyped | When::VoteUnfocused)
+    }
 }
 
 /// A key with its modifiers.
@@ -281,18 +298,19 @@ fn name(key: Key) -> &'static str {
 }
 
 /// Returns the actions of the keys that were pressed, one for each press, with the key's condition. `counts`
-/// tells whether a condition holds now. If two commands share a key, the first one in the table gets it.
+/// tells whether a condition holds now. If two commands share a key, a vote's gets it, or else the first one
+/// in the table.
 pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Action)> {
     let is_key = |event: &Event| matches!(event, Event::Key { pressed: true, .. });
     if !ctx.input(|input| input.events.iter().any(is_key)) {
         return Vec::new();
     }
     let mut actions = Vec::new();
-    for command in all() {
-        for keys in command.keys.iter().filter(|keys| counts(keys.when)) {
-            let times = keys.take(ctx);
-            actions.extend((0..times).map(|_| (keys.when, command.action.clone())));
-        }
+    let keys = || all().iter().flat_map(|command| command.keys.iter().map(move |k| (k, command)));
+    let (of_vote, others): (Vec<_>, Vec<_>) = keys().partition(|(keys, _)| keys.when.is_of_vote());
+    for (keys, command) in of_vote.into_iter().chain(others).filter(|(keys, _)| counts(keys.when)) {
+        let times = keys.take(ctx);
+        actions.extend((0..times).map(|_| (keys.when, command.action.clone())));
     }
     actions
 }

@@ -14,7 +14,7 @@ use crate::model::{DerivationSection, Item};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
     HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, Steer,
-    Switch,
+    Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
@@ -64,7 +64,8 @@ fn plain(when: When, k: Key) -> Keys {
 
 /// Returns every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
-    let parts = [program, presenting, playing, steps, zooms, objects_and_drags, switches, choices];
+    let parts =
+        [program, presenting, voting, playing, steps, zooms, objects_and_drags, switches, choices];
     parts.into_iter().flat_map(|part| part()).collect()
 }
 
@@ -139,7 +140,7 @@ fn presenting() -> Vec<UiCommand> {
             [plain(Presenting, Key::Num1)], LookAction::Fill(ViewLayout::DerivationAlone);
         Presenting, "Maximise the world view", "Fills the window with the world view.",
             [plain(Presenting, Key::Num2)], LookAction::Fill(ViewLayout::World);
-        Presenting, "Maximise the camera view", "Fills the window with the camera view.",
+        Presenting, "Maximise the camera view", "Fills the window with the camera view; on a lesson's stage, it and the world view change places.",
             [plain(Presenting, Key::Num3)], LookAction::Fill(ViewLayout::Camera);
         Presenting, "Maximise both views", "Fills the window with both views.",
             [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
@@ -157,6 +158,25 @@ fn presenting() -> Vec<UiCommand> {
         Presenting, "Spotlight", "Dims everything but what is around the pointer.",
             [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]
+}
+
+#[rustfmt::skip]
+fn voting() -> Vec<UiCommand> {
+    use When::{Vote, VoteUnfocused, VoteUntyped};
+    let letters = [Key::A, Key::B, Key::C, Key::D].into_iter().enumerate();
+    let mut commands: Vec<UiCommand> = letters.map(|(option, letter)| UiCommand {
+        keys: vec![plain(VoteUntyped, letter)],
+        ..command(Group::Vote, letter.name(), "Chooses this option of the vote.", VoteAction::Choose(option))
+    }).collect();
+    commands.extend(commands![
+        Vote, "Count hands", "Asks for the numbers of raised hands, which are drawn as bars.",
+            [plain(VoteUntyped, Key::H)], VoteAction::CountHands;
+        Vote, "Second round", "Lets the class vote again; the first round's bars stay.",
+            [plain(VoteUntyped, Key::V)], VoteAction::NextRound;
+        Vote, "Reveal", "Shows which option is right, and why.",
+            [plain(Vote, Key::PageDown), plain(VoteUnfocused, Key::Enter)], VoteAction::Reveal;
+    ]);
+    commands
 }
 
 #[rustfmt::skip]

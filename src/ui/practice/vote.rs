@@ -1,19 +1,27 @@
-//! A classroom vote on which mistake made the wrong picture, with four large options. Once the answer is
-//! revealed, the page shows the right option and its explanation.
+//! A classroom vote on which mistake made the wrong picture, with four large options, a bar for the hands
+//! that were raised for each, and two rounds. Once the answer is revealed, the page shows the right option
+//! and its explanation.
 
+use egui::accesskit::Role;
 use egui::{
-    Align, Align2, Color32, Context, FontId, Key, Layout, Modifiers, Rect, RichText, ScrollArea,
-    Sense, Stroke, StrokeKind, Ui, pos2, vec2,
+    Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
+    Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::mistakes::failing;
-use crate::model::practice::{MistakesView, OpenVote, next_seed};
-use crate::model::session::{Session, ViewLayout};
+use crate::model::practice::vote::OpenVote;
+use crate::model::practice::{MistakesView, next_seed};
+use crate::model::session::Session;
+use crate::model::session::presenting::WRITTEN;
+use crate::ui::action::VoteAction;
+use crate::ui::commands_table::shortcut;
 use crate::ui::practice::seed_field;
-use crate::ui::widgets::{ResponseExt as _, clipped, cross, inside, text_width, tick};
-use crate::view::typesetting::theme::error_color;
+use crate::ui::widgets::{
+    ResponseExt as _, clipped, cross, fault_text, inside, marked_text, text_width, tick,
+};
+use crate::view::typesetting::theme::{self, error_color};
 
 /// The letters of the options.
 const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
@@ -30,21 +38,17 @@ const FORMULA: f32 = 15.0;
 const REASON: f32 = 16.0;
 
 /// Height of the question, in points.
-const HEAD: f32 = 30.0;
-/// Height of the reason, in points.
-const WHY: f32 = 78.0;
-/// Height of the reason if the page is wide, in points.
-const WHY_IF_WIDE: f32 = 70.0;
-/// Height of the buttons, in points.
-const BAR: f32 = 32.0;
+const HEAD: f32 = 28.0;
+/// Minimum height of the reason, in points: below the options, and beside them.
+const WHY: [f32; 2] = [96.0, 36.0];
+/// Height of a row of buttons, in points.
+const BAR: f32 = 30.0;
 
-/// Minimum height of an option in a low window, in points.
-const LEAST_OPTION: f32 = 36.0;
-/// Minimum height of the text with the reason in a low window, in points.
-const LEAST_REASON: f32 = 24.0;
+/// Minimum and maximum height of an option, in points.
+const OPTION: [f32; 2] = [37.0, 104.0];
 
-/// Width of the page, in points, from which on the reason needs fewer lines.
-const WIDE: f32 = 820.0;
+/// Aspect ratio of the page from which on the options stand in two columns.
+const WIDE: f32 = 1.6;
 
 /// Space between the options, in points.
 const GAP: f32 = 8.0;
@@ -57,23 +61,36 @@ const SIGN_WIDTH: f32 = 44.0;
 /// Height of an option, in points, above which it also shows its formula.
 const WITH_FORMULA: f32 = 54.0;
 
+/// Width of the field for the hands, in points.
+const HANDS: f32 = 96.0;
+/// Share of an option's text that is its name, if it has bars.
+const NAMED: f32 = 0.5;
+/// Space between two bars, in points.
+const BETWEEN: f32 = 3.0;
+/// Maximum size of the number of hands, in points.
+const COUNT: f32 = 26.0;
+
 /// The camera and the scene from which a vote is created.
 pub(super) type VoteInputs<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
 
-/// Reveals the right option of an open vote if Enter or Page Down was pressed.
-pub(crate) fn reveal_by_key(ctx: &Context, session: &mut Session) {
-    let is_shown = session.settings.layout == ViewLayout::Mistakes;
-    if !is_shown || session.mistakes_view.is_revealed() {
-        return;
+/// Applies a key of the open vote.
+pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
+    let view = &mut session.mistakes_view;
+    let Some(open) = &mut view.open_vote else { return };
+    match action {
+        VoteAction::Choose(option) => open.choose(option),
+        VoteAction::NextRound => open.begin_round(),
+        VoteAction::Reveal => view.reveal(),
+        VoteAction::CountHands => {
+            ctx.memory_mut(|memory| memory.request_focus(hands_id()));
+            // The key's own letter is not for the field.
+            ctx.input_mut(|input| input.events.retain(|event| !matches!(event, Event::Text(_))));
+        }
     }
-    let has_focus = ctx.memory(|memory| memory.focused().is_some());
-    let is_pressed = ctx.input_mut(|input| {
-        input.consume_key(Modifiers::NONE, Key::PageDown)
-            || !has_focus && input.consume_key(Modifiers::NONE, Key::Enter)
-    });
-    if is_pressed {
-        session.mistakes_view.reveal();
-    }
+}
+
+fn hands_id() -> Id {
+    Id::unique("hands of the vote")
 }
 
 /// Shows the button that opens a vote.
@@ -98,41 +115,51 @@ pub(super) fn ui(
     wrong: Option<&ComparedCamera>,
     inputs: Option<VoteInputs>,
 ) {
-    let whole = ui.available_rect_before_wrap().shrink2(vec2(6.0, 2.0));
+    let whole = ui.available_rect_before_wrap().shrink2(vec2(10.0, 6.0));
     let Some(open) = &mut view.open_vote else { return };
+    let is_wide = whole.width() > WIDE * whole.height();
     let (head, rest) = whole.split_top_bottom_at_y(whole.top() + HEAD);
-    let (above, bar) = rest.split_top_bottom_at_y(rest.bottom() - BAR);
-    let why = if whole.width() < WIDE { WHY } else { WHY_IF_WIDE };
-    // In a low window the reason scrolls, so that the options stay legible.
-    let why = why.min(above.height() - 2.0 * (LEAST_OPTION + GAP)).max(LEAST_REASON);
-    let (tiles, why) = above.split_top_bottom_at_y(above.bottom() - why);
-    inside(ui, head, |ui| {
-        let text = RichText::new("Which mistake made the wrong picture?").size(QUESTION);
-        ui.add(egui::Label::new(text.strong()).truncate());
-    });
-    options(ui, tiles.with_max_y(tiles.bottom() - GAP), open);
+    let (above, bar) =
+        rest.split_top_bottom_at_y(rest.bottom() - if is_wide { 1.0 } else { 2.0 } * BAR);
+    let rows = if is_wide { 2 } else { open.vote.options.len() };
+    let room = (above.height() - WHY[usize::from(is_wide)]) / rows as f32 - GAP;
+    let option = room.clamp(OPTION[0], OPTION[1]) + GAP;
+    let (tiles, why) = above.split_top_bottom_at_y(above.top() + option * rows as f32);
+    question(ui, head);
+    options(ui, tiles, rows, open);
     clipped(ui, why, |ui| {
+        // In a low window the reason scrolls, so that the options stay legible.
         let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
         area.show(ui, |ui| reason(ui, open, wrong));
     });
-    inside(ui, bar, |ui| ui.horizontal_centered(|ui| buttons(ui, view, inputs)));
+    inside(ui, bar, |ui| buttons(ui, view, inputs, is_wide));
+}
+
+fn question(ui: &mut Ui, rect: Rect) {
+    let text = "Which mistake made the wrong picture?";
+    let width = text_width(ui, text, FontId::proportional(QUESTION));
+    let size = QUESTION * (rect.width() / width.max(1.0)).min(1.0);
+    inside(ui, rect, |ui| {
+        ui.add(egui::Label::new(RichText::new(text).size(size).strong()).truncate())
+    });
 }
 
 /// Minimum height of an option, in points.
 const LEAST_HEIGHT: f32 = 8.0;
 
-/// Shows the options in two rows.
-fn options(ui: &mut Ui, area: Rect, open: &mut OpenVote) {
+/// Shows the options in this many rows.
+fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
     let count = open.vote.options.len();
-    let size = 0.5 * (area.size() - vec2(GAP, GAP));
+    let columns = count.div_ceil(rows);
+    let cells = vec2(columns as f32, rows as f32);
+    let cell = (area.size() + vec2(GAP, 0.0)) / cells;
     for index in 0..count {
-        let (column, row) = ((index % 2) as f32, (index / 2) as f32);
-        let min = area.min + vec2(column * (size.x + GAP), row * (size.y + GAP));
-        let rect = Rect::from_min_size(min, size);
+        let place = vec2((index % columns) as f32, (index / columns) as f32);
+        let rect = Rect::from_min_size(area.min + place * cell, cell - vec2(GAP, GAP));
         // In the pass in which the vote opens, its area may still be too small.
-        let has_room = size.x > LETTER_WIDTH + SIGN_WIDTH && size.y > LEAST_HEIGHT;
-        if has_room && option(ui, rect, index, open) && !open.is_revealed {
-            open.answer = Some(index);
+        let has_room = rect.width() > LETTER_WIDTH + SIGN_WIDTH && rect.height() > LEAST_HEIGHT;
+        if has_room && option(ui, rect, index, open) {
+            open.choose(index);
         }
     }
 }
@@ -143,7 +170,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let id = ui.scope_id().with(("option", index));
     let response = ui.interact(rect, id, Sense::click());
     let name = format!("{}: {}", LETTERS[index], mistake.name());
-    let response = response.with_role(egui::accesskit::Role::Button).named(name);
+    let response = response.with_role(Role::Button).named(name);
     let is_right = index == open.vote.right;
     let is_chosen = open.answer == Some(index);
     let visuals = ui.visuals();
@@ -167,13 +194,28 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     painter.text(letter, Align2::CENTER_CENTER, LETTERS[index], font, ink);
     let right = rect.right() - SIGN_WIDTH;
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
-    names(ui, text, mistake, ink);
+    let (named, drawn) = parts(text, open.counted().next().is_some());
+    names(ui, named, mistake, ink);
+    bars(ui, drawn, index, open, ink);
     if open.is_revealed && (is_right || is_chosen) {
         let center = rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0);
         let sign = Rect::from_center_size(center, vec2(26.0, 26.0));
         if is_right { tick(&painter, sign, strong) } else { cross(&painter, sign, error_color(ui)) }
     }
     response.clicked()
+}
+
+/// Divides the area of an option's text between name and bars, if there are bars: one above the other or, in a
+/// low option, side by side.
+fn parts(text: Rect, has_bars: bool) -> (Rect, Rect) {
+    if !has_bars {
+        return (text, Rect::NOTHING);
+    }
+    let (named, drawn) = match text.height() >= WITH_FORMULA {
+        true => text.split_top_bottom_at_fraction(NAMED),
+        false => text.split_left_right_at_fraction(NAMED),
+    };
+    (named, drawn.shrink2(vec2(0.0, BETWEEN)))
 }
 
 /// Writes the mistake's name, and the wrong formula below it if it fits.
@@ -196,51 +238,137 @@ fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
     }
 }
 
-/// Shows the voting instructions or, once the answer is revealed, the reason why the right option is
-/// right.
-fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
-    let text = |text: String| RichText::new(text).size(REASON);
-    if !open.is_revealed {
-        let hint = "Compare it with the correct picture on its left. Vote for A, B, C or D; then press \
-                    Enter or Page Down.";
-        ui.label(text(hint.to_owned()));
-        return;
-    }
-    let mistake = open.vote.mistake();
-    let verdict = format!("{}: {}. {}", LETTERS[open.vote.right], mistake.name(), mistake.shows());
-    ui.label(text(verdict).strong());
-    ui.label(text(mistake.formula().to_owned()));
-    let failing = wrong.into_iter().flat_map(failing);
-    let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
-    match &catching[..] {
-        [] => (),
-        [one] => drop(ui.label(text(format!("The check that catches it: {one}.")))),
-        many => drop(ui.label(text(format!("The checks that catch it: {}.", many.join("; "))))),
+/// Draws a bar for the hands of each round that were counted, with its number at its end: filled for the last
+/// round, hollow for the one before. The longest of all bars takes the whole width.
+fn bars(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, ink: Color32) {
+    let rounds: Vec<_> = open.counted().collect();
+    let all = rounds.iter().flat_map(|(_, hands)| hands).copied();
+    let Some(most) = all.max() else { return };
+    let height = rect.height() / rounds.len() as f32;
+    let font = FontId::proportional((0.8 * height).clamp(WRITTEN, COUNT));
+    let room = rect.width() - text_width(ui, &format!(" {most}"), font.clone());
+    for (k, (round, hands)) in rounds.iter().enumerate() {
+        let count = hands[index];
+        let min = rect.min + vec2(0.0, k as f32 * height);
+        let length = room * count as f32 / most.max(1) as f32;
+        let bar = Rect::from_min_size(min, vec2(length, height - BETWEEN));
+        if count > 0 {
+            let is_last = k + 1 == rounds.len();
+            let fill = if is_last { ui.visuals().selection.bg_fill } else { Color32::TRANSPARENT };
+            let edge = Stroke::new(1.5, ink);
+            ui.painter().rect(bar, CornerRadius::ZERO, fill, edge, StrokeKind::Inside);
+        }
+        let text = format!(" {count}");
+        ui.painter().text(bar.right_center(), Align2::LEFT_CENTER, text, font.clone(), ink);
+        let row = Rect::from_min_size(min, vec2(rect.width(), height));
+        let id = ui.scope_id().with(("hands", index, round));
+        let name = format!("{}: {count} hands in round {}", LETTERS[index], round + 1);
+        let response = ui.interact(row, id, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
     }
 }
 
-fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>) {
-    let is_revealed = view.is_revealed();
-    let reveal = egui::Button::new(RichText::new("Reveal").strong());
-    if ui.add_enabled(!is_revealed, reveal).on_hover_text("Enter or Page Down").clicked() {
-        view.reveal();
-    }
-    let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
-    if ui.button("All mistakes").on_hover_text("Ends the vote").clicked() {
-        view.close_vote();
+/// Shows the voting instructions or, once the answer is revealed, the reason why the right option is
+/// right, in the largest text that fits.
+fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
+    let lines = if open.is_revealed { explanation(open, wrong) } else { vec![instructions(open)] };
+    let is_typing = ui.ctx().memory(|memory| memory.has_focus(hands_id()));
+    let problem = open.read_typed().err();
+    let is_shown = !is_typing && !open.is_revealed && !open.typed.trim().is_empty();
+    if let Some(problem) = problem.filter(|_| is_shown) {
+        ui.label(fault_text(ui, problem).size(REASON));
         return;
     }
-    let mut seed = if another { next_seed(view.seed) } else { view.seed };
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        let hint = "The number that the question is drawn from: in the same scene, the same seed asks \
-                    the same question";
-        seed_field(ui, &mut seed, "vote seed", hint);
-        ui.label("seed").on_hover_text(hint);
+    ui.spacing_mut().item_spacing.y = BETWEEN;
+    let room = ui.available_size();
+    let fits = |size: &f32| {
+        let height = |line: &String| marked_text::height_within(ui, line, *size, room.x) + BETWEEN;
+        lines.iter().map(height).sum::<f32>() <= room.y
+    };
+    let sizes = (0..).map(|k| REASON - k as f32).take_while(|size| *size > WRITTEN);
+    let size = sizes.into_iter().find(fits).unwrap_or(WRITTEN);
+    for (k, line) in lines.iter().enumerate() {
+        let text = RichText::new(line).size(size);
+        ui.label(if k == 0 && open.is_revealed { text.strong() } else { text });
+    }
+}
+
+fn instructions(open: &OpenVote) -> String {
+    let hollow = "Filled bars are the second round, hollow ones the first. ";
+    let bars = if open.counted().count() > 1 { hollow } else { "" };
+    let hint = "Compare it with the correct picture on its left. Vote for A, B, C or D; then press Enter \
+                or Page Down.";
+    format!("{bars}{hint}")
+}
+
+/// Returns the verdict, the formula, and the checks that catch the mistake.
+fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
+    let mistake = open.vote.mistake();
+    let verdict = format!("{}: {}. {}", LETTERS[open.vote.right], mistake.name(), mistake.shows());
+    let failing = wrong.into_iter().flat_map(failing);
+    let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
+    let checks = match &catching[..] {
+        [] => None,
+        [one] => Some(format!("The check that catches it: {one}.")),
+        many => Some(format!("The checks that catch it: {}.", many.join("; "))),
+    };
+    [verdict, mistake.formula().to_owned()].into_iter().chain(checks).collect()
+}
+
+/// Shows the field for the hands and the buttons: in two rows, or in one if the page is wide.
+fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>, is_wide: bool) {
+    let mut seed = view.seed;
+    let mut closes = false;
+    ui.horizontal(|ui| {
+        let Some(open) = &mut view.open_vote else { return };
+        hands(ui, open);
+        if is_wide {
+            (seed, closes) = ways_on(ui, view, inputs);
+        }
     });
-    if seed != view.seed
+    if !is_wide {
+        ui.horizontal(|ui| (seed, closes) = ways_on(ui, view, inputs));
+    }
+    if closes {
+        view.close_vote();
+    } else if seed != view.seed
         && let Some((camera, resolved, scene)) = inputs
     {
         view.seed = seed;
         view.ask(camera, resolved, scene);
     }
+}
+
+/// Shows the field for the hands of the current round, and the button for the next round.
+fn hands(ui: &mut Ui, open: &mut OpenVote) {
+    let hint = "The hands raised for A, B, C and D, drawn as bars";
+    ui.label("Hands").on_hover_text(hint);
+    let field = TextEdit::singleline(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
+    let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
+    let name = format!("hands in round {}", open.round + 1);
+    let response = response.on_hover_text(hint).named(name);
+    if response.lost_focus() {
+        open.count_typed();
+    }
+    let next = ui.add_enabled(open.has_another_round(), egui::Button::new("Second round"));
+    let hint = format!("The class votes again ({})", shortcut(VoteAction::NextRound));
+    next.on_hover_text(hint).asks(VoteAction::NextRound);
+}
+
+/// Shows the buttons that reveal the right option, ask again or end the vote. Returns the seed of the next
+/// vote, which differs from the current one if another vote is asked for, and true to end the vote.
+fn ways_on(ui: &mut Ui, view: &MistakesView, inputs: Option<VoteInputs>) -> (u64, bool) {
+    let reveal = egui::Button::new(RichText::new("Reveal").strong());
+    let response = ui.add_enabled(!view.is_revealed(), reveal);
+    response.on_hover_text("Enter or Page Down").asks(VoteAction::Reveal);
+    let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
+    let closes = ui.button("All mistakes").on_hover_text("Ends the vote").clicked();
+    let mut seed = if another { next_seed(view.seed) } else { view.seed };
+    if !theme::installed(ui.ctx()).presenting {
+        let hint = "The number that the question is drawn from: in the same scene, the same seed asks \
+                    the same question";
+        ui.label("seed").on_hover_text(hint);
+        seed_field(ui, &mut seed, "vote seed", hint);
+    }
+    (seed, closes)
 }

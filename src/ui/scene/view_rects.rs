@@ -179,6 +179,13 @@ impl Divider<'_> {
 }
 
 impl ViewRects {
+    /// Returns true if the world view is an inset over the camera view.
+    pub(crate) fn has_world_inset(&self) -> bool {
+        self.world
+            .zip(self.camera)
+            .is_some_and(|(world, camera)| world.intersects(camera) && world.area() < camera.area())
+    }
+
     /// Lays out everything in these areas, with a title above each picture.
     pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, is_bare: bool) -> Self {
         // Pictures that are compared always have their titles and legends.

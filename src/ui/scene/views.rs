@@ -26,7 +26,7 @@ use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::{ViewRects, strip_above};
-use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::notation::unbroken;
@@ -63,7 +63,8 @@ pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
 /// physical pixels.
 fn covered(ui: &Ui, rects: &ViewRects, world: Rect) -> [Option<[f32; 4]>; 2] {
     let scale = ui.ctx().pixels_per_point();
-    [rects.camera, Some(rects.rest)].map(|rect| {
+    let camera = rects.camera.filter(|_| !rects.has_world_inset());
+    [camera, Some(rects.rest)].map(|rect| {
         let inside = rect?.intersect(world);
         let (min, max) = ((inside.min - world.min) * scale, (inside.max - world.min) * scale);
         inside.is_positive().then_some([min.x, min.y, max.x, max.y])
@@ -92,7 +93,12 @@ pub(crate) fn inputs(
     shown: &Derived,
 ) {
     let mut views = Vec::new();
-    for (rect, name) in [(rects.world, WORLD), (rects.camera, CAMERA), (rects.second, second)] {
+    let mut areas = [(rects.world, WORLD), (rects.camera, CAMERA), (rects.second, second)];
+    // What comes later is above.
+    if rects.has_world_inset() {
+        areas.swap(0, 1);
+    }
+    for (rect, name) in areas {
         let Some(rect) = rect else { continue };
         let response = view(ui, rect, name);
         match name {
@@ -299,8 +305,14 @@ pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option
     Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
 }
 
+/// Distance of a tooltip from the pointer, in points, so that it does not cover what the pointer is on.
+const FROM_POINTER: f32 = 14.0;
+
 /// Shows a tooltip with the numbers of the ray under the mouse, or else the name of the hovered concept.
 pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document: &Document) {
+    if !may_explain(ui.ctx()) {
+        return;
+    }
     let style = NumberStyle::new(&session.settings);
     let words = match (session.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
@@ -315,6 +327,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
     };
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
+        .gap(FROM_POINTER)
         .show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(15.0));
             ui.add(words.wrap_mode(egui::TextWrapMode::Extend))

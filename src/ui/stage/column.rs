@@ -1,7 +1,11 @@
 //! The column of the stage: the step's title and text, its question, the room for the answer, the card of
 //! formulas, and the way through the lessons.
 
-use egui::{Align, Color32, FontId, Frame, Label, Layout, Margin, Rect, RichText, Ui, vec2};
+use egui::accesskit::Role;
+use egui::{
+    Align, Color32, FontId, Frame, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
+    WidgetInfo, vec2,
+};
 
 use super::{Stage, navigation};
 use crate::model::ViewLayout;
@@ -22,6 +26,8 @@ const GAP: f32 = 8.0;
 const PADDING: f32 = 6.0;
 /// Height of the row with the buttons or the step's number, in points.
 const FOOT: f32 = 30.0;
+/// Radius of the dot for the lecturer, in points.
+const DOT: f32 = 3.0;
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
 const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
@@ -166,11 +172,24 @@ fn bottom(ui: &mut Ui, step: &OpenStep<'_>, context: &PageContext<'_>) {
     if theme::installed(ui.ctx()).presenting {
         if let Some([number, all]) = step.open.number_of_all() {
             let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
-            ui.with_layout(Layout::left_to_right(Align::Max), |ui| ui.label(text));
+            ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
+                let rect = ui.label(text).rect;
+                if context.session.is_asking {
+                    dot(ui, rect);
+                }
+            });
         }
         return;
     }
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         navigation::buttons(ui, step, context.session.is_asking);
     });
+}
+
+/// Draws a dot beside the step's number: the sign for the lecturer that the answer is hidden.
+fn dot(ui: &mut Ui, number: Rect) {
+    let (rect, response) = ui.allocate_exact_size(Vec2::splat(number.height()), Sense::hover());
+    ui.painter().circle_filled(rect.center(), DOT, ui.visuals().weak_text_color());
+    let words = "The answer is hidden";
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words));
 }

@@ -44,6 +44,8 @@ pub(crate) struct Stage {
     pub(crate) layout: ViewLayout,
     /// Height of the numbers at the foot of the main figure; 0 if there are none.
     pub(crate) band: f32,
+    /// True if camera view and world view have changed places, as main figure and inset.
+    pub(crate) is_swapped: bool,
 }
 
 impl Stage {
@@ -56,7 +58,7 @@ impl Stage {
             let share = ABOVE_COLUMN[usize::from(aspect < 1.0)];
             whole.split_top_bottom_at_y(whole.top() + share * whole.height())
         };
-        Stage { main, column, layout, band }
+        Stage { main, column, layout, band, is_swapped: false }
     }
 
     /// Returns true if the column is below the figure.
@@ -76,7 +78,10 @@ impl Stage {
                 areas(Some(main), Some(self.corner(picture * (room / picture).min_elem())), foot)
             }
             ViewLayout::World => areas(Some(main), None, foot),
-            ViewLayout::Camera => areas(None, Some(main), foot),
+            ViewLayout::Camera => {
+                let inset = self.is_swapped.then(|| self.corner(main.size() * INSET));
+                areas(inset, Some(main), foot)
+            }
             ViewLayout::Plot => areas(Some(main), None, self.corner(main.size() * GRAPH)),
             ViewLayout::Mistakes => {
                 let y = main.top() + COMPARED * main.height();

@@ -3,6 +3,7 @@
 
 use std::fmt::Display;
 use std::sync::Arc;
+use std::time::Duration;
 
 use egui::accesskit::{Node, Role};
 use egui::{
@@ -13,7 +14,7 @@ use egui::{
 
 use crate::model::symbols::typeset_message;
 use crate::ui::action::{Action, request};
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{self, error_color};
 
 pub mod marked_text;
 pub mod number;
@@ -80,6 +81,22 @@ pub(crate) fn arrows(ui: &Ui) -> Vec2 {
     let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
     let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
     vec2(right, presses(Key::ArrowDown) - presses(Key::ArrowUp))
+}
+
+/// Time after a click in which tooltips appear while presenting, in seconds.
+const EXPLAINS: f32 = 4.0;
+
+/// Returns true if a tooltip may appear. While presenting, it waits for a click, since it covers what the class
+/// looks at.
+pub(crate) fn may_explain(ctx: &Context) -> bool {
+    if !theme::installed(ctx).presenting {
+        return true;
+    }
+    let left = EXPLAINS - ctx.input(|input| input.pointer.time_since_last_click());
+    if left > 0.0 {
+        ctx.request_repaint_after(Duration::from_secs_f32(left));
+    }
+    left > 0.0
 }
 
 /// Shows content in a rectangle of the window.

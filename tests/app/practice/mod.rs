@@ -2,4 +2,5 @@
 
 mod answers;
 pub(crate) mod exercises;
+mod hands;
 mod mistakes;

@@ -1,0 +1,155 @@
+//! A vote: a picture made with a mistake, which the class names, in two rounds, by raising hands.
+
+use pinhole_lecture::Vote;
+
+/// Number of rounds: before and after neighbours have talked about their answers.
+pub const ROUNDS: usize = 2;
+
+/// Maximum number of options of a vote.
+pub const OPTIONS: usize = 4;
+
+/// Maximum number of hands for an option.
+const MOST_HANDS: u32 = 9999;
+
+/// The hands raised in one round, for each option.
+pub type Hands = [u32; OPTIONS];
+
+/// An open vote.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenVote {
+    /// The options, and which one is right.
+    pub vote: Vote,
+    /// Index of the option that was chosen in the current round.
+    pub answer: Option<usize>,
+    /// True once the right option is shown.
+    pub is_revealed: bool,
+    /// The current round, counted from 0.
+    pub round: usize,
+    /// The hands that were counted in each round.
+    pub hands: [Option<Hands>; ROUNDS],
+    /// The text in the field for the hands of the current round.
+    pub typed: String,
+}
+
+impl OpenVote {
+    /// Opens a vote.
+    pub fn new(vote: Vote) -> OpenVote {
+        OpenVote {
+            vote,
+            answer: None,
+            is_revealed: false,
+            round: 0,
+            hands: [None; ROUNDS],
+            typed: String::new(),
+        }
+    }
+
+    /// Chooses an option, unless the right one is shown already.
+    pub fn choose(&mut self, option: usize) {
+        if !self.is_revealed && option < self.vote.options.len() {
+            self.answer = Some(option);
+        }
+    }
+
+    /// Returns true if another round can begin.
+    pub fn has_another_round(&self) -> bool {
+        !self.is_revealed && self.round + 1 < ROUNDS
+    }
+
+    /// Begins the next round, if there is one. The hands of the round before stay.
+    pub fn begin_round(&mut self) {
+        if self.has_another_round() {
+            self.round += 1;
+            self.answer = None;
+            self.typed.clear();
+        }
+    }
+
+    /// Takes the typed numbers as the current round's hands. Leaves the hands unchanged if the text is not a
+    /// list of them; an empty text removes them.
+    pub fn count_typed(&mut self) {
+        if self.typed.trim().is_empty() {
+            self.hands[self.round] = None;
+        } else if let Ok(hands) = self.read_typed() {
+            self.hands[self.round] = Some(hands);
+        }
+    }
+
+    /// Returns the typed numbers.
+    ///
+    /// # Errors
+    /// Returns a sentence that says what is wrong with the text.
+    pub fn read_typed(&self) -> Result<Hands, String> {
+        let count = self.vote.options.len();
+        let example = ["12", "40", "9", "3"][..count].join(" ");
+        let mut hands = [0; OPTIONS];
+        let words = self.typed.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
+        let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+        if words.len() != count {
+            let given = words.len();
+            return Err(format!("Give {count} numbers, such as {example}: here are {given}."));
+        }
+        for (hands, word) in hands.iter_mut().zip(words) {
+            *hands = word.parse().ok().filter(|hands| *hands <= MOST_HANDS).ok_or_else(|| {
+                let wanted = format!("whole numbers up to {MOST_HANDS}, such as {example}");
+                format!("“{word}” is no number of hands: give {wanted}.")
+            })?;
+        }
+        Ok(hands)
+    }
+
+    /// Returns the rounds in which hands were counted, each as its number, counted from 0, and its hands.
+    pub fn counted(&self) -> impl Iterator<Item = (usize, Hands)> {
+        self.hands.iter().enumerate().filter_map(|(round, hands)| Some((round, (*hands)?)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_lecture::Mistake;
+
+    use super::*;
+
+    fn typed(text: &str) -> OpenVote {
+        let vote = Vote { options: Mistake::GALLERY[..OPTIONS].to_vec(), right: 1 };
+        OpenVote { typed: text.to_owned(), ..OpenVote::new(vote) }
+    }
+
+    #[test]
+    fn hands_are_four_whole_numbers() {
+        for text in ["12 40 9 3", " 12, 40,9 ; 3 ", "12\t40\t9\t3"] {
+            assert_eq!(typed(text).read_typed(), Ok([12, 40, 9, 3]), "{text:?}");
+        }
+        for (text, about) in [
+            ("12 40 9", "here are 3"),
+            ("12 40 9 3 1", "here are 5"),
+            ("12 4o 9 3", "“4o”"),
+            ("12 -4 9 3", "“-4”"),
+            ("12 4.5 9 3", "“4.5”"),
+            ("12 40 9 10000", "“10000”"),
+            ("12 40 9 99999999999999999999", "up to 9999"),
+        ] {
+            let problem = typed(text).read_typed().expect_err(text);
+            assert!(problem.contains(about), "{problem}");
+        }
+    }
+
+    #[test]
+    fn the_second_round_keeps_the_hands_of_the_first() {
+        let mut open = typed("12 40 9 3");
+        open.choose(2);
+        open.count_typed();
+        open.begin_round();
+        assert_eq!((open.round, open.answer, open.typed.as_str()), (1, None, ""));
+        open.typed = "4 57 3".to_owned();
+        open.count_typed();
+        assert_eq!(open.hands, [Some([12, 40, 9, 3]), None], "three numbers are no count");
+        open.typed.push_str(" 0");
+        open.count_typed();
+        open.is_revealed = true;
+        open.begin_round();
+        assert_eq!(open.counted().collect::<Vec<_>>(), [(0, [12, 40, 9, 3]), (1, [4, 57, 3, 0])]);
+        open.choose(0);
+        assert_eq!(open.answer, None);
+    }
+}
