@@ -83,6 +83,14 @@ checks! {
         "pixels lie evenly around the middle: their centres are taken";
 }
 
+impl Check {
+    /// Returns true if the check examines lengths, right angles or handedness of u, v, w, and nothing else.
+    pub fn is_of_basis(self) -> bool {
+        use Check::{LengthU, LengthV, LengthW, RightHanded, UDotV, VDotW, WDotU};
+        matches!(self, LengthU | LengthV | LengthW | UDotV | VDotW | WDotU | RightHanded)
+    }
+}
+
 /// The value of a quantity that a check examines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {

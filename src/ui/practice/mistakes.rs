@@ -3,14 +3,15 @@
 //! (properties of every right camera), each of which catches or misses the mistake.
 
 use egui::{
-    Align, Color32, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2,
+    Align, Color32, FontId, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui,
+    UiBuilder, pos2,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
 use crate::model::readings::ReadingValue;
-use crate::model::{MistakesView, NumberStyle, Session};
+use crate::model::{Concept, MistakesView, NumberStyle, Session};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -65,6 +66,11 @@ fn title(mistakes_view: &MistakesView) -> String {
         None => format!("{}: {}", views::WRONG, mistakes_view.chosen.name()),
         Some(_) => "Wrong picture".to_owned(),
     }
+}
+
+/// Returns the size of a label's text, in points.
+fn text_size(ui: &Ui) -> f32 {
+    FontSelection::Default.resolve(ui.style()).size
 }
 
 /// Returns the width of a text in a label.
@@ -142,16 +148,48 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     }
 }
 
-/// Shows the right and the wrong basis and the checks, on the stage of a lesson.
-pub(crate) fn card(ui: &mut Ui, derived: &Derived, style: NumberStyle) {
-    let Some(wrong) = derived.wrong_camera.as_deref() else { return };
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    ui.spacing_mut().item_spacing.y = 1.0;
+/// Shows the card of a lesson's step in this text size: the right and the wrong basis, of which only the vectors
+/// in `about`, and the checks. If `about` has all three vectors, these are the checks of the basis that pass; if
+/// it is empty, the checks that catch the mistake.
+pub(crate) fn card(
+    ui: &mut Ui,
+    wrong: &ComparedCamera,
+    style: NumberStyle,
+    about: &[Concept],
+    size: f32,
+) {
+    ui.style_mut().override_font_id = Some(FontId::proportional(size));
+    ui.spacing_mut().item_spacing.y = 0.2 * size;
     if let Ok(camera) = &wrong.camera {
-        basis(ui, camera, style);
+        basis(ui, camera, style, about);
     }
-    ui.add_space(4.0);
-    checks(ui, wrong, style);
+    if about.is_empty() {
+        ui.strong(summary(wrong));
+        rows(ui, wrong, false, style);
+    } else if about.len() == 3 {
+        let checks = wrong.checks.iter().filter(|it| it.passes && it.check.is_of_basis());
+        // Three lengths, three right angles, and handedness.
+        for row in checks.collect::<Vec<_>>().chunks(3) {
+            ui.horizontal(|ui| row.iter().for_each(|it| passed(ui, it, style)));
+        }
+    }
+}
+
+/// Shows a check that passes, with its value.
+fn passed(ui: &mut Ui, Checked { check, value, .. }: &Checked, style: NumberStyle) {
+    let (formula, value) = (check.formula(), text_of(*value, style));
+    sign(ui, true);
+    let label = ui.label(format!("{formula} = {value}"));
+    label.spoken(format!("{formula}: {value} passes"));
+}
+
+/// Returns an upper bound for the number of rows of text on the card.
+pub(crate) fn card_rows(wrong: &ComparedCamera, about: &[Concept]) -> usize {
+    match about.len() {
+        0 => 5 + 2 * failing(wrong).count(),
+        3 => 8,
+        count => count,
+    }
 }
 
 fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
@@ -186,24 +224,31 @@ fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     }
     if let Ok(camera) = &wrong.camera {
         ui.add_space(6.0);
-        basis(ui, camera, style);
+        basis(ui, camera, style, &[]);
     }
 }
 
-/// Shows u, v, w of both cameras: side by side if they fit, otherwise one above the other.
-fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
+/// Shows u, v, w of both cameras, or those of them that are in `about`: side by side if they fit, otherwise one
+/// above the other.
+fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle, about: &[Concept]) {
     let right = camera.right_camera().basis();
     let rows = [
-        ("u", "𝐮", right.u, camera.u()),
-        ("v", "𝐯", right.v, camera.v()),
-        ("w", "𝐰", right.w, camera.w()),
+        (Concept::U, "u", "𝐮", right.u, camera.u()),
+        (Concept::V, "v", "𝐯", right.v, camera.v()),
+        (Concept::W, "w", "𝐰", right.w, camera.w()),
     ];
-    for ((name, letter, right, wrong), is_wrong) in rows.into_iter().zip(camera.wrong_vectors()) {
+    let scale = text_size(ui) / TEXT;
+    for ((concept, name, letter, right, wrong), is_wrong) in
+        rows.into_iter().zip(camera.wrong_vectors())
+    {
+        if !about.is_empty() && !about.contains(&concept) {
+            continue;
+        }
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-        let letter = RichText::new(letter).size(TEXT).color(color);
+        let letter = RichText::new(letter).color(color);
         let is_wrong_value = style.equated_value(&ReadingValue::Vector(wrong));
         let (right, wrong) = (style.vector(right), style.vector(wrong));
-        let both = text_width(ui, &right) + text_width(ui, &wrong) + BESIDE_VECTORS;
+        let both = text_width(ui, &right) + text_width(ui, &wrong) + scale * BESIDE_VECTORS;
         let fits = both <= ui.available_width();
         let wrong = |ui: &mut Ui| {
             sign(ui, false);
@@ -211,7 +256,7 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
             ui.add(Label::new(text).wrap()).spoken(format!("wrong {name} {is_wrong_value}"));
         };
         ui.horizontal_top(|ui| {
-            cell(ui, LETTER, |ui| ui.label(letter));
+            cell(ui, scale * LETTER, |ui| ui.label(letter));
             sign(ui, true);
             ui.add(Label::new(right).wrap());
             if is_wrong && fits {
@@ -220,7 +265,7 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
         });
         if is_wrong && !fits {
             ui.horizontal_top(|ui| {
-                cell(ui, LETTER, |_| ());
+                cell(ui, scale * LETTER, |_| ());
                 wrong(ui);
             });
         }
@@ -244,11 +289,16 @@ fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     }
     ui.strong(summary(wrong));
     ui.add_space(3.0);
-    let rows = || wrong.checks.iter().zip(&wrong.right_checks);
     for passes in [false, true] {
-        for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
-            row(ui, here, right, style);
-        }
+        rows(ui, wrong, passes, style);
+    }
+}
+
+/// Shows the checks that pass, or those that catch the mistake.
+fn rows(ui: &mut Ui, wrong: &ComparedCamera, passes: bool, style: NumberStyle) {
+    let rows = wrong.checks.iter().zip(&wrong.right_checks);
+    for (here, right) in rows.filter(|(here, _)| here.passes == passes) {
+        row(ui, here, right, style);
     }
 }
 
@@ -276,15 +326,14 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
         verdict_and_formula(ui, here, &value);
         fits = text_width(ui, &value).max(text_width(ui, &right)) <= ui.available_width();
         if here.passes {
-            let value = RichText::new(&value).size(TEXT);
-            cell(ui, ui.available_width(), |ui| ui.label(value));
+            cell(ui, ui.available_width(), |ui| ui.label(&value));
         } else if fits {
             both(ui, &value, &right);
         }
     });
     if !here.passes && !fits {
         ui.horizontal_top(|ui| {
-            cell(ui, VERDICT, |_| ());
+            cell(ui, VERDICT * text_size(ui) / TEXT, |_| ());
             both(ui, &value, &right);
         });
     }
@@ -292,15 +341,16 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
 
 fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     let said = if here.passes { "passes" } else { "catches it" };
-    let verdict = RichText::new(said).size(TEXT);
     let verdict = match here.passes {
-        true => verdict.weak(),
-        false => verdict.strong().color(error_color(ui)),
+        true => RichText::new(said).weak(),
+        false => RichText::new(said).strong().color(error_color(ui)),
     };
+    let scale = text_size(ui) / TEXT;
     sign(ui, here.passes);
     let spoken = format!("{}: {value} {said}", here.check.formula());
-    cell(ui, VERDICT, |ui| ui.label(verdict)).spoken(spoken);
-    cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
+    cell(ui, scale * VERDICT, |ui| ui.label(verdict)).spoken(spoken);
+    cell(ui, scale * FORMULA, |ui| ui.label(here.check.formula()))
+        .on_hover_text(here.check.meaning());
 }
 
 /// Shows the wrong value and the right one, in two lines if they do not fit in one.
@@ -308,7 +358,7 @@ fn both(ui: &mut Ui, value: &str, right: &str) {
     cell(ui, ui.available_width(), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.horizontal_wrapped(|ui| {
-            let value = RichText::new(value).size(TEXT).strong().color(error_color(ui));
+            let value = RichText::new(value).strong().color(error_color(ui));
             ui.label(value);
             ui.add(Label::new(right).extend());
         });

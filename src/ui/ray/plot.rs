@@ -30,13 +30,13 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
 
-/// Shows only the graph, on its own ground, as an inset of a lesson's stage.
+/// Shows only the graph, as on a lesson's stage.
 pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    ui.painter().rect_filled(area, 6.0, ui.visuals().panel_fill);
+    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
     draw(ui, area.shrink(4.0), plot, first, &mut session.ray_point_t);
 }
 

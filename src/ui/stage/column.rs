@@ -8,9 +8,9 @@ use egui::{
 };
 
 use super::{Stage, navigation};
-use crate::model::ViewLayout;
 use crate::model::lessons::{Lesson, OpenLesson, StepQuestion};
 use crate::model::session::presenting::WRITTEN;
+use crate::model::{Concept, Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::mistakes;
 use crate::ui::widgets::{inside, marked_text};
@@ -138,10 +138,19 @@ fn has_card(layout: ViewLayout) -> bool {
     matches!(layout, Both | World | Camera | Derivation | Plot)
 }
 
+/// Returns what the step's card is about.
+fn about(session: &Session) -> &[Concept] {
+    session.formulas.as_deref().unwrap_or_default()
+}
+
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     match (context.session.settings.layout, &context.derived.derivation) {
         (ViewLayout::Lines, _) => 11.0 * marked_text::row_height(ui, size),
+        (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
+            let rows = mistakes::card_rows(wrong, about(context.session)) as f32;
+            rows * 1.2 * marked_text::row_height(ui, size)
+        }),
         (layout, Some(derivation)) if has_card(layout) => {
             DerivationPanel::card_height(ui, derivation, width, size)
         }
@@ -159,7 +168,11 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
             substitution(ui, &session.lines, style.digits);
         }
-        (ViewLayout::Mistakes, _) if !is_asking => mistakes::card(ui, derived, *style),
+        (ViewLayout::Mistakes, _) if !is_asking => {
+            if let Some(wrong) = &derived.wrong_camera {
+                mistakes::card(ui, wrong, *style, about(session), size);
+            }
+        }
         (layout, Some(derivation)) if has_card(layout) => {
             tools.derivation.card(ui, derivation, &open.document, session, size);
         }

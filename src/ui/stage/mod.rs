@@ -28,8 +28,8 @@ const WIDE: f32 = 1.2;
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.
 const INSET: Vec2 = vec2(0.3, 0.34);
-/// Size of the graph of f(p + t d) as an inset, as fractions of the main figure's width and height.
-const GRAPH: Vec2 = vec2(0.62, 0.46);
+/// Height of the world view above the graph of f(p + t d), as a fraction of the main figure's.
+const ABOVE_GRAPH: f32 = 0.56;
 /// Height of the pictures of the right and the wrong camera, as a fraction of the main figure's.
 const COMPARED: f32 = 0.56;
 
@@ -82,7 +82,11 @@ impl Stage {
                 let inset = self.is_swapped.then(|| self.corner(main.size() * INSET));
                 areas(inset, Some(main), foot)
             }
-            ViewLayout::Plot => areas(Some(main), None, self.corner(main.size() * GRAPH)),
+            ViewLayout::Plot => {
+                let (world, graph) =
+                    main.split_top_bottom_at_y(main.top() + ABOVE_GRAPH * main.height());
+                areas(Some(world), None, graph)
+            }
             ViewLayout::Mistakes => {
                 let y = main.top() + COMPARED * main.height();
                 let (camera, second) = halves(main.with_max_y(y));
