@@ -1,7 +1,7 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2};
 
 use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
@@ -18,7 +18,7 @@ use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
 use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
-use crate::ui::widgets::{ResponseExt as _, ViewTexture, button_width, inside};
+use crate::ui::widgets::{ResponseExt as _, ViewTexture, button_width};
 use crate::view::derive::{Derived, SecondPicture};
 use crate::view::typesetting::theme;
 
@@ -209,17 +209,8 @@ fn strip_buttons(ui: &mut Ui, has_lesson: bool) -> bool {
     switched
 }
 
-/// Distance of the numbers from the sides of the foot, in points.
-const FOOT_MARGIN: f32 = 10.0;
-
 /// Shows the numbers at the foot of a lesson's main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let area = ui.available_rect_before_wrap();
-    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-    inside(ui, area.shrink2(vec2(FOOT_MARGIN, 0.0)), |ui| foot_numbers(ui, context));
-}
-
-fn foot_numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     let area = ui.available_rect_before_wrap();
     let all = context.session.settings.unfolded.numbers && area.height() > readouts::BAND;

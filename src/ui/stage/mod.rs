@@ -18,8 +18,9 @@ use crate::ui::workspaces::{PageContext, foot, page};
 pub(crate) mod column;
 mod navigation;
 
-/// Width of the main figure, as a fraction of a wide window's.
-const BESIDE_COLUMN: f32 = 0.58;
+/// Width of the main figure and of an exercise, which says itself what is asked, as fractions of a wide
+/// window's.
+const BESIDE_COLUMN: [f32; 2] = [0.58, 0.7];
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
 const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
 /// Aspect ratio of a window from which on the column stands beside the figure.
@@ -53,7 +54,8 @@ impl Stage {
     pub(crate) fn new(whole: Rect, layout: ViewLayout, band: f32) -> Stage {
         let aspect = whole.width() / whole.height().max(1.0);
         let (main, column) = if aspect >= WIDE {
-            whole.split_left_right_at_x(whole.left() + BESIDE_COLUMN * whole.width())
+            let share = BESIDE_COLUMN[usize::from(layout == ViewLayout::Exercises)];
+            whole.split_left_right_at_x(whole.left() + share * whole.width())
         } else {
             let share = ABOVE_COLUMN[usize::from(aspect < 1.0)];
             whole.split_top_bottom_at_y(whole.top() + share * whole.height())
@@ -70,6 +72,7 @@ impl Stage {
     pub(crate) fn areas(&self, image: ImageSize) -> Option<Areas> {
         let Stage { main, band, layout, .. } = *self;
         let (main, foot) = main.split_top_bottom_at_y(main.bottom() - band);
+        let foot = foot.shrink2(vec2(MARGIN, 0.0));
         let picture = vec2(image.width() as f32, image.height() as f32);
         let areas = |world, camera, rest| Some(Areas { world, camera, second: None, rest });
         match layout {
