@@ -1,5 +1,5 @@
 //! Sentences with the lecture's symbols: `**u**` is a vector, shown in bold and in its own colour; `*u*` is a
-//! scalar, shown in italics.
+//! scalar, shown in italics. In a formula, the words view, up and at need no marks to be vectors.
 
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
@@ -27,7 +27,8 @@ pub(crate) fn height_within(ui: &Ui, text: &str, size: f32, width: f32) -> f32 {
 fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
-    for (run, is_vector) in runs(&unbroken(text)) {
+    let runs = runs(&unbroken(text)).into_iter();
+    for (run, is_vector) in runs.flat_map(|(run, is_vector)| with_named(&run, is_vector)) {
         let family = if is_vector { theme::bold() } else { FontFamily::Proportional };
         let own = vector_color(ui, &run).filter(|_| is_vector);
         let format = TextFormat {
@@ -77,9 +78,59 @@ fn runs(text: &str) -> Vec<(String, bool)> {
     runs
 }
 
+/// The vectors that the user gives, whose names are also ordinary words.
+const GIVEN: [&str; 3] = ["view", "up", "at"];
+
+/// Splits a run at the names of vectors in formulas, such as `view = at − eye`.
+fn with_named(run: &str, is_vector: bool) -> Vec<(String, bool)> {
+    if is_vector {
+        return vec![(run.to_owned(), true)];
+    }
+    let mut split: Vec<(String, bool)> = Vec::new();
+    let mut start = 0;
+    for word in run.split_inclusive(|letter: char| !letter.is_alphabetic()) {
+        let name = word.trim_end_matches(|letter: char| !letter.is_alphabetic());
+        let (before, after) = (&run[..start], &run[start + name.len()..]);
+        let is_name = GIVEN.contains(&name) && is_in_formula(before, after);
+        for (part, is_vector) in [(name, is_name), (&word[name.len()..], false)] {
+            match split.last_mut().filter(|last| last.1 == is_vector) {
+                Some((last, _)) => last.push_str(part),
+                None if part.is_empty() => {}
+                None => split.push((part.to_owned(), is_vector)),
+            }
+        }
+        start += word.len();
+    }
+    split
+}
+
+/// Returns true if a word between these texts is next to an operator, or the argument of a function.
+fn is_in_formula(before: &str, after: &str) -> bool {
+    let is_operator = |letter: char| "=−×·|/←".contains(letter);
+    let is_argument = before.strip_suffix('(').is_some_and(|f| f.ends_with(char::is_alphabetic));
+    is_argument
+        || before.trim_end().ends_with(is_operator)
+        || after.trim_start().starts_with(is_operator)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_given_vectors_are_vectors_in_formulas_alone() {
+        let vectors = |text: &str| -> Vec<String> {
+            with_named(text, false).into_iter().filter(|run| run.1).map(|run| run.0).collect()
+        };
+        assert_eq!(vectors("view = at − eye = (−21, −4, −15)."), ["view", "at"]);
+        assert_eq!(vectors(" = −view / |view| = (0, 1, 0)"), ["view", "view"]);
+        assert_eq!(vectors("normalize(up × "), ["up"]);
+        assert_eq!(vectors(" ← normalize(view). The"), ["view"]);
+        for text in ["Up is a hint at most; look at the view, up to at", "points upwards"] {
+            assert_eq!(vectors(text), [""; 0], "{text}");
+            assert_eq!(with_named(text, false), [(text.to_owned(), false)]);
+        }
+    }
 
     #[test]
     fn vectors_and_scalars_are_told_apart() {
