@@ -21,7 +21,9 @@
 //!   and is decided individually by [the ladder](crate#the-ladder), step by step in higher precision
 //!   ([`row_band::fallback`]). So each pixel shows the object that exact arithmetic would find.
 //! - Normals, if requested, and colours ([`shade`](mod@shade)), while the band is in the cache.
-//! - Smooth edges, if requested: how much of a pixel lies on either side of a border ([`edges`]).
+//!
+//! Smooth edges are not part of a frame: [`edge_blends`](crate::edge_blends) finds, in a finished frame, how
+//! much of a pixel lies on either side of a border ([`edges`]).
 //!
 //! Each pair of a pixel and a sphere that is in doubt costs 50 to 150 ns if `f64` decides it, as for
 //! spheres that are equal, nearly equal or nested, or on whose surface the eye lies
