@@ -58,11 +58,13 @@ pub enum Item {
     Measures,
     /// The selected point's u and v, from the middle of the viewport to the point, in both views.
     UvLegs,
+    /// The numbers of rows and columns along the pixel grid, and W and H, in both views.
+    PixelNumbers,
 }
 
 impl Item {
     /// All items, in order.
-    pub const ALL: [Item; 25] = {
+    pub const ALL: [Item; 26] = {
         use Item::*;
         [
             Eye,
@@ -90,6 +92,7 @@ impl Item {
             ViewVector,
             Measures,
             UvLegs,
+            PixelNumbers,
         ]
     };
 
@@ -120,6 +123,7 @@ impl Item {
             Item::ViewVector => ["view = at − eye, and −view", "view-vector"],
             Item::Measures => ["width, height, distance", "measures"],
             Item::UvLegs => ["u and v of the point", "uv-legs"],
+            Item::PixelNumbers => ["rows and columns, W and H", "pixel-numbers"],
         }
     }
 

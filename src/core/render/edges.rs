@@ -35,8 +35,8 @@ const BAND: usize = 64;
 const CHUNK: usize = 32;
 
 /// Finds the borders between objects in a frame, and how much of each pixel there belongs to either side.
-/// Blends are in the order of their pixels. The borders of planes stay as they are. Returns no blends
-/// unless the frame has an object for every pixel of the image.
+/// Blends are in the order of their pixels. The borders of planes stay as they are: the world view draws
+/// planes as layers, and smooths where these cut into spheres. Returns no blends unless the frame has an object for every pixel of the image.
 pub fn edge_blends<T: Sync>(frame: &Frame<T>, scene: &Scene) -> Vec<EdgeBlend> {
     let image = frame.camera.image();
     let (width, height) = (image.width() as usize, image.height() as usize);
@@ -120,9 +120,9 @@ impl Ball {
     }
 }
 
-/// Returns the fraction of a pixel where a function is positive. `value` is the function's value at the
+/// Returns the fraction of a pixel where a function is positive, from 0 to 1. `value` is the function's value at the
 /// pixel's centre, and (x, y) its change per pixel; near a border, its zero is as good as a straight line.
-fn covered(value: f64, [x, y]: [f64; 2]) -> f64 {
+pub fn covered(value: f64, [x, y]: [f64; 2]) -> f64 {
     let length = (x * x + y * y).sqrt();
     let (distance, most, least) =
         (value.abs() / length, x.abs().max(y.abs()) / length, x.abs().min(y.abs()) / length);

@@ -5,9 +5,12 @@ use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
 };
 
-pub use fit::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, ViewSize, side_length};
+pub use subject::{AXIS_LENGTH, Bound, Drawn, Surroundings, UP_LENGTH, VIEW_LENGTH, side_length};
+pub use view_size::{Area, ViewSize};
 
 mod fit;
+mod subject;
+mod view_size;
 
 /// The observer of the world view, which orbits around a target. World y is up.
 #[derive(Clone, Copy, Debug, PartialEq)]

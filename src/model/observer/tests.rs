@@ -270,11 +270,11 @@ fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
 fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
     let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
-    let wide = ViewSize { width: 900.0, height: 500.0 };
+    let wide = ViewSize::new(900.0, 500.0);
     let framed = Observer::frame_all(&camera, &scene, wide);
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for (width, height) in [(900.0, 500.0), (340.0, 560.0), (300.0, 300.0), (1200.0, 700.0)] {
-        let size = ViewSize { width, height };
+        let size = ViewSize::new(width, height);
         let refitted = framed.refitted(&camera, &scene, size);
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
         let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
@@ -298,7 +298,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
 #[test]
 fn arrows_that_are_not_drawn_take_no_room() {
     let named = Observer::new(DVec3::new(0.0, 0.0, -0.5), 0.84, 0.33, 4.0);
-    let low = ViewSize { width: 400.0, height: 160.0 };
+    let low = ViewSize::new(400.0, 160.0);
     let up = DVec3::new(1.0, 1.0, 0.0);
     let orientation = Orientation::View { view: DVec3::NEG_Z, up };
     let camera = Camera { orientation, ..Camera::CANONICAL };
@@ -320,7 +320,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
     let scene = Scene::new(vec![around], vec![]).expect("a scene");
     let named = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 14.5);
     for (width, height) in [(500.0, 180.0), (300.0, 600.0), (900.0, 700.0)] {
-        let size = ViewSize { width, height };
+        let size = ViewSize::new(width, height);
         let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::NONE);
         let (right, up) = seen.right_and_up();
         let sides = [right, -right, up, -up].map(|side| around.center + around.radius * side);
@@ -338,7 +338,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
 
 #[test]
 fn arrows_take_no_more_than_their_share_of_a_low_view() {
-    let at = |width, height| ViewSize { width, height }.arrow_points();
+    let at = |width, height| ViewSize::new(width, height).arrow_points();
     assert_eq!(at(900.0, 500.0), (62.0, 125.0));
     let (least, most) = at(900.0, 100.0);
     assert!((25.0..30.0).contains(&least) && most == 125.0, "{least}");
@@ -348,7 +348,7 @@ fn arrows_take_no_more_than_their_share_of_a_low_view() {
     let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for height in [60.0, 100.0, 150.0] {
-        let size = ViewSize { width: 300.0, height };
+        let size = ViewSize::new(300.0, height);
         let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
         let view = seen.camera(300, height as u32).resolve().expect("a basis");
         let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);

@@ -312,9 +312,9 @@ impl App {
         }
         let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
         let (scene, shown) = (&mut self.scene, &self.views.derived);
-        if let Some(rect) = rects.world {
+        if let Some(size) = views::world_size(rects) {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();
-            scene.frame(views::size_of(rect), is_at_rest);
+            scene.frame(size, is_at_rest);
         }
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;

@@ -4,21 +4,24 @@ use std::path::Path;
 use std::sync::Arc;
 
 use egui::Context;
-use pinhole_core::{Camera, Selection};
+use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::{FileError, SceneSource};
+use pinhole_lecture::mistakes::WrongCamera;
 
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
 use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
+use crate::model::observer::Drawn;
 use crate::model::play::Kind;
 use crate::model::{
-    Concept, Ghost, HandleState, Item, Observer, OpenDocument, Session, Settings, ViewLayout,
-    ViewSize,
+    Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, Settings,
+    ViewLayout, ViewSize,
 };
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
+use crate::view::overlay::{GhostCamera, drawn};
 
 /// The open scene, and everything that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]
@@ -142,13 +145,26 @@ impl OpenScene {
             items.set(Item::Areas, true);
         }
         let observer = match (named, own) {
-            (Some(named), _) => named.framing_the_same(camera, &scene(), size, items),
+            (Some(named), _) => {
+                let scene = scene();
+                named.framing_the_same(camera, &scene, size, self.drawn(&scene, items))
+            }
             (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
             (None, None) => Observer::frame_all(camera, &scene(), size),
         };
         self.framed = Some(Framed { observer, size, camera: *camera, named });
         self.session.observer = Some(observer);
         self.lessons.framed(shown, observer);
+    }
+
+    /// Returns what the world view draws with these items, including what is hidden while a question is open.
+    fn drawn(&self, scene: &Scene, items: OverlayItems) -> Drawn {
+        let (session, camera) = (&self.session, &self.open.document.camera);
+        let is_compared = session.settings.layout == ViewLayout::Mistakes;
+        let wrong = WrongCamera::new(camera, session.mistakes_view.shown()).ok();
+        let ghost = wrong.filter(|_| is_compared).as_ref().map(GhostCamera::of_mistake);
+        let ray = (session.shown_selection(), session.ray_point_t);
+        drawn(camera, scene, items, ray, ghost.as_ref())
     }
 
     /// Returns true if *eye* or *at* has moved out of this observer's sight since it was framed.

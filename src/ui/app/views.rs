@@ -94,7 +94,7 @@ impl App {
     /// Shows the pictures with their labels.
     pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
         let App { scene, dragging, views: shown, .. } = self;
-        shown.world_size = rects.world.map(views::size_of).or(shown.world_size);
+        shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
         if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;

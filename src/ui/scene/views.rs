@@ -52,28 +52,44 @@ pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {
     ViewSizes {
         world: rects.world.map(|rect| physical(ui, rect)),
         camera: rects.camera.map(|rect| physical(ui, rect)),
-        covered: rects.world.map(|world| covered(ui, rects, world)).unwrap_or_default(),
+        covered: covered_dots(ui, rects),
         scale: ui.ctx().pixels_per_point(),
         style: theme::style(ui),
         ..ViewSizes::default()
     }
 }
 
-/// Returns the rectangles that the camera view and the rest of the page cover of the world view, in its
-/// physical pixels.
-fn covered(ui: &Ui, rects: &ViewRects, world: Rect) -> [Option<[f32; 4]>; 2] {
-    let scale = ui.ctx().pixels_per_point();
+/// Returns the rectangles that the camera view and the rest of the page cover of the world view, relative to
+/// its top left corner.
+fn covered(rects: &ViewRects, world: Rect) -> [Option<Rect>; 2] {
     let camera = rects.camera.filter(|_| !rects.has_world_inset());
     [camera, Some(rects.rest)].map(|rect| {
         let inside = rect?.intersect(world);
-        let (min, max) = ((inside.min - world.min) * scale, (inside.max - world.min) * scale);
-        inside.is_positive().then_some([min.x, min.y, max.x, max.y])
+        inside.is_positive().then(|| inside.translate(-world.min.to_vec2()))
+    })
+}
+
+/// Returns what covers the world view, in its physical pixels: left, top, right and bottom.
+fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 2] {
+    let scale = ui.ctx().pixels_per_point();
+    let covered = rects.world.map(|world| covered(rects, world)).unwrap_or_default();
+    covered.map(|rect| {
+        let Rect { min, max } = rect? * scale;
+        Some([min.x, min.y, max.x, max.y])
     })
 }
 
 /// Returns the size of a world view, in points.
 pub(crate) fn size_of(rect: Rect) -> ViewSize {
-    ViewSize { width: rect.width().into(), height: rect.height().into() }
+    ViewSize::new(rect.width().into(), rect.height().into())
+}
+
+/// Returns the size of the world view, and what covers it, in points.
+pub(crate) fn world_size(rects: &ViewRects) -> Option<ViewSize> {
+    let world = rects.world?;
+    let area = |Rect { min, max }: Rect| [min.x, min.y, max.x, max.y].map(f64::from);
+    let covered = covered(rects, world).map(|rect| rect.map(area));
+    Some(ViewSize { covered, ..size_of(world) })
 }
 
 /// Returns the size of an area in physical pixels.

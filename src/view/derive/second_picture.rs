@@ -110,7 +110,7 @@ impl SecondPictures {
             SecondPicture::WrongCamera => {
                 // These items show positions of the right camera, which would be wrong in the wrong
                 // camera's picture.
-                let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs];
+                let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs, Item::PixelNumbers];
                 view.items =
                     of_right.into_iter().fold(items, |items, item| items.with(item, false));
                 self.wrong_camera(derived, inputs, good, world)

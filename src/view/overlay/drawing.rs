@@ -149,9 +149,17 @@ impl Label {
     /// Returns half the width and half the height, in screen pixels, of a box that is large enough for the
     /// text in any font of ordinary width.
     pub fn half_extent(&self, scale: f32) -> [f32; 2] {
-        let size = self.size * scale;
-        [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
+        half_extent(&self.text, f64::from(self.size * scale)).map(|half| half as f32)
     }
+}
+
+/// Characters that are at most half as wide as others, in any font of ordinary width.
+const NARROW: &str = " |.,;:′'()[]iljtfr·/";
+
+/// Returns half the width and half the height of a box that is large enough for a text of this size.
+pub(super) fn half_extent(text: &str, size: f64) -> [f64; 2] {
+    let width = |letter: char| if NARROW.contains(letter) { 0.36 } else { 0.62 };
+    [size * (0.5 * text.chars().map(width).sum::<f64>() + 0.15), 0.62 * size]
 }
 
 /// Maximum number of significant digits of a number in a label. A longer label would cover what it names.

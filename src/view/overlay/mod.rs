@@ -16,6 +16,7 @@
 //!   labels.
 //! - `world_view/sphere_figure`, `world_view/whiteboard`: what a textbook draws of a ray and a sphere, and of
 //!   a camera.
+//! - `pixel_numbers`: the numbers of rows and columns along the pixel grid.
 //! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
 use std::ops::Deref;
@@ -28,6 +29,7 @@ mod drawing;
 mod flat;
 mod layers;
 mod paint;
+mod pixel_numbers;
 mod screen;
 mod style;
 mod world_view;
@@ -41,6 +43,7 @@ pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_po
 pub use style::{Colors, Style};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
+pub use world_view::drawn::drawn;
 pub use world_view::handles::{Guide, HandleMark, Handles, Knob, KnobState};
 pub use world_view::highlighted::Highlighted;
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
@@ -50,14 +53,16 @@ use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
+use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
 use style::{BOLD_POINT, DIMMED, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};
-use world_view::camera_in_space::{BASIS, corners};
+use world_view::camera_in_space::{BASIS, corners, shows_where_it_looks};
 use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,
 };
 use world_view::sketch::{Head, LineStyle, Request, Sketch, place_labels};
 use world_view::sphere_figure::SphereFigure;
+use world_view::whiteboard::{UvLeg, measured_points, uv_legs};
 
 /// A shared value that is compared by identity: two are equal only if they share the same allocation.
 #[derive(Debug)]

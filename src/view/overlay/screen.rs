@@ -194,7 +194,7 @@ impl Screen {
 
     fn arrow_points(&self) -> (f64, f64) {
         let (width, height) = (self.size.x / self.scale, self.size.y / self.scale);
-        ViewSize { width, height }.arrow_points()
+        ViewSize::new(width, height).arrow_points()
     }
 
     /// Returns three vectors that give the direction of the observer's ray through a screen position `at`:

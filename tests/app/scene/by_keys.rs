@@ -6,6 +6,7 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::concept::Concept;
+use pinhole::model::overlay_items::Item;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{Mark, Shape};
 use pinhole_core::steering::Keep;
@@ -143,6 +144,10 @@ fn a_far_camera_has_a_body_and_a_near_one_has_handles_on_its_viewport() {
         harness.query_by_role_and_label(Role::Slider, corner).is_some()
     };
     let mut harness = window("look-at");
+    assert!(!has_body(&harness), "its arrows and its frustum show the camera");
+    for item in [Item::Basis, Item::ViewAndUp, Item::Frustum] {
+        command(&mut harness, &format!("Overlay: {}", item.label()));
+    }
     assert!(!has_corner(&harness) && has_body(&harness));
     press(&mut harness, Modifiers::SHIFT, Key::F);
     assert!(has_corner(&harness) && !has_body(&harness));

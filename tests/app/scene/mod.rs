@@ -5,6 +5,7 @@ mod compare;
 mod covered;
 mod framing;
 mod handles;
+mod in_sight;
 mod labels;
 mod overlaps;
 use egui_kittest::Harness;

@@ -10,8 +10,9 @@ use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 
 use crate::model::{Concept, Inspection, Item, OverlayItems};
 use crate::view::overlay::{
-    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, POINT, Picture,
-    Request, Same, Shape, Style, dot, equals, mix, opposing_grey, place_labels, position_of,
+    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, NUMBER, POINT,
+    Picture, Request, Same, Shape, Style, UvLeg, dot, half_extent, mix, numbers, opposing_grey,
+    place_labels, position_of, uv_legs,
 };
 
 /// The inputs of the camera view. Equal inputs give the same picture, so they serve as the cache's key. The
@@ -28,6 +29,8 @@ pub struct CameraView {
     pub size: [usize; 2],
     /// The overlay items to draw.
     pub items: OverlayItems,
+    /// The number of the first row and column, 0 or 1.
+    pub first_number: u32,
     /// Screen pixels per point.
     pub scale: f32,
     /// The colours.
@@ -42,6 +45,9 @@ pub struct CameraView {
 
 /// Minimum size of an image pixel, in screen pixels, at which the edges between image pixels are drawn.
 const GRID_FROM: f64 = 8.0;
+
+/// Minimum size of the picture, in points, in which its sides and corners have names.
+const ROOM_FOR_NAMES: f64 = 160.0;
 
 /// Fills the buffer with the picture and paints the overlay on it. Returns the drawing, whose labels
 /// the caller must draw. If `scene` is `None`, no concept is highlighted.
@@ -114,6 +120,7 @@ impl CameraView {
         overlay.uv_axes();
         overlay.uv_legs();
         overlay.marks();
+        overlay.pixel_numbers();
         overlay.selected();
         if let (Some(highlighted), Some(scene)) = (self.highlighted, scene) {
             overlay.highlight(highlighted, scene);
@@ -186,18 +193,13 @@ impl CameraSketch<'_> {
     /// Draws the selected point's u and v, as two legs from the middle of the picture to the point.
     fn uv_legs(&mut self) {
         let Some(inspection) = &self.view.inspection else { return };
-        let uv = inspection.uv;
         let to_dots = |uv: DVec2| position_of(&self.view.resolved, self.view.size, uv);
-        let [middle, corner, at] = [DVec2::ZERO, DVec2::new(uv.x, 0.0), uv].map(to_dots);
-        let [u, v, _] = self.colors.basis;
-        for (name, length, color, from, to, other) in
-            [("u", uv.x, u, middle, corner, at), ("v", uv.y, v, corner, at, middle)]
-        {
-            let pen = LineStyle::new(Item::UvLegs, color, 3.2);
+        for UvLeg { text, axis, ends, outward } in uv_legs(inspection.uv) {
+            let pen = LineStyle::new(Item::UvLegs, self.colors.basis[axis], 3.2);
+            let [from, to] = ends.map(to_dots);
             self.line(&[from, to], pen);
-            let anchor = 0.5 * (from + to);
-            let outward = corner - other;
-            self.label(pen, &format!("{name} {}", equals(length)), anchor, outward, POINT);
+            let outward = to_dots(outward) - to_dots(DVec2::ZERO);
+            self.label(pen, &text, from.midpoint(to), outward, POINT);
         }
     }
 
@@ -218,10 +220,35 @@ impl CameraSketch<'_> {
         for polygon in [&rectangle[..], &up, &corner] {
             self.add(pen, Shape::polygon(polygon));
         }
-        if size.min_element() > 160.0 * scale {
+        if size.min_element() > ROOM_FOR_NAMES * scale {
             let below = DVec2::new(0.0, 1.2 * side);
             self.label(pen, "top", middle + below, DVec2::Y, MARK);
             self.label(pen, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, MARK);
+        }
+    }
+
+    /// Writes the numbers of columns and rows into the first row and column, and W and H at the opposite sides.
+    fn pixel_numbers(&mut self) {
+        if !self.items.shows(Item::Labels) || !self.items.shows(Item::PixelNumbers) {
+            return;
+        }
+        let (size, cell) = (self.view.extent(), self.view.dots_per_pixel());
+        let (image, scale) = (self.view.resolved.image(), f64::from(self.view.scale));
+        let pen = LineStyle::new(Item::PixelNumbers, self.colors.ink, 1.0);
+        let axes = [(DVec2::X, "W", image.width()), (DVec2::Y, "H", image.height())];
+        for (axis, name, count) in axes {
+            let other = DVec2::ONE - axis;
+            let place = |k: u32, text: &str| {
+                let inside = 0.5 * cell.max(2.0 * half_extent(text, scale) + 2.0 * scale);
+                Some((f64::from(k) + 0.5) * cell * axis + inside.min(0.5 * size) * other)
+            };
+            for (text, at) in numbers(count, self.view.first_number, scale, place) {
+                self.requests.push(Request::fixed(pen, text, at, NUMBER, self.colors.halo));
+            }
+            if size.min_element() > ROOM_FOR_NAMES * scale {
+                let end = 0.5 * size * axis + size * other;
+                self.label(pen, &format!("{name} = {count}"), end, -other, POINT);
+            }
         }
     }
 

@@ -22,6 +22,7 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         inspection,
         size,
         items: OverlayItems::NONE,
+        first_number: 0,
         scale: 1.0,
         style: Style::Light,
         highlighted: None,
@@ -57,6 +58,7 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
             inspection: Some(Same(Arc::new(inspection))),
             size: [300, 300],
             items: OverlayItems::NONE.with(Item::Ray, true),
+            first_number: 0,
             scale: 1.0,
             style: Style::Dark,
             highlighted: None,
@@ -82,5 +84,32 @@ fn camera_view_places_and_uv_are_inverses() {
     for uv in [DVec2::ZERO, DVec2::new(-1.2, 0.7), DVec2::new(1.5, -1.0)] {
         let back = camera_uv_at(&resolved, size, camera_position_of_uv(&resolved, size, uv));
         assert!(back.distance(uv) < 1e-6);
+    }
+}
+
+#[test]
+fn rows_and_columns_are_numbered_in_the_first_pixels() {
+    let resolved = Camera { image: image(4, 4), ..Camera::CANONICAL }.resolve().expect("a camera");
+    let (raster, pixels) = (Raster::full(resolved.image()), vec![Color32::GRAY; 16]);
+    let picture = Picture { raster, image: resolved.image(), pixels };
+    let view = CameraView {
+        resolved,
+        picture: Same(Arc::new(picture)),
+        inspection: None,
+        size: [200, 200],
+        items: OverlayItems::NONE.with(Item::PixelNumbers, true).with(Item::Labels, true),
+        first_number: 1,
+        scale: 1.0,
+        style: Style::Light,
+        highlighted: None,
+        loupe: None,
+        without_marks: false,
+    };
+    let labels = view.drawing(None).labels;
+    let texts: Vec<&str> = labels.iter().map(|label| label.text.as_str()).collect();
+    // Both numbers of the first pixel are at its middle, so it has one.
+    assert_eq!(texts, ["1", "2", "3", "4", "2", "3", "4", "W = 4", "H = 4"]);
+    for (k, label) in labels[..4].iter().enumerate() {
+        assert_eq!(label.position, [50.0 * (k as f32 + 0.5), 25.0], "{}", label.text);
     }
 }

@@ -96,3 +96,20 @@ fn the_frustum_is_faintly_filled_where_it_faces_the_observer() {
         "{opacities:?}"
     );
 }
+
+#[test]
+fn the_ground_stays_while_the_observer_zooms() {
+    let wall = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
+    let balls = vec![sphere(0.0, 0.0, -5.0, 1.0), sphere(1.5, 2.0, -4.0, 0.5)];
+    let stage = Stage::new(Camera::CANONICAL, balls, vec![wall]);
+    let seen_from = |factor: f64| {
+        let mut observer = stage.observer;
+        observer.zoom(factor);
+        WorldView { observer, ..stage.view() }.backdrop(stage.scene())
+    };
+    let near = seen_from(1.0);
+    assert!(near.floor.is_some() && near.patches.len() == 1);
+    for factor in [0.04, 0.3, 3.0, 8.0] {
+        assert_eq!(seen_from(factor), near, "{factor}");
+    }
+}

@@ -46,6 +46,7 @@ fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
         inspection: stage.inspection.clone().map(Same),
         size: [240, 240],
         items: stage.items,
+        first_number: 0,
         scale: 0.5,
         style: Style::Dark,
         highlighted: concept.and_then(|concept| highlighted(stage, concept)),

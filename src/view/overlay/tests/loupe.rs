@@ -35,6 +35,7 @@ fn view(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (CameraVie
         inspection: Some(Same(Arc::new(inspection))),
         size: [size, size],
         items: OverlayItems::NONE.with(Item::Loupe, true),
+        first_number: 0,
         scale: 1.0,
         style: Style::Light,
         highlighted: None,

@@ -102,6 +102,7 @@ impl Stage {
             observer: self.observer,
             frame: Same(Arc::clone(&self.frame)),
             items: self.items,
+            first_number: 0,
             scale: 1.0,
             style: Style::Light,
             highlighted: None,

@@ -112,3 +112,42 @@ fn the_viewport_has_its_measures_and_the_point_its_legs() {
         assert!(reaches(&measured, &drawn, DVec3::new(at.0, at.1, -2.0)), "{at:?}");
     }
 }
+
+#[test]
+fn rows_and_columns_are_numbered_beside_their_pixels() {
+    let mut camera = Camera::CANONICAL;
+    camera.image = image(4, 3);
+    let stage = stage(camera, Item::PixelNumbers);
+    let numbered = |first_number: u32| {
+        let view = WorldView { scale: 0.1, first_number, ..stage.view() };
+        let drawing = view.drawing(stage.scene());
+        check_labels(&drawing, DVec2::new(SIZE.0.into(), SIZE.1.into()));
+        drawing
+    };
+    let drawing = numbered(0);
+    assert_eq!(texts(&drawing), ["0", "1", "2", "3", "0", "1", "2", "W = 4", "H = 3"]);
+    let at = |u: f64, v: f64| stage.to_screen(DVec3::new(u, v, -1.0));
+    let columns = (0..4).map(|k| at(0.25 * f64::from(k) - 0.375, 0.5));
+    let rows = (0..3).map(|k| at(-0.5, 1.0 / 3.0 - f64::from(k) / 3.0));
+    for (label, edge) in drawing.labels.iter().zip(columns.chain(rows)) {
+        let apart = wide(label.position).distance(edge);
+        assert!((0.5..3.0).contains(&apart), "{}: {apart}", label.text);
+    }
+    assert_eq!(texts(&numbered(1)), ["1", "2", "3", "4", "1", "2", "3", "W = 4", "H = 3"]);
+}
+
+#[test]
+fn a_small_camera_has_a_body_only_if_nothing_else_shows_where_it_looks() {
+    let observer = Observer::new(DVec3::ZERO, 0.8, 0.4, 60.0);
+    let stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
+    let triangles = |items: OverlayItems| {
+        let drawing = WorldView { items, ..stage.view() }.drawing(stage.scene());
+        let of_eye = drawing.marks.into_iter().filter(|mark| mark.item == Item::Eye);
+        of_eye.filter(|mark| matches!(mark.shape, Shape::Polygon { .. })).count()
+    };
+    let alone = OverlayItems::NONE.with(Item::Eye, true).with(Item::Viewport, true);
+    assert!(triangles(alone) > 0);
+    for item in [Item::Basis, Item::ViewAndUp, Item::Frustum] {
+        assert_eq!(triangles(alone.with(item, true)), 0, "{item:?}");
+    }
+}

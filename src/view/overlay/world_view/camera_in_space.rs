@@ -6,7 +6,7 @@ use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera, Rgb, Root, 
 
 use super::ASKED_SPHERES;
 use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
-use crate::model::{Concept, Inspection, Item};
+use crate::model::{Concept, Inspection, Item, OverlayItems};
 use crate::view::overlay::{
     BOLD_POINT, FINE, Head, LineStyle, MARK, MEDIUM, POINT, Sketch, SphereFigure, THICK, THIN,
     VECTOR, circle, equals, mix, silhouette, unit,
@@ -48,6 +48,7 @@ impl Sketch<'_> {
             self.basis(resolved, arrow);
             self.order_and_angles(resolved, arrow);
             self.measures(resolved);
+            self.pixel_numbers(resolved);
         }
         self.eye_and_at();
     }
@@ -117,13 +118,17 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the camera's body, unless its viewport is large enough to be seen. The body is a box of
-    /// constant size on the screen, with the eye in the middle of its front.
+    /// Draws the camera's body, unless its viewport is large enough to be seen, or its arrows or the frustum
+    /// show where it looks. The body is a box of constant size on the screen, with the eye in the middle of its
+    /// front.
     ///
     /// The box stands behind the eye, where the viewport can never be. The frustum, the viewport, the
     /// picture and the ray are always drawn to scale: an enlarged frustum would show the viewport in the
     /// wrong place.
     fn body(&mut self, resolved: &ResolvedCamera) {
+        if shows_where_it_looks(self.items) {
+            return;
+        }
         let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
         let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
         let diagonal = a.at.distance(c.at).max(b.at.distance(d.at));
@@ -324,6 +329,11 @@ impl Sketch<'_> {
         let pen = LineStyle::new(Item::Eye, self.colors.ink, 2.0).about(Concept::Eye);
         self.named_point(view.camera.eye, 6.0, pen, "eye", [-0.6, 1.0]);
     }
+}
+
+/// Returns true if arrows or the frustum show where the camera looks, so that it needs no body.
+pub(crate) fn shows_where_it_looks(items: OverlayItems) -> bool {
+    [Item::Basis, Item::ViewAndUp, Item::Frustum].into_iter().any(|item| items.shows(item))
 }
 
 /// The concepts, the names and the arrowheads of u, v and w.

@@ -63,6 +63,19 @@ impl GhostCamera {
             is_turned: (corners[0] - first).length() > 0.25 * first.length(),
         }
     }
+
+    /// Returns the eye and the ends of the frustum's edges.
+    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> {
+        let ends = self.corners.map(|corner| self.eye + FRUSTUM * corner);
+        ends.into_iter().chain([self.eye])
+    }
+
+    /// Returns the drawn vectors of the basis: their directions, and their lengths as multiples of the basis
+    /// arrows' length.
+    pub(crate) fn arrows(&self) -> impl Iterator<Item = (DVec3, f64)> {
+        let vectors = self.basis.into_iter().flatten();
+        vectors.filter_map(|vector| Some((unit(vector)?, vector.length().min(LONGEST))))
+    }
 }
 
 impl Sketch<'_> {

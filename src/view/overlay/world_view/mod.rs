@@ -2,12 +2,13 @@
 
 pub(super) mod camera_in_space;
 pub(super) mod compared;
+pub(super) mod drawn;
 pub(super) mod ground;
 pub(super) mod handles;
 pub(super) mod highlighted;
 pub(super) mod sketch;
 pub(super) mod sphere_figure;
-mod whiteboard;
+pub(super) mod whiteboard;
 
 use std::sync::Arc;
 
@@ -49,6 +50,8 @@ pub struct WorldView {
     pub frame: Same<Frame<f32>>,
     /// The overlay items to draw.
     pub items: OverlayItems,
+    /// The number of the first row and column, 0 or 1.
+    pub first_number: u32,
     /// Screen pixels per point.
     pub scale: f32,
     /// The colours.
@@ -194,7 +197,7 @@ impl WorldView {
             let sphere = *scene.scene.spheres().get(*index as usize)?;
             Some(Bowl { sphere, color: scene.color_of(*index), rays })
         });
-        let (patches, floor) = (self.patches(scene, &rays), self.floor_patch(scene.scene, &rays));
+        let (patches, floor) = self.ground_layers(&self.ground(scene), scene.scene, &rays);
         Backdrop { background, patches, floor, bowls: around.collect() }
     }
 

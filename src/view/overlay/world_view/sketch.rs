@@ -377,6 +377,8 @@ pub(crate) struct Request {
     pub(crate) toward: DVec2,
     /// Labels of lower rank are placed first.
     pub(crate) rank: u8,
+    /// True if the label's middle must be at the anchor.
+    pub(crate) is_fixed: bool,
 }
 
 impl Request {
@@ -391,7 +393,20 @@ impl Request {
     ) -> Request {
         let LineStyle { item, color, .. } = pen;
         let label = Label { item, position: [0.0; 2], text, color, halo, size, bold };
-        Request { label, concept: pen.concept, anchor, toward, rank: rank(pen.item) }
+        let rank = rank(pen.item);
+        Request { label, concept: pen.concept, anchor, toward, rank, is_fixed: false }
+    }
+
+    /// Creates the request for a label in this place, or in none.
+    pub(crate) fn fixed(
+        pen: LineStyle,
+        text: String,
+        at: DVec2,
+        font: LabelFont,
+        halo: Color32,
+    ) -> Request {
+        let request = Request::new(pen, text, [at, DVec2::ZERO], font, halo);
+        Request { is_fixed: true, rank: 0, ..request }
     }
 }
 
@@ -415,7 +430,7 @@ const GAP: f64 = 7.0;
 /// Number of directions tried around the anchor.
 const DIRECTIONS: usize = 16;
 /// Number of distances tried in each direction.
-const RINGS: usize = 9;
+const RINGS: usize = 16;
 
 /// Distance from the anchor (the point that a label names) to the edge of the label, in points, above which
 /// the label gets a leader line.
@@ -429,7 +444,8 @@ type Area = (DVec2, DVec2);
 
 /// Places the requested labels in order of rank, so that the first ones get the best positions. Adds
 /// the labels and their leader lines to the drawing, and omits labels that fit nowhere near their
-/// anchors. No label is placed in a `covered` rectangle (left, top, right and bottom).
+/// anchors. No label is placed on a handle, on the tip of an arrow, or in a `covered` rectangle (left, top,
+/// right and bottom).
 pub(crate) fn place_labels(
     mut requests: Vec<Request>,
     drawing: &mut Drawing,
@@ -440,6 +456,7 @@ pub(crate) fn place_labels(
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
     let mut taken = handle_areas(drawing);
+    taken.extend(tips(drawing));
     taken.extend(covered.iter().map(|[left, top, right, bottom]| {
         let (least, most) = (wide([*left, *top]), wide([*right, *bottom]));
         (0.5 * (least + most), 0.5 * (most - least))
@@ -455,7 +472,11 @@ pub(crate) fn place_labels(
                 && leader(&request, center, half, scale)
                     .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
         };
-        let center = best_position(&request, half, f64::from(scale), &obstacles, &free);
+        let center = if request.is_fixed {
+            Some(request.anchor).filter(|at| free(*at))
+        } else {
+            best_position(&request, half, f64::from(scale), &obstacles, &free)
+        };
         let Some(center) = center else { continue };
         if let Some(ends) = leader(&request, center, half, scale) {
             let shape = Shape::Line { points: ends.map(dot).to_vec(), width: scale };
@@ -496,6 +517,23 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
         Shape::Line { .. } => None,
     });
     areas.collect()
+}
+
+/// Half of the side of the square around an arrow's tip that labels keep free, in points.
+const TIP: f64 = 2.0;
+
+/// Returns the areas around the tips of arrowheads.
+fn tips(drawing: &Drawing) -> impl Iterator<Item = Area> {
+    let half = DVec2::splat(TIP * f64::from(drawing.scale));
+    let tip = |mark: &Mark| match &mark.shape {
+        Shape::Polygon { points } if points.len() == 3 => Some(wide(points[0])),
+        // An open head has its tip in the middle.
+        Shape::Line { points, .. } if points.len() == 3 => Some(wide(points[1])),
+        // The head of a hidden arrow is an outline.
+        Shape::Line { points, .. } if points.len() == 4 => Some(wide(points[0])),
+        _ => None,
+    };
+    drawing.marks.iter().filter_map(tip).map(move |tip| (tip, half))
 }
 
 fn best_position(

@@ -60,6 +60,11 @@ impl SphereFigure {
         is_finite.then_some(SphereFigure { index, sphere, ray, terms, foot, roots, first })
     }
 
+    /// Returns the foot of the perpendicular and the points where the ray's line meets the sphere.
+    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> {
+        self.roots.iter().chain([&self.foot]).map(|t| self.ray.at(*t))
+    }
+
     /// Returns true if the figure labels the point at this t with its t.
     pub(crate) fn names(&self, t: f64) -> bool {
         self.roots.contains(&t)

@@ -8,7 +8,8 @@ use pinhole_lecture::Cross;
 use crate::model::observer::{VIEW_LENGTH, side_length};
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
-    Head, Highlighted, LABEL_DIGITS, LineStyle, POINT, Sketch, cross_of, equals, unit,
+    Head, Highlighted, LABEL_DIGITS, LineStyle, NUMBER, POINT, Request, Sketch, corners, cross_of,
+    equals, half_extent, numbers, unit,
 };
 
 /// Radius of the ring of arcs from u to v, v to w and w to u, and side of the squares that mark their right
@@ -22,6 +23,9 @@ const ARC: [f64; 7] = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 80.0];
 
 /// Distance of a dimension line from the viewport's edge, as a fraction of the viewport's shorter side.
 const BESIDE: f64 = 0.14;
+
+/// Distance between the viewport and the numbers of its rows and columns, in points.
+const NUMBER_GAP: f64 = 2.0;
 
 /// Distance between the arrows of view and -view, in points.
 const APART: f64 = 14.0;
@@ -134,7 +138,7 @@ impl Sketch<'_> {
     pub(crate) fn measures(&mut self, resolved: &ResolvedCamera) {
         let viewport = resolved.viewport();
         let half = 0.5 * DVec2::new(viewport.width, viewport.height);
-        let beside = BESIDE * viewport.width.min(viewport.height);
+        let beside = beside(resolved);
         let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
         let pen = LineStyle::new(Item::Measures, self.colors.ink, 1.6).on_top();
         let edges = [
@@ -159,6 +163,37 @@ impl Sketch<'_> {
         self.dimension(ends, pen, &text, -resolved.basis().v);
     }
 
+    /// Writes the numbers of columns above the viewport and those of rows to its left, and W and H at the
+    /// opposite sides.
+    pub(crate) fn pixel_numbers(&mut self, resolved: &ResolvedCamera) {
+        if !self.items.shows(Item::Labels) || !self.items.shows(Item::PixelNumbers) {
+            return;
+        }
+        let (image, viewport, scale) = (resolved.image(), resolved.viewport(), self.screen.scale);
+        let half = 0.5 * DVec2::new(viewport.width, viewport.height);
+        let pen = LineStyle::new(Item::PixelNumbers, self.colors.ink, 1.0);
+        let at = |uv: DVec2| resolved.viewport_point(uv);
+        let sides = [(DVec2::Y, "W", image.width()), (DVec2::NEG_X, "H", image.height())];
+        for (out, name, count) in sides {
+            let outward = at(out) - at(DVec2::ZERO);
+            let beside = |k: u32, text: &str| {
+                let along = DVec2::new(resolved.u_of_column(k), resolved.v_of_row(k));
+                let edge = at((DVec2::ONE - out.abs()) * along + out * half);
+                let room = half_extent(text, scale) + NUMBER_GAP * scale;
+                let direction = self.on_screen(edge, outward);
+                Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
+            };
+            let placed = numbers(count, self.view.first_number, scale, beside);
+            let fixed = |(text, at)| Request::fixed(pen, text, at, NUMBER, self.colors.halo);
+            self.requests.extend(placed.into_iter().map(fixed).collect::<Vec<_>>());
+            let middle = at(-out * half);
+            if let Some(spot) = self.screen.spot(middle) {
+                let outward = self.on_screen(middle, -outward);
+                self.label(pen, &format!("{name} = {count}"), [spot.at, outward], POINT);
+            }
+        }
+    }
+
     /// Draws a line with an arrowhead at each end, and a label at its middle.
     fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str, outward: DVec3) {
         let middle = ends[0].midpoint(ends[1]);
@@ -172,25 +207,55 @@ impl Sketch<'_> {
 
     /// Draws the selected point's u and v on the viewport, as two legs from its middle to the point.
     pub(crate) fn uv_legs(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
-        let uv = inspection.uv;
         let at = |uv: DVec2| resolved.viewport_point(uv);
-        let corner = DVec2::new(uv.x, 0.0);
-        let [u, v, _] = self.colors.basis;
-        let legs = [("u", uv.x, u, DVec2::ZERO, corner, -basis_sign(uv.y) * resolved.basis().v)];
-        let up = ("v", uv.y, v, corner, uv, basis_sign(uv.x) * resolved.basis().u);
-        for (name, length, color, from, to, outward) in legs.into_iter().chain([up]) {
-            let pen = LineStyle::new(Item::UvLegs, color, 3.2).on_top();
-            self.line(at(from), at(to), pen);
-            let middle = at(0.5 * (from + to));
+        for UvLeg { text, axis, ends, outward } in uv_legs(inspection.uv) {
+            let pen = LineStyle::new(Item::UvLegs, self.colors.basis[axis], 3.2).on_top();
+            let [from, to] = ends.map(at);
+            self.line(from, to, pen);
+            let middle = from.midpoint(to);
             if let Some(spot) = self.screen.spot(middle) {
-                let text = format!("{name} {}", equals(length));
-                self.label(pen, &text, [spot.at, self.on_screen(middle, outward)], POINT);
+                let outward = self.on_screen(middle, at(outward) - at(DVec2::ZERO));
+                self.label(pen, &text, [spot.at, outward], POINT);
             }
         }
     }
 }
 
-/// Returns 1 for numbers from 0 on, otherwise -1.
-fn basis_sign(x: f64) -> f64 {
-    if x < 0.0 { -1.0 } else { 1.0 }
+/// Returns the distance of a dimension line from the viewport's edge.
+fn beside(resolved: &ResolvedCamera) -> f64 {
+    BESIDE * resolved.viewport().width.min(resolved.viewport().height)
+}
+
+/// Returns the outer corners of the viewport with the dimension lines below it and to its right.
+pub(crate) fn measured_points(resolved: &ResolvedCamera) -> [DVec3; 3] {
+    let outer = corners(resolved)[1].abs() + 2.0 * beside(resolved);
+    let corners = [outer, outer * DVec2::new(1.0, -1.0), -outer];
+    corners.map(|corner| resolved.viewport_point(corner))
+}
+
+/// One of the two legs that lead from the middle of the viewport to the selected point.
+#[derive(Clone, Debug)]
+pub(crate) struct UvLeg {
+    /// The label, such as `u = 0.2`.
+    pub(crate) text: String,
+    /// Index of the leg's axis: 0 for u, 1 for v.
+    pub(crate) axis: usize,
+    /// Both ends, as (u, v).
+    pub(crate) ends: [DVec2; 2],
+    /// The direction from the leg to its label.
+    pub(crate) outward: DVec2,
+}
+
+/// Returns the legs of a point: along u first, then along v.
+pub(crate) fn uv_legs(uv: DVec2) -> [UvLeg; 2] {
+    let corner = DVec2::new(uv.x, 0.0);
+    let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
+    let leg = |axis: usize, ends, outward| {
+        let text = format!("{} {}", ["u", "v"][axis], equals(uv[axis]));
+        UvLeg { text, axis, ends, outward }
+    };
+    [
+        leg(0, [DVec2::ZERO, corner], -side(uv.y) * DVec2::Y),
+        leg(1, [corner, uv], side(uv.x) * DVec2::X),
+    ]
 }
