@@ -12,8 +12,9 @@
 //!   colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
 //! - `world_view/ground`: the panes that stand for planes, the floor's grid, and the drop lines to it.
-//! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden, and places
-//!   labels.
+//! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden;
+//!   `world_view/labels`: places labels.
+//! - `world_view/drawn`: what is drawn besides the camera, for the observer's fit.
 //! - `world_view/sphere_figure`, `world_view/whiteboard`: what a textbook draws of a ray and a sphere, and of
 //!   a camera.
 //! - `pixel_numbers`: the numbers of rows and columns along the pixel grid.
@@ -60,7 +61,8 @@ use world_view::camera_in_space::{BASIS, corners, shows_where_it_looks};
 use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,
 };
-use world_view::sketch::{Head, LineStyle, Request, Sketch, place_labels};
+use world_view::labels::{Request, place_labels};
+use world_view::sketch::{Head, LineStyle, Sketch};
 use world_view::sphere_figure::SphereFigure;
 use world_view::whiteboard::{UvLeg, measured_points, uv_legs};
 

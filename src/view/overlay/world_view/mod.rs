@@ -6,6 +6,7 @@ pub(super) mod drawn;
 pub(super) mod ground;
 pub(super) mod handles;
 pub(super) mod highlighted;
+pub(super) mod labels;
 pub(super) mod sketch;
 pub(super) mod sphere_figure;
 pub(super) mod whiteboard;
