@@ -35,7 +35,7 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the 
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Intersect the rays in a CSV file with a scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a student\'s basis, rays, hits or picture, and name the mistake'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or the lab of lines as a figure for slides'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or two lines in the plane as a figure for slides'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene in another program\'s format'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read a camera from a glTF or from numbers, and write a scene file'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print the script with which a shell completes commands, options and scenes'
@@ -76,13 +76,13 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Writ
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page for each scene; the ending chooses the format. For several scenes, and for the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Seed of the random rays in the stress families' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help (see more with \'--help\')'
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or two lines in the plane, which are the same for every scene' -r -f -a "world\t''
 camera\t''
 derivation\t''
 lines\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format, and - writes SVG to standard output' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; without --height, the rows follow in proportion' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; without --width, the columns follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in pixels; without --height, the rows follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in pixels; without --width, the columns follow in proportion' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, light on dark, or one of the window\'s colour schemes on either' -r -f -a "light\t''
 dark\t''
 colour-blind\t''

@@ -73,7 +73,7 @@ pub enum Command {
     /// Measure the error of every method against its run time
     #[command(long_about = include_str!("about/report.txt"))]
     Report(ReportArguments),
-    /// Write a view, the derivation or the lab of lines as a figure for slides
+    /// Write a view, the derivation or two lines in the plane as a figure for slides
     #[command(long_about = include_str!("about/figure.txt"))]
     Figure(FigureArguments),
     /// Write the camera and the scene in another program's format
@@ -171,7 +171,7 @@ pub struct FigureArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
     /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
-    /// number, or the lab of lines, which is the same for every scene
+    /// number, or two lines in the plane, which are the same for every scene
     #[arg(long, value_name = "world|camera|derivation|lines")]
     #[arg(value_parser = one_of(FigureSubject::ALL, |subject| subject.name().into()))]
     pub view: FigureSubject,
@@ -182,12 +182,12 @@ pub struct FigureArguments {
     /// Markdown with $formulas$.
     #[arg(short, long, value_name = "OUT.svg|pdf|png")]
     pub output: PathBuf,
-    /// Columns, in dots; without --height, the rows follow in proportion
+    /// Columns, in pixels; without --height, the rows follow in proportion
     ///
-    /// Strokes and letters grow with the figure. In PDF, 96 dots are an inch.
+    /// Strokes and letters grow with the figure. In PDF, 96 pixels are an inch.
     #[arg(long, value_name = "W", value_parser = image_measure())]
     pub width: Option<u32>,
-    /// Rows, in dots; without --width, the columns follow in proportion
+    /// Rows, in pixels; without --width, the columns follow in proportion
     #[arg(long, value_name = "H", value_parser = image_measure())]
     pub height: Option<u32>,
     /// Leave the background out: in the views, whatever lies behind all objects

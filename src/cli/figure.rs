@@ -1,4 +1,4 @@
-//! `pinhole figure`: writes a view, the derivation or the lab of lines (two lines in the plane) as SVG, PDF
+//! `pinhole figure`: writes a view, the derivation or two lines in the plane as SVG, PDF
 //! or PNG. The derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
 
 use std::ffi::OsStr;
@@ -21,13 +21,13 @@ use crate::view::derive::{Deriver, ViewSizes};
 
 /// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];
-/// The default size of a figure of the lab of lines (two lines in the plane), in pixels.
+/// The default size of a figure of two lines in the plane, in pixels.
 const LINES: [u32; 2] = [1280, 960];
 /// The default size of a figure of the derivation, in pixels. Its final height depends on its lines.
 const DERIVATION: [u32; 2] = [1600, 1600];
 /// The width, in points, for which the derivation in a figure is laid out.
 const DERIVATION_POINTS: f32 = 800.0;
-/// The shorter side, in points, for which the lab of lines in a figure is laid out.
+/// The shorter side, in points, for which two lines in the plane in a figure is laid out.
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
@@ -58,9 +58,9 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
             figures::derivation_of(&document, &session).written_in(markup).into_bytes()
         }
         Content::Figure(format) => {
-            let figure = order
-                .figure(&document, &session, |_| false)
-                .map_err(|problem| scene_fault(&arguments.scene, problem))?;
+            let why = |problem| scene_fault(&arguments.scene, problem);
+            let mut figure = order.figure(&document, &session, |_| false).map_err(why)?;
+            order.refine(&mut figure, format, &document, &session).map_err(why)?;
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }
     };

@@ -47,8 +47,8 @@ pub struct Figure {
     pub size: [usize; 2],
     /// The background colour; `None` if the figure is transparent.
     ground: Option<Color32>,
-    /// The raster image below everything else, which has the size of the figure; `None` if there is
-    /// none.
+    /// The raster image below everything else, which fills the figure; `None` if there is none. It has the
+    /// figure's size or, for a vector format, may be [finer](Order::refine).
     picture: Option<ColorImage>,
     /// Paths drawn over the picture, in dots.
     paths: Vec<Path>,

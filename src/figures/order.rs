@@ -22,6 +22,12 @@ pub const MARGIN: f32 = 12.0;
 /// Height in points of the page on which a derivation is laid out; more than any derivation needs.
 const UNLIMITED: f32 = 1e6;
 
+/// Pixels of a fine picture for each dot of the figure on one side: 300 an inch, where the figure has 96.
+const FINE: f32 = 300.0 / 96.0;
+
+/// Maximum side of a fine picture, in pixels, so that it stays small enough for a file.
+const LARGEST: f32 = 8192.0;
+
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureSubject {
@@ -141,6 +147,30 @@ impl Order {
                 Ok(self.with_background(self.dots(), self.style.colors().background, drawn))
             }
         }
+    }
+
+    /// Replaces a world view's picture by one that is as fine as print needs, if the figure is to be written
+    /// in a vector format. The strokes and the text, which lie over the picture, stay as they are. The
+    /// camera view's picture stays, too: its pixels are what it shows.
+    ///
+    /// # Errors
+    /// Returns an error, as a sentence, if there is nothing to draw.
+    pub fn refine(
+        &self,
+        figure: &mut Figure,
+        format: FigureFormat,
+        document: &Document,
+        session: &Session,
+    ) -> Result<(), String> {
+        if self.subject != FigureSubject::World || format == FigureFormat::Png {
+            return Ok(());
+        }
+        let longer = self.size[0].max(self.size[1]) as f32;
+        let finer = FINE.min(LARGEST / longer).max(1.0);
+        let size = self.size.map(|dots| (dots as f32 * finer).round() as u32);
+        let fine = Order { size, scale: self.scale * finer, ..*self };
+        figure.picture = fine.view(document, session).map_err(|fault| fault.to_string())?.picture;
+        Ok(())
     }
 
     fn view(&self, document: &Document, session: &Session) -> Result<Figure, Fault> {

@@ -6,6 +6,7 @@ use std::path::Path;
 use egui::Color32;
 use pinhole::view::overlay::Style;
 
+use super::figure_read_back::decoded;
 use super::{Run, entries, run_in};
 
 const VIEWS: [&str; 4] = ["world", "camera", "derivation", "lines"];
@@ -74,6 +75,31 @@ fn the_size_is_as_asked_for() {
     assert_eq!((small.0, large.0), (400, 800));
     // The same lines, twice as large, but for letters on whole dots.
     assert!(small.1.abs_diff(large.1 / 2) <= large.1 / 50, "{small:?} {large:?}");
+}
+
+/// Width and height of the picture in an SVG.
+fn picture_of(svg: &str, folder: &Path) -> (u32, u32) {
+    let (_, data) = svg.split_once("data:image/png;base64,").unwrap();
+    let data = data.split('"').next().unwrap();
+    let path = folder.join("picture.png");
+    fs::write(&path, decoded(data)).unwrap();
+    let (width, height, ..) = decode(&path);
+    (width, height)
+}
+
+#[test]
+fn a_printed_world_view_has_300_pixels_an_inch() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = |arguments: &str| {
+        figure(folder.path(), &format!("canonical {arguments} -o out.svg")).done();
+        let svg = fs::read_to_string(folder.path().join("out.svg")).unwrap();
+        picture_of(&svg, folder.path())
+    };
+    // At 96 dots an inch, 480 are five inches.
+    assert_eq!(size("--view world --width 480"), (1500, 844));
+    assert_eq!(size("--view world --width 4096 --height 64"), (8192, 128));
+    // The camera's 400 pixels, each of them twice.
+    assert_eq!(size("--view camera --width 1200"), (800, 800));
 }
 
 #[test]

@@ -152,7 +152,7 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
 const VIEW: f32 = 960.0;
 /// Size, in points, of a figure of the derivation if it is not on the screen.
 const DERIVATION: [f32; 2] = [800.0, 600.0];
-/// Size, in points, of a figure of the lab of lines (two lines in the plane) if the lab has not been shown
+/// Size, in points, of a figure of two lines in the plane if the lab has not been shown
 /// yet.
 const LINES: [f32; 2] = [800.0, 640.0];
 
@@ -195,7 +195,7 @@ impl App {
         ExportForm::new(self.scene.open.file(), subjects, self.figure_style(ctx))
     }
 
-    /// Returns what a figure of the open page shows: a view, the derivation or the lab of lines.
+    /// Returns what a figure of the open page shows: a view, the derivation or two lines in the plane.
     fn layout_subject(&self) -> FigureSubject {
         page(self.scene.session.settings.layout).figure
     }
@@ -260,7 +260,11 @@ impl App {
                 let derivation = derivation_of(self.document(), &self.figure_session());
                 derivation.written_in(markup).into_bytes()
             }
-            Content::Figure(format) => self.figure(order)?.to_file(format)?,
+            Content::Figure(format) => {
+                let mut figure = self.figure(order)?;
+                order.refine(&mut figure, format, self.document(), &self.figure_session())?;
+                figure.to_file(format)?
+            }
         };
         atomic::write(path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
     }

@@ -154,7 +154,7 @@ impl ExportForm {
     }
 
     fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
-        let dots = |value| DragValue::new(value).range(1..=LARGEST).suffix(" dots");
+        let dots = |value| DragValue::new(value).range(1..=LARGEST).suffix(" pixels");
         let [across, down] = shown.points;
         let follow =
             |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
