@@ -20,7 +20,7 @@ mod navigation;
 
 /// Width of the main figure and of an exercise, which says itself what is asked, as fractions of a wide
 /// window's.
-const BESIDE_COLUMN: [f32; 2] = [0.58, 0.7];
+const BESIDE_COLUMN: [f32; 2] = [0.58, 0.75];
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
 const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
 /// Aspect ratio of a window from which on the column stands beside the figure.
