@@ -101,9 +101,13 @@ fn text(graded: &Graded) -> String {
     }
     if let Some(worst) = graded.worst().filter(|_| grade.agree() < grade.is_right.len()) {
         let _ = writeln!(text, "worst: {worst}");
-        for (index, line) in graded.sketch().iter().enumerate() {
+        let sketch = graded.sketch();
+        for (index, line) in sketch.iter().enumerate() {
             let head = if index == 0 { "where: " } else { "       " };
             let _ = writeln!(text, "{head}{}", line.trim_end());
+        }
+        if !sketch.is_empty() {
+            let _ = writeln!(text, "       # wrong, . right, blank not answered");
         }
     }
     if grade.agree() == grade.is_right.len() {

@@ -183,8 +183,9 @@ fn significant_digits(text: &str) -> usize {
     digits.trim_matches('0').len()
 }
 
-/// Formats a number with at most three significant digits, and a whole number up to 99,999 with all of
-/// them: `0`, `0.5`, `12.3`, `1430`, `54,845`, `3.2e7`, `1e−6`.
+/// Formats an amount with at most three significant digits, and a whole number up to 99,999 with all of
+/// them: `0`, `0.5`, `12.3`, `1430`, `54,845`, `3.2e7`, `1e−6`. Coordinates, whose digits have no groups,
+/// are formatted by [`written`].
 pub fn short(x: f64) -> String {
     short_plain(x).replace('-', "−")
 }

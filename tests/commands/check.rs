@@ -79,6 +79,7 @@ fn wrong_answers_are_status_1_and_their_mistake_is_named() {
     assert_eq!(
         lines[18..],
         [
+            "       # wrong, . right, blank not answered",
             "mistake: far-root",
             "  Look at which root is taken: the smallest t above 0 is the hit, of one object and \
              among all.",
