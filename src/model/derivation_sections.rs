@@ -1,5 +1,9 @@
 //! The sections of the derivation, which is the step-by-step calculation of the camera's and the ray's
-//! numbers. Each section can be hidden.
+//! numbers, and the choice of single lines of it. Each section can be hidden.
+
+use std::sync::Arc;
+
+use crate::model::Concept;
 
 /// A section of the derivation. The variants are in their order on the screen, from top to bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,6 +36,25 @@ impl DerivationSection {
     /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
         self.texts()[1]
+    }
+}
+
+/// Lines of the derivation that are shown in place of whole sections.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Formulas {
+    /// The lines about these concepts.
+    About(Arc<[Concept]>),
+    /// How w, u, v and d come about, in one line each.
+    Recap,
+}
+
+impl Formulas {
+    /// Returns the concepts that are named; none for the recap.
+    pub fn concepts(&self) -> &[Concept] {
+        match self {
+            Formulas::About(concepts) => concepts,
+            Formulas::Recap => &[],
+        }
     }
 }
 

@@ -27,7 +27,7 @@ pub mod symbols;
 pub mod translator;
 
 pub use concept::{Concept, EquationStep, HoverSource, Hovered};
-pub use derivation_sections::{DerivationSection, DerivationSections};
+pub use derivation_sections::{DerivationSection, DerivationSections, Formulas};
 pub use fault::Fault;
 pub use files::OpenDocument;
 pub use given::{Given, GivenVector, Givens};

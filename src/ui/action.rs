@@ -276,6 +276,8 @@ pub enum LookAction {
     Blank,
     /// Take the pen's next colour.
     NextPenColor,
+    /// Show the recap of w, u, v and d, or what it replaced.
+    Recap,
     /// Fill the window with this layout.
     Fill(ViewLayout),
 }

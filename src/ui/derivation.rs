@@ -295,6 +295,9 @@ pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) 
     if theme::installed(ui.ctx()).presenting {
         return;
     }
+    if session.before_recap.is_some() && ui.button("All lines").clicked() {
+        session.end_recap();
+    }
     let Session { sections, settings, .. } = session;
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new("Derivation").strong().size(SIZE));

@@ -411,6 +411,49 @@ fn three_decimals_while_presenting() {
     assert!(!texts_with(&window, "(21, 4, 15)/√682").is_empty(), "short forms stay");
 }
 
+#[test]
+fn w_recaps_w_u_v_and_d_in_four_lines_and_ends_the_recap() {
+    let recap = |d: &str| {
+        [
+            "𝐰 = normalize(−view) = (21, 4, 15)/√682".to_owned(),
+            "𝐮 = normalize(up × 𝐰) = (5, 0, −7)/√74".to_owned(),
+            "𝐯 = 𝐰 × 𝐮 ≈ (−0.12464, 0.9882, −0.089027)".to_owned(),
+            format!("𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 {d}"),
+        ]
+    };
+    let press = |window: &mut Harness<'_, App>, key| {
+        window.key_press(key);
+        window.run();
+    };
+    let layout = |window: &Harness<'_, App>| window.state().session().settings.layout;
+    let mut window = window_with("look-at", Remembered::default(), None);
+    let before = layout(&window);
+    press(&mut window, egui::Key::W);
+    let shown = recap("≈ (−0.67542, −0.25199, −0.72822)");
+    assert_eq!(lines(&window), shown);
+    shown.iter().for_each(|line| assert_says(&window, line));
+    window.get_by_role_and_label(Role::Image, "Camera view");
+    press(&mut window, egui::Key::W);
+    assert_eq!(layout(&window), before);
+    press(&mut window, egui::Key::W);
+    window.get_by_label("All lines").click();
+    window.run();
+    assert_eq!(layout(&window), ViewLayout::Derivation);
+    assert!(lines(&window).len() > 20);
+    // In a lesson, the card beside the figure has the four lines in place of the step's own.
+    let id = LessonArgument::parse("8.2").unwrap().load().unwrap().0;
+    window.state_mut().open_lesson(id, None);
+    window.run();
+    press(&mut window, egui::Key::End);
+    let of_step = lines(&window);
+    press(&mut window, egui::Key::W);
+    let shown = recap("= (−21, −4, −15)/√682");
+    assert_eq!(lines(&window), shown);
+    shown.iter().for_each(|line| assert_says(&window, line));
+    press(&mut window, egui::Key::W);
+    assert_eq!(lines(&window), of_step);
+}
+
 /// Presents a lesson whose second step shows the derivation; `more` belongs to that step.
 fn presented_derivation(folder: &std::path::Path, more: &str) -> Harness<'static, App> {
     let path = folder.join("mine.toml");

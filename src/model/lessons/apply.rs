@@ -58,7 +58,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     let view = &step.view;
     session.observer = seen_from.or(view.observer).or(session.observer);
     set(&mut session.sections, view.derivation);
-    session.formulas = view.formulas.clone();
+    (session.formulas, session.before_recap) = (view.formulas.clone(), None);
     set(&mut session.highlighted, view.highlighted);
     session.ray_point_t = view.t;
     session.spoken = Some(spoken_of(step));
@@ -98,6 +98,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.revealed_lines = None;
     session.sections = before.sections;
     session.formulas = before.formulas.clone();
+    session.before_recap = before.before_recap.clone();
     session.highlighted = before.highlighted;
     session.spoken = before.spoken.clone();
     session.ray_point_t = before.ray_point_t;

@@ -9,7 +9,9 @@ use pinhole_lecture::{Exercise, Mistake};
 
 use crate::model::lessons::{builtin, read};
 use crate::model::play::Kind;
-use crate::model::{Concept, DerivationSections, LinesLab, Observer, OverlayItems, ViewLayout};
+use crate::model::{
+    Concept, DerivationSections, Formulas, LinesLab, Observer, OverlayItems, ViewLayout,
+};
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,8 +82,8 @@ pub struct StepView {
     pub keep_picture: Option<bool>,
     /// True if the teaching part of the camera panel is unfolded.
     pub teaching: Option<bool>,
-    /// The concepts whose lines of the derivation form the step's card of formulas.
-    pub formulas: Option<Arc<[Concept]>>,
+    /// The lines of the derivation on the step's card of formulas.
+    pub formulas: Option<Formulas>,
     /// The sections of the derivation that are shown.
     pub derivation: Option<DerivationSections>,
     /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights

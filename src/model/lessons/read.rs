@@ -13,7 +13,8 @@ use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
 use crate::model::session::{DIGITS, ViewLayout};
 use crate::model::{
-    Concept, DerivationSection, DerivationSections, Item, LinesLab, Observer, OverlayItems,
+    Concept, DerivationSection, DerivationSections, Formulas, Item, LinesLab, Observer,
+    OverlayItems,
 };
 
 /// The version of the lesson format that this program reads.
@@ -223,7 +224,13 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
     say(section, "teaching", &mut view.teaching, TomlField::boolean)?;
     say(section, "derivation", &mut view.derivation, derivation)?;
     say(section, "formulas", &mut view.formulas, |field| {
-        elements(field, "[\"view\", \"w\"]")?.iter().map(|one| concept(one, objects)).collect()
+        if field.text() == Ok("recap") {
+            return Ok(Formulas::Recap);
+        }
+        let concepts = elements(field, "[\"view\", \"w\"], or \"recap\"")?;
+        Ok(Formulas::About(
+            concepts.iter().map(|one| concept(one, objects)).collect::<Result<_, _>>()?,
+        ))
     })?;
     say(section, "highlight", &mut view.highlighted, |field| highlighted(field, objects))?;
     say(section, "mistake", &mut view.mistake, |field| {

@@ -1,7 +1,5 @@
 //! The state of a document's views, which a scene file does not store, and the user's settings.
 
-use std::sync::Arc;
-
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
@@ -9,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::{
-    Concept, DerivationSections, Exercises, HandleState, HoverSource, Hovered, LinesLab,
+    Concept, DerivationSections, Exercises, Formulas, HandleState, HoverSource, Hovered, LinesLab,
     MistakesView, Observer, OverlayItems, StudentAnswers, Translator,
 };
 
@@ -52,9 +50,10 @@ pub struct Session {
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
-    /// The concepts whose lines the derivation is reduced to, as a lesson's step asks; `None` for all lines
-    /// of the shown sections.
-    pub formulas: Option<Arc<[Concept]>>,
+    /// The lines to which the derivation is reduced; `None` for all lines of the shown sections.
+    pub formulas: Option<Formulas>,
+    /// What the recap has replaced, and replaces again when it ends; `None` if it was not asked for.
+    pub before_recap: Option<BeforeRecap>,
     /// How many lines of the derivation are shown, from the first one; `None` if all are. The total number
     /// depends on the derivation.
     pub revealed_lines: Option<usize>,
@@ -76,6 +75,39 @@ pub struct Session {
     pub translator: Translator,
     /// The settings, which are kept across runs.
     pub settings: Settings,
+}
+
+/// What is shown instead of the recap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeforeRecap {
+    layout: ViewLayout,
+    formulas: Option<Formulas>,
+    revealed_lines: Option<usize>,
+}
+
+impl Session {
+    /// Shows the recap of w, u, v and d, beside the picture; again, shows what it replaced.
+    pub fn toggle_recap(&mut self) {
+        let layout = &mut self.settings.layout;
+        if let Some(before) = self.before_recap.take() {
+            *layout = before.layout;
+            (self.formulas, self.revealed_lines) = (before.formulas, before.revealed_lines);
+            return;
+        }
+        let before = std::mem::replace(layout, ViewLayout::Derivation);
+        self.before_recap = Some(BeforeRecap {
+            layout: before,
+            formulas: self.formulas.replace(Formulas::Recap),
+            revealed_lines: self.revealed_lines.take(),
+        });
+    }
+
+    /// Shows all lines of the derivation instead of the recap.
+    pub fn end_recap(&mut self) {
+        if let Some(before) = self.before_recap.take() {
+            self.formulas = before.formulas;
+        }
+    }
 }
 
 /// Minimum and maximum number of significant digits of the readouts.

@@ -354,6 +354,7 @@ fn change_look(session: &mut Session, action: LookAction) {
         LookAction::Scheme(scheme) => settings.scheme = scheme,
         LookAction::Method(method) => settings.method = method,
         LookAction::Toggle(switch) => switch.toggle(session),
+        LookAction::Recap => session.toggle_recap(),
         LookAction::DigitsBy(by) => {
             let digits = settings.digits.saturating_add_signed(by as isize);
             settings.digits = digits.clamp(DIGITS.0, DIGITS.1);

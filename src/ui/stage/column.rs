@@ -10,7 +10,7 @@ use egui::{
 use super::{Stage, navigation};
 use crate::model::lessons::{Lesson, OpenLesson, StepQuestion};
 use crate::model::session::presenting::WRITTEN;
-use crate::model::{Concept, Session, ViewLayout};
+use crate::model::{Concept, Formulas, Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::mistakes;
 use crate::ui::widgets::{inside, marked_text};
@@ -140,7 +140,7 @@ fn has_card(layout: ViewLayout) -> bool {
 
 /// Returns what the step's card is about.
 fn about(session: &Session) -> &[Concept] {
-    session.formulas.as_deref().unwrap_or_default()
+    session.formulas.as_ref().map_or(&[], Formulas::concepts)
 }
 
 /// Returns the height of the card.

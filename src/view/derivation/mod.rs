@@ -99,6 +99,16 @@ impl DerivedLine {
         DerivedLine { note: note.into(), ..self }
     }
 
+    /// Leaves out the numbers between the symbols and the result.
+    fn abridged(self) -> DerivedLine {
+        match <[Formula; 4]>::try_from(self.formula.sides()) {
+            Ok([name, symbols, _, result]) => {
+                DerivedLine { formula: equation(equation(name, symbols), result), ..self }
+            }
+            Err(_) => self,
+        }
+    }
+
     /// Returns true if the line is highlighted together with this concept.
     pub fn is_about(&self, concept: Concept) -> bool {
         let own = [self.concept, self.concept.map(Concept::in_views)];
@@ -129,6 +139,24 @@ impl Derivation {
         self.sections.retain(|section| !section.lines.is_empty());
         self.left_out = 0;
         self
+    }
+
+    /// Keeps only the lines that compute w, u, v and d, each as its symbols and its result. If one of them
+    /// cannot be computed, its line says why.
+    #[must_use]
+    pub fn recap(self) -> Derivation {
+        use Concept::{Direction, U, V, W, WCrossU};
+        let lines: Vec<DerivedLine> = self.sections.into_iter().flat_map(|s| s.lines).collect();
+        // v is given by hand, or it is the product w x u.
+        let recap = [[W, W], [U, U], [V, WCrossU], [Direction, Direction]];
+        let line_of = |concepts: [Concept; 2]| {
+            let is_of = |line: &&DerivedLine| line.concept.is_some_and(|c| concepts.contains(&c));
+            lines.iter().find(is_of).cloned().map(DerivedLine::abridged)
+        };
+        let lines = recap.into_iter().filter_map(line_of).collect();
+        let (section, title) = (DerivationSection::Basis, "Recap".to_owned());
+        let section = DerivedSection { section, object: None, title, lines };
+        Derivation { sections: vec![section], left_out: 0 }
     }
 
     /// Returns the number of lines.

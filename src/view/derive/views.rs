@@ -17,8 +17,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
-use crate::model::Concept;
-use crate::model::derivation_sections::DerivationSections;
+use crate::model::derivation_sections::{DerivationSections, Formulas};
 use crate::model::observer::enclosing;
 use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
@@ -316,8 +315,8 @@ const PRESENTED_DECIMALS: usize = 3;
 #[derive(Debug, Default)]
 pub(super) struct Derivations(Memo<(Document, DerivationKey), Arc<Derivation>>);
 
-/// The choices on which a derivation depends: the settings, and the concepts to whose lines it is reduced.
-type DerivationKey = (DerivationSettings, Option<Arc<[Concept]>>);
+/// The choices on which a derivation depends: the settings, and the lines to which it is reduced.
+type DerivationKey = (DerivationSettings, Option<Formulas>);
 
 impl Derivations {
     /// Returns the derivation; `None` if the layout does not show it.
@@ -362,7 +361,8 @@ impl Derivations {
                 settings,
             });
             Arc::new(match only {
-                Some(concepts) => whole.reduced_to(concepts),
+                Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
+                Some(Formulas::Recap) => whole.recap(),
                 None => whole,
             })
         }))

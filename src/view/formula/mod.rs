@@ -245,6 +245,11 @@ impl Formula {
         self.parts().iter().take_while(|part| !part.is_relation()).any(Formula::is_rounded)
     }
 
+    /// Returns the sides of an equation, without the relations between them.
+    pub fn sides(&self) -> Vec<Formula> {
+        self.parts().split(Formula::is_relation).map(|side| row(side.iter().cloned())).collect()
+    }
+
     /// Returns true if a rounded number occurs after the formula's last relation.
     pub fn ends_rounded(&self) -> bool {
         self.parts().iter().rev().take_while(|part| !part.is_relation()).any(Formula::is_rounded)

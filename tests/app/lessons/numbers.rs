@@ -158,6 +158,15 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             "A camera at eye = (−4, 3, −3) looks at the point at = (−3, 2, −5), with up = (0, 1, 0).",
         )],
     ),
+    (
+        8,
+        5,
+        &[
+            ("𝐰", "(21, 4, 15)/√682"),
+            ("𝐮", "(5, 0, −7)/√74"),
+            ("𝐝", "(−0.83617, 0.095117, −0.59573)"),
+        ],
+    ),
     // The eye is √52 from at, and 4 off the vertical through it: √52/4.
     (9, 1, &[("sensitivity", "1.8° of roll per 1° of up"), ("sensitivity", "1.8028")]),
     // √(8² + 0.05²)/0.05.

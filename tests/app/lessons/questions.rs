@@ -7,6 +7,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
+use pinhole::model::session::ViewLayout;
 
 use super::{Window, at_step, go_to, key, press, shown_step};
 use crate::app::practice::exercises::answers;
@@ -84,7 +85,7 @@ fn every_step_with_a_question_is_among_them() {
         .iter()
         .enumerate()
         .flat_map(|(lesson, l)| l.steps.iter().enumerate().map(move |(k, s)| (lesson, k, s)))
-        .filter(|(.., step)| step.view.exercise.is_some())
+        .filter(|(.., step)| step.view.layout == Some(ViewLayout::Exercises))
         .map(|(lesson, k, _)| (lesson + 1, k + 1))
         .collect();
     assert_eq!(QUESTIONS.iter().map(|row| (row.0, row.1)).collect::<BTreeSet<_>>(), asking);
