@@ -98,7 +98,7 @@
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
-//! | a workspace of the window | `ui/workspaces.rs` |
+//! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |

@@ -1,14 +1,13 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2};
+use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
 
 use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
-use crate::model::lessons::{StepId, Which};
 use crate::model::session::{Session, Split, ViewLayout};
-use crate::model::{Hovered, Item, NumberStyle};
-use crate::ui::action::{Leave, LessonAction, LookAction};
+use crate::model::{Hovered, NumberStyle};
+use crate::ui::action::LessonAction;
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::exercises::QuestionScene;
@@ -18,7 +17,7 @@ use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
 use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
-use crate::ui::widgets::{ResponseExt as _, ViewTexture, button_width};
+use crate::ui::widgets::{ViewTexture, clipped, inside};
 use crate::view::derive::{Derived, SecondPicture};
 use crate::view::typesetting::theme;
 
@@ -81,19 +80,17 @@ pub(crate) struct PageContext<'a> {
     pub(crate) derived: &'a Derived,
     pub(crate) tools: &'a mut Tools,
     pub(crate) style: NumberStyle,
-    /// True if a lesson is open.
-    pub(crate) has_lesson: bool,
 }
 
 /// Size of the text that replaces hidden content, in points.
 const HIDDEN: f32 = 16.0;
 
 impl Page {
-    /// The default page: both views and nothing below them.
+    /// The default page: both views and nothing else.
     pub(crate) const VIEWS: Page = Page {
         has_panel: true,
         follows_pointer: false,
-        areas: |divider| divider.both_above(Split::Readouts),
+        areas: |divider| divider.figure_and_column(),
         second: None,
         rest: |_, _| (),
         asked: |ui, _| hidden(ui),
@@ -117,9 +114,9 @@ fn hidden(ui: &mut Ui) {
 
 const BOTH: Page = Page {
     follows_pointer: true,
-    areas: |divider| {
-        let (views, rest) = divider.above_readouts();
-        divider.both(views, rest)
+    areas: |divider| match divider.has_all_numbers {
+        true => divider.above_numbers(),
+        false => divider.figure_and_column(),
     },
     rest: numbers,
     hovered: |ctx, _, _| readouts::hovered(ctx),
@@ -128,91 +125,65 @@ const BOTH: Page = Page {
 
 const WORLD: Page = Page {
     areas: |divider| {
-        let (views, rest) = divider.above_readouts();
-        Areas { world: Some(views), camera: None, second: None, rest }
+        let (view, rest) = divider.figure_and_foot();
+        Areas { world: Some(view), camera: None, second: None, rest }
     },
+    rest: foot,
     ..BOTH
 };
 
 const CAMERA: Page = Page {
     areas: |divider| {
-        let (views, rest) = divider.above_readouts();
-        Areas { world: None, camera: Some(views), second: None, rest }
+        let (view, rest) = divider.figure_and_foot();
+        Areas { world: None, camera: Some(view), second: None, rest }
     },
+    rest: foot,
     figure: FigureSubject::Camera,
     ..BOTH
 };
 
+/// Distance of the numbers at a figure's foot from its left and right edges, in points.
+const BESIDE_NUMBERS: f32 = 8.0;
+/// Height of the row below the numbers of the column, in points.
+const BELOW_NUMBERS: f32 = 26.0;
+
+/// Shows the numbers of the page with both views: in the column, one per line, or all of them.
 fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     if context.session.presenting.is_some() {
         if context.session.settings.presents_numbers {
-            readouts::strip(ui, derived, document, style);
+            readouts::column(ui, derived, document, style);
         }
         return;
     }
-    let all = context.session.settings.unfolded.numbers;
-    let mut switched = false;
-    ui.add_space(2.0);
-    if all {
+    let all = &mut context.session.settings.unfolded.numbers;
+    if *all {
         ui.horizontal_wrapped(|ui| {
-            switched = ui.small_button("Fewer numbers").clicked();
+            *all = !ui.small_button("Fewer numbers").clicked();
             readouts::work(ui, derived);
         });
-        readouts::ui(ui, derived, document, style);
-    } else {
-        let area = ui.available_rect_before_wrap();
-        // Numbers that are too wide must not move the buttons.
-        let mut above = ui.new_child(UiBuilder::new().max_rect(area));
-        readouts::strip(&mut above, derived, document, style);
-        let top = above.min_rect().bottom() + ui.spacing().item_spacing.y;
-        let builder = UiBuilder::new().max_rect(area.with_min_y(top));
-        let builder = builder.layout(Layout::right_to_left(Align::Center));
-        ui.scope_builder(builder, |ui| {
-            ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-            switched = strip_buttons(ui, context.has_lesson);
+        return readouts::ui(ui, derived, document, style);
+    }
+    let whole = ui.available_rect_before_wrap();
+    let (above, below) = whole.split_top_bottom_at_y(whole.bottom() - BELOW_NUMBERS);
+    clipped(ui, above, |ui| readouts::column(ui, derived, document, style));
+    inside(ui, below, |ui| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            *all = ui.small_button("All numbers").clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let shows_all = context.session.settings.items.shows(Item::ViewAndUp);
-                let dragged = if shows_all { "eye, at or up" } else { "eye" };
-                ui.weak(format!("Drag {dragged}. Click a pixel."));
                 readouts::left_out(ui, derived);
             });
         });
-    }
-    if switched {
-        context.session.settings.unfolded.numbers = !all;
-    }
-}
-
-/// Shows the buttons at the strip's right end, from the right; unless a lesson is open, with those that start
-/// something. In a narrow window, only the most important ones are shown. Returns true if all numbers are
-/// asked for.
-fn strip_buttons(ui: &mut Ui, has_lesson: bool) -> bool {
-    const LECTURE: &str = "Start the lecture";
-    const NUMBERS: &str = "All numbers";
-    let mut room = ui.available_width() - if has_lesson { 0.0 } else { button_width(ui, LECTURE) };
-    let [numbers, practise, present] = [NUMBERS, "Practise", "Present"].map(|text| {
-        room -= button_width(ui, text);
-        room >= 0.0
     });
-    let switched = numbers && ui.button(NUMBERS).clicked();
-    if !has_lesson {
-        if present {
-            ui.button("Present").asks(LookAction::Present);
-        }
-        if practise {
-            ui.button("Practise").asks(LookAction::Layout(ViewLayout::Exercises));
-        }
-        let lecture = StepId { lesson: Which::Builtin(0), step: 0 };
-        ui.button(LECTURE).asks(Leave::GoTo(lecture));
-    }
-    switched
 }
 
-/// Shows the numbers at the foot of a lesson's main figure: one line of them, or all.
+/// Shows the numbers at the foot of the main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     let area = ui.available_rect_before_wrap();
+    let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
+    let ui = &mut ui.new_child(inner);
     let all = context.session.settings.unfolded.numbers && area.height() > readouts::BAND;
     let mut switched = false;
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {

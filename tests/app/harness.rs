@@ -37,7 +37,14 @@ pub(crate) fn window_with(
 
 /// The settings of somebody who has unfolded everything.
 pub(crate) fn unfolded() -> Settings {
-    let unfolded = Unfolded { note: true, viewport: true, ray: true, objects: true, numbers: true };
+    let unfolded = Unfolded {
+        note: true,
+        viewport: true,
+        ray: true,
+        objects: true,
+        numbers: true,
+        camera: true,
+    };
     Settings { unfolded, ..Settings::default() }
 }
 

@@ -8,15 +8,23 @@ use pinhole::model::store::Remembered;
 use super::harness::{show, type_into, unfolded, window, window_with};
 
 #[test]
+fn the_first_window() {
+    let mut window = window_with("canonical", Remembered::default(), None);
+    window.set_size(egui::vec2(1280.0, 800.0));
+    window.run();
+    window.snapshot("window_first");
+}
+
+#[test]
 fn the_lectures_scene() {
     window("canonical").snapshot("window_canonical");
 }
 
 #[test]
-fn a_light_window_on_another_scene() {
-    let settings = Settings { theme: ThemeName::Light, ..unfolded() };
+fn a_dark_window_on_another_scene() {
+    let settings = Settings { theme: ThemeName::Dark, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
-    window_with("look-at", remembered, None).snapshot("window_light");
+    window_with("look-at", remembered, None).snapshot("window_dark");
 }
 
 #[test]

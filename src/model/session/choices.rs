@@ -159,7 +159,7 @@ impl ViewLayout {
 /// The brightness of the window's colours, with its label in a menu.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum ThemeName {
-    /// The system's choice; dark if it has none.
+    /// The system's choice; light if it has none.
     #[default]
     System,
     /// Dark.
@@ -237,7 +237,7 @@ const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
 /// Default position and range of each boundary, in the order of [`Split`].
 const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
-    (Split::Views, 0.54, SHARE),
+    (Split::Views, 0.62, SHARE),
     (Split::Stack, 0.55, SHARE),
     (Split::CompareViews, 0.42, SHARE),
     (Split::PracticeViews, 0.38, SHARE),

@@ -179,9 +179,11 @@ pub struct Settings {
 }
 
 /// The collapsible parts of the window: each field is true if that part is unfolded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Unfolded {
+    /// *Eye*, orientation and experiments.
+    pub camera: bool,
     /// The note on what to look for in the scene.
     pub note: bool,
     /// Viewport and image.
@@ -190,8 +192,21 @@ pub struct Unfolded {
     pub ray: bool,
     /// The scene's objects.
     pub objects: bool,
-    /// True if all numbers are shown below the views; otherwise only a line of them is shown.
+    /// True if all numbers are shown; otherwise only the most important ones are.
     pub numbers: bool,
+}
+
+impl Default for Unfolded {
+    fn default() -> Self {
+        Unfolded {
+            camera: true,
+            note: false,
+            viewport: false,
+            ray: false,
+            objects: false,
+            numbers: false,
+        }
+    }
 }
 
 impl Default for Settings {

@@ -6,10 +6,12 @@
 //! next one shows a page about the panic: the scene is kept, and the user chooses how to continue.
 
 use egui::{
-    CentralPanel, Context, Key, Modifiers, Panel, Popup, RichText, ScrollArea, Ui, UiBuilder,
+    CentralPanel, Context, Frame, Key, Modifiers, Panel, Popup, Rect, RichText, ScrollArea, Ui,
+    UiBuilder,
 };
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
+use pinhole_lecture::numbers::grouped;
 
 use crate::model::fault::caught;
 use crate::model::session::Split;
@@ -21,15 +23,15 @@ use crate::ui::action::{
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
-use crate::ui::panels::{camera, objects, section, top_bar};
-use crate::ui::scene::{Divider, Numbers, ViewInput, ViewRects, readouts, views};
+use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
+use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::Stage;
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
 
-/// Minimum width of the window in which a lesson's step has the side panel beside it, in points.
+/// Minimum width of the window in which the panel is beside the views, in points.
 const LEAST_WIDTH: f32 = 640.0;
 
 impl App {
@@ -47,8 +49,7 @@ impl App {
         self.panels(ui, &mut start);
         // The first pass has no layout yet.
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
-        let margin = egui::Frame::central_panel(ui.style());
-        let frame = if self.scene.has_stage() { margin.inner_margin(0) } else { margin };
+        let frame = Frame::central_panel(ui.style()).inner_margin(0);
         CentralPanel::default().frame(frame).show(ui, |ui| {
             let stage = self.stage(ui);
             let rects = self.rects(ui, stage.as_ref());
@@ -206,13 +207,20 @@ impl App {
         // again.
         start.session.ray_point_t = session.ray_point_t;
         start.session.scanned_pixels = session.scanned_pixels;
-        // On a phone there is room for the step alone.
-        let is_narrow = self.scene.has_stage() && ui.available_width() < LEAST_WIDTH;
-        let hidden = presenting || session.settings.hides_panel || is_narrow;
+        // On a phone the panel is below, and a lesson's step has all the space.
+        let is_narrow = ui.available_width() < LEAST_WIDTH;
+        let is_alone = presenting || is_narrow && self.scene.has_stage();
+        let hidden = is_alone || session.settings.hides_panel;
         if !hidden && self.page().has_panel {
-            let panel =
-                Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
-            panel.show(ui, |ui| {
+            let panel = match is_narrow {
+                true => Panel::bottom("panel below").default_size(0.3 * ui.available_height()),
+                false => Panel::left("panel").default_size(336.0).size_range(316.0..=560.0),
+            };
+            panel.resizable(true).show(ui, |ui| {
+                if self.scene.lessons.open.is_none() {
+                    let foot = Panel::bottom("start").show_separator_line(false).frame(Frame::NONE);
+                    foot.show(ui, start_buttons);
+                }
                 // Content that is too wide is clipped, so that the panel keeps the width that the user has
                 // set.
                 let rect = ui.available_rect_before_wrap();
@@ -238,22 +246,32 @@ impl App {
         let resolved = document.camera.resolve().ok();
         // The ray's numbers may be the answer to the question.
         if !scene.session.is_asking {
-            section(ui, "Selected ray", &mut settings.unfolded.ray, |ui| {
-                camera::selected_ray(ui, selected, resolved.as_ref(), settings.count_from_one);
-            });
+            let uv = resolved.as_ref().map(|resolved| selected.uv(resolved));
+            let uv = uv.map(|uv| NumberStyle::new(settings).uv(uv));
+            section(
+                ui,
+                "Selected ray",
+                &uv.unwrap_or_default(),
+                &mut settings.unfolded.ray,
+                |ui| {
+                    camera::selected_ray(ui, selected, resolved.as_ref(), settings.count_from_one);
+                },
+            );
             ui.separator();
         }
         let chosen = &mut scene.chosen_object;
         // If an object was chosen elsewhere, the section with its fields unfolds.
         let mut is_open = settings.unfolded.objects || chosen.is_some();
-        section(ui, "Objects", &mut is_open, |ui| objects::ui(ui, document, chosen));
+        let count = grouped(document.object_count() as u64);
+        section(ui, "Objects", &count, &mut is_open, |ui| objects::ui(ui, document, chosen));
         if !is_open {
             *chosen = None;
         }
         settings.unfolded.objects = is_open;
         if !document.note.is_empty() {
             ui.separator();
-            section(ui, "What to look for", &mut settings.unfolded.note, |ui| {
+            let beginning = document.note.replace('\n', " ");
+            section(ui, "What to look for", &beginning, &mut settings.unfolded.note, |ui| {
                 for paragraph in document.note.split("\n\n") {
                     ui.label(paragraph.replace('\n', " "));
                 }
@@ -264,23 +282,28 @@ impl App {
 
     /// Returns the stage of the open vote or of the lesson's step; `None` without either.
     fn stage(&self, ui: &Ui) -> Option<Stage> {
-        let session = &self.scene.session;
-        let settings = &session.settings;
         let whole = ui.available_rect_before_wrap();
+        let Session { presenting, settings, .. } = &self.scene.session;
+        let is_swapped = presenting.is_some_and(|now| now.is_swapped(settings.layout));
+        let stage = || Stage { is_swapped, ..Stage::new(whole, settings.layout, self.band(whole)) };
+        self.scene.has_stage().then(stage)
+    }
+
+    /// Returns the height of the numbers at the foot of the main figure.
+    fn band(&self, whole: Rect) -> f32 {
+        let Session { presenting, settings, .. } = &self.scene.session;
         let has_room = whole.width() > readouts::LEAST;
-        let band = match (session.presenting, settings.unfolded.numbers) {
+        match (presenting, settings.unfolded.numbers) {
             (None, true) if has_room => settings.splits.get(Split::Readouts),
             _ if settings.presents_numbers => readouts::BAND,
             _ => 0.0,
-        };
-        let is_swapped = session.presenting.is_some_and(|now| now.is_swapped(settings.layout));
-        let stage = || Stage { is_swapped, ..Stage::new(whole, settings.layout, band) };
-        self.scene.has_stage().then(stage)
+        }
     }
 
     /// Lays out the views and the rest of the page.
     fn rects(&mut self, ui: &mut Ui, stage: Option<&Stage>) -> ViewRects {
-        let areas = self.page().areas;
+        let whole = ui.available_rect_before_wrap();
+        let (areas, band) = (self.page().areas, self.band(whole));
         let session = &mut self.scene.session;
         let presenting = session.presenting.is_some();
         let image = self.scene.open.document.camera.image;
@@ -288,15 +311,10 @@ impl App {
         if let Some(areas) = stage.and_then(|stage| stage.areas(image)) {
             return ViewRects::new(areas, image, per_point, true);
         }
-        let whole = stage.map_or(ui.available_rect_before_wrap(), |stage| stage.main);
-        let numbers = match (presenting, session.settings.unfolded.numbers) {
-            (true, _) if !session.settings.presents_numbers => Numbers::Strip(0.0),
-            (true, _) => Numbers::Strip(readouts::PRESENTED),
-            (false, true) => Numbers::All,
-            (false, false) => Numbers::Strip(readouts::strip_height(whole.width())),
-        };
+        let whole = stage.map_or(whole, |stage| stage.main);
+        let has_all_numbers = !presenting && session.settings.unfolded.numbers;
         let splits = &mut session.settings.splits;
-        let areas = areas(&mut Divider { ui, whole, splits, numbers });
+        let areas = areas(&mut Divider { ui, whole, splits, image, band, has_all_numbers });
         ViewRects::new(areas, image, per_point, presenting)
     }
 
@@ -344,7 +362,6 @@ impl App {
             derived: &self.views.derived,
             tools: &mut self.tools,
             style,
-            has_lesson: self.scene.lessons.open.is_some(),
         };
         if let (Some(second), Some(area), Some(rect)) =
             (page.second, rects.second_area, rects.second)

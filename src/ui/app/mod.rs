@@ -100,9 +100,10 @@ impl App {
             // Scroll bars stay visible, so that the user sees that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
-        // The zoom's keys are in the table of commands.
         ctx.options_mut(|options| {
+            // The zoom's keys are in the table of commands.
             options.zoom_with_keyboard = false;
+            options.fallback_theme = egui::Theme::Light;
             // If the zoom were set later, it would take effect in the first pass and change the size of the
             // screen.
             options.zoom_factor = settings.zoom.clamp(ZOOM.0, ZOOM.1);

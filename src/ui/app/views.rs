@@ -96,12 +96,7 @@ impl App {
         let App { scene, dragging, views: shown, .. } = self;
         shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
-        if scene.session.presenting.is_none() && !on_stage {
-            let image = scene.open.document.camera.image;
-            let settings = &mut scene.session.settings;
-            views::strips(ui, rects, settings, image);
-        }
-        let (document, session) = (&scene.open.document, &scene.session);
+        let session = &scene.session;
         let picture = rects.camera.or(rects.world);
         let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
         let has_world_inset = rects.has_world_inset();
@@ -128,6 +123,11 @@ impl App {
             views::show(ui, rect, view, texture, stale);
             views::speak(ui, name, &spoken);
         }
+        if scene.session.presenting.is_none() && !on_stage {
+            let image = scene.open.document.camera.image;
+            views::strips(ui, rects, &mut scene.session.settings, image);
+        }
+        let (document, session) = (&scene.open.document, &scene.session);
         // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
         if session.handles.over.is_none() && !is_steered && !session.is_asking {

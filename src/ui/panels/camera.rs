@@ -1,6 +1,6 @@
 //! The camera as numbers (eye, orientation, viewport and image), and the fields of the selected ray.
 
-use egui::{Context, Grid, RichText, Ui};
+use egui::{Context, Grid, Rect, RichText, Ui, UiBuilder};
 use pinhole_core::{
     BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
     Viewport,
@@ -8,36 +8,55 @@ use pinhole_core::{
 use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
+use crate::model::NumberStyle;
 use crate::model::session::Settings;
 use crate::model::symbols::{SymbolKind, meaning, typeset_message};
 use crate::ui::widgets::{NumberField, ResponseExt as _, vector_color, vector_row};
 use crate::view::typesetting::theme::error_color;
 
+/// Maximum number of significant digits in the heading of a folded section.
+const HEADING_DIGITS: usize = 3;
+
 /// Shows the fields that edit the camera. The setting `keep_pixel_shape` locks the aspect ratio of the
 /// pixels: the viewport's width / height, divided by the image's W / H. The setting `keep_picture` locks the
 /// ratios of the viewport's distance, width and height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
-    ui.horizontal(|ui| {
-        ui.heading("Camera");
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let hint = "Eye at the origin, looking along −z, viewport 1 × 1 at distance 1";
-            if ui.button("Canonical camera").on_hover_text(hint).clicked() {
-                *camera = Camera::CANONICAL;
-            }
-        });
+    let style = NumberStyle::new(settings).at_most(HEADING_DIGITS);
+    let eye = format!("eye {}", style.vector(camera.eye));
+    let mut unfolded = settings.unfolded.camera || camera.basis().is_err();
+    let header = section(ui, "Camera", &eye, &mut unfolded, |ui| {
+        given_by(ui, camera);
+        Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
+        teaching::ui(ui, camera, settings);
     });
-    given_by(ui, camera);
-    Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
-    teaching::ui(ui, camera, settings);
+    if unfolded {
+        canonical(ui, header.rect, camera);
+    }
+    settings.unfolded.camera = unfolded;
     ui.separator();
+    let Viewport { width, height, distance } = camera.viewport;
+    let [width, height, distance] = [width, height, distance].map(|x| style.number(x));
+    let [columns, rows] = [camera.image.width(), camera.image.height()];
+    let values = format!("{width} × {height} at {distance}, {columns} × {rows}");
     let mut unfolded = settings.unfolded.viewport || camera.viewport.check().is_err();
-    section(ui, "Viewport and image", &mut unfolded, |ui| {
+    section(ui, "Viewport and image", &values, &mut unfolded, |ui| {
         Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
         let hint = "Editing width, height, W or H changes another of them to match";
         ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
         pixel_shape(ui, camera);
     });
     settings.unfolded.viewport = unfolded;
+}
+
+/// Shows the button for the canonical camera, at the right end of the section's heading.
+fn canonical(ui: &mut Ui, heading: Rect, camera: &mut Camera) {
+    let hint = "Eye at the origin, looking along −z, viewport 1 × 1 at distance 1";
+    let row = heading.with_max_x(ui.max_rect().right());
+    let layout = egui::Layout::right_to_left(egui::Align::Center);
+    let mut row = ui.new_child(UiBuilder::new().max_rect(row).layout(layout));
+    if row.button("Canonical camera").on_hover_text(hint).clicked() {
+        *camera = Camera::CANONICAL;
+    }
 }
 
 /// Shows the choice of how the camera is given (by *at*, *view* or a basis). Converts the camera to the

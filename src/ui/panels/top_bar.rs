@@ -56,15 +56,23 @@ pub(crate) fn ui(
 /// Minimum width of the scene's name, in points.
 const TITLE: f32 = 64.0;
 
-/// Shows the four workspaces side by side.
+/// Shows the four workspaces side by side or, if they do not fit, in a menu.
 fn workspaces(ui: &mut Ui, settings: &mut Settings) {
     let open = settings.layout.workspace();
-    for workspace in Workspace::ALL {
-        let is_open = open == Some(workspace);
-        let tab = ui.selectable_label(is_open, RichText::new(workspace.label()).strong());
-        if tab.on_hover_text(workspace.about()).clicked() && !is_open {
-            settings.layout = workspace.pages()[0];
+    let width: f32 = Workspace::ALL.iter().map(|one| button_width(ui, one.label())).sum();
+    let mut choices = |ui: &mut Ui| {
+        for workspace in Workspace::ALL {
+            let is_open = open == Some(workspace);
+            let tab = ui.selectable_label(is_open, RichText::new(workspace.label()).strong());
+            if tab.on_hover_text(workspace.about()).clicked() && !is_open {
+                settings.layout = workspace.pages()[0];
+            }
         }
+    };
+    if width <= ui.available_width() {
+        choices(ui);
+    } else {
+        ui.menu_button(open.map_or("Tools", Workspace::label), choices);
     }
 }
 

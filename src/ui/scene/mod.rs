@@ -9,4 +9,4 @@ pub mod views;
 
 use dragging::WorldArea;
 pub(crate) use dragging::{Dragging, ViewInput};
-pub(crate) use view_rects::{Divider, Numbers, ViewRects};
+pub(crate) use view_rects::{Divider, ViewRects};

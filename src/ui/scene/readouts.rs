@@ -1,10 +1,14 @@
-//! The readouts: the numbers below the views, shown either as blocks that can be selected and copied, or as a
-//! compact strip of one or two rows. Hovering a number highlights what it is about, such as a vector or an
+//! The readouts: the numbers beside or below the views, shown either as blocks that can be selected and copied,
+//! or in short: a line each in the column, or in one row at a figure's foot. Hovering a number highlights what it is about, such as a vector or an
 //! object, in both views.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Context, FontId, Grid, Id, Label, Response, RichText, ScrollArea, TextStyle, Ui};
-use pinhole_core::{Counts, ResolvedCamera, Steps, UpAngle};
+use egui::{
+    Align, Context, FontId, Grid, Id, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui,
+};
+use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
@@ -21,37 +25,31 @@ use crate::view::typesetting::theme;
 /// Minimum width of the block that lists the hits, in points.
 const HITS: f32 = 280.0;
 
-/// Shows the blocks Basis, Ray and Hits side by side.
+/// Shows the blocks Basis, Ray and Hits side by side, or one below another where there is no space.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
-        ui.horizontal_top(|ui| {
-            // This is as wide as the widest numbers, so that nothing moves sideways while they change.
-            let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
-            let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
-                ui.vertical(|ui| {
-                    ui.set_width(names + vector);
-                    content(ui);
-                });
-                ui.separator();
-            };
-            // If there is no space for three columns, the ray is shown below the basis.
-            let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
-            let selected = derived.inspection.as_ref().zip(derived.resolved.as_ref());
-            if let Some(resolved) = &derived.resolved {
-                block(ui, 110.0, &mut |ui| {
-                    basis(ui, resolved, derived.up_angle, style);
-                    if let (true, Some((inspection, resolved))) = (is_narrow, selected) {
-                        ui.add_space(6.0);
-                        ray(ui, inspection, resolved, style);
-                    }
-                });
-            }
-            if let Some((inspection, resolved)) = selected {
+        // This is as wide as the widest numbers, so that nothing moves sideways while they change.
+        let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
+        let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
+        let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
+            ui.vertical(|ui| {
                 if !is_narrow {
-                    block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
+                    ui.set_width(names + vector);
                 }
-                ui.vertical(|ui| hits(ui, derived, document, style));
-            }
+                content(ui);
+            });
+            ui.separator();
+        };
+        let layout = match is_narrow {
+            true => Layout::top_down(Align::LEFT),
+            false => Layout::left_to_right(Align::TOP),
+        };
+        ui.with_layout(layout, |ui| {
+            let Some(resolved) = &derived.resolved else { return };
+            block(ui, 110.0, &mut |ui| basis(ui, resolved, derived.up_angle, style));
+            let Some(inspection) = &derived.inspection else { return };
+            block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
+            ui.vertical(|ui| hits(ui, derived, document, style));
         });
     });
 }
@@ -66,6 +64,7 @@ pub(crate) fn work(ui: &mut Ui, derived: &Derived) {
         ui.add_space(12.0);
         ui.weak(steps(counted)).on_hover_text(STEPS);
     }
+    ui.add_space(12.0);
     left_out(ui, derived);
 }
 
@@ -76,7 +75,6 @@ pub(crate) fn left_out(ui: &mut Ui, derived: &Derived) {
     let Counts { spheres, spheres_left_out, rows, rows_untouched, .. } = counts;
     let [out, spheres] = [spheres_left_out, spheres].map(grouped);
     let text = format!("Left out: {out} of {spheres} spheres, {rows_untouched} of {rows} rows");
-    ui.add_space(12.0);
     ui.weak(text).on_hover_text(LEFT_OUT);
 }
 
@@ -269,56 +267,46 @@ fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
     }
 }
 
-/// Returns the height of the strip of numbers, including the sentence and the buttons below it, in points.
-pub(crate) fn strip_height(width: f32) -> f32 {
-    if is_narrow(width) { 92.0 } else { 66.0 }
-}
-
-/// Height of the strip while presenting, in points: two rows.
-pub(crate) const PRESENTED: f32 = 48.0;
-
-/// Number of significant digits below which the strip does not go, even if they do not fit.
+/// Number of significant digits below which the numbers do not go, even if they do not fit.
 const FEWEST: usize = 3;
 
-/// Distance between two numbers of the strip, as a multiple of the text's size.
+/// Distance between two numbers of a row, as a multiple of the text's size.
 const GAP: f32 = 1.2;
 
-/// Returns true if the strip needs two rows.
-fn is_narrow(width: f32) -> bool {
-    width < 780.0
-}
+/// Height of a line of the column, as a multiple of the text's size.
+const LINE: f32 = 1.45;
 
-/// Shows the strip of numbers: the basis, the selected ray and its first hit, with the digits of the
-/// settings, or as many as fit. While presenting, the basis and the ray have a row each.
-pub(crate) fn strip(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
-    let presented = theme::installed(ui.ctx()).presenting;
+/// Number of lines in the column.
+const LINES: f32 = 8.0;
+
+/// Sizes of the column's text, in points, of which the largest is chosen that fits.
+const SIZES: [f32; 6] = [18.0, 17.0, 16.0, 15.0, 14.0, WRITTEN];
+
+/// Shows the basis, the selected ray and its first hit, with one number or vector per line.
+pub(crate) fn column(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let Some(resolved) = derived.resolved.as_ref().filter(|_| derived.fault.is_none()) else {
         return;
     };
-    let mut basis = of_basis(resolved, None);
-    let ray = derived.inspection.iter().flat_map(|inspection| {
+    let mut readings = of_basis(resolved, None);
+    if let Some(inspection) = &derived.inspection {
         let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
-        let hit = inspection.hit_readings(|object| document.title_of(object));
-        [Some(uv), presented.then_some(d)].into_iter().flatten().chain(hit)
-    });
-    if presented {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        for row in [basis, ray.collect()] {
-            rows(ui, &[row], &[16.0, 14.0, WRITTEN], 0.5 * PRESENTED, style);
-        }
-        return;
+        readings.extend([uv, d]);
+        // A miss has neither t nor point, so that they come last and nothing else moves.
+        readings.extend(inspection.hit_readings(|k| document.title_of(k)).into_iter().rev());
+        let point = inspection.first.map(|first| inspection.root_readings(first));
+        readings.extend(point.map(|[_, _, point, _]| point));
     }
-    let size = TextStyle::Body.resolve(ui.style()).size;
-    let sizes = [size + 1.0, size - 1.0];
-    if is_narrow(ui.available_width()) {
-        rows(ui, &[basis, ray.collect()], &sizes, 0.0, style);
-    } else {
-        basis.extend(ray);
-        rows(ui, &[basis], &sizes, 0.0, style);
-    }
+    let height = ui.available_height() / LINES;
+    let fits: Vec<f32> = SIZES.into_iter().filter(|size| LINE * size <= height).collect();
+    let lines: Vec<Vec<Reading>> = readings.into_iter().map(|reading| vec![reading]).collect();
+    ui.spacing_mut().item_spacing.y = 0.0;
+    // Texts are moved to whole pixels, which may be a little outside.
+    ui.set_clip_rect(ui.clip_rect().expand(1.0));
+    let sizes = if fits.is_empty() { &SIZES[SIZES.len() - 1..] } else { &fits };
+    rows(ui, &lines, sizes, height, style);
 }
 
-/// Height of the line of numbers on a lesson's stage, in points.
+/// Height of the line of numbers at the foot of the main figure, in points.
 pub(crate) const BAND: f32 = 26.0;
 
 /// Minimum width of the area with a choice between one line of numbers and all of them, in points.
@@ -332,38 +320,69 @@ pub(crate) fn band(ui: &mut Ui, derived: &Derived, document: &Document, style: N
     let hit = inspection.hit_readings(|object| document.title_of(object));
     let mut row: Vec<Reading> = [uv, d].into_iter().chain(hit).collect();
     let smallest = (FEWEST.min(style.digits), WRITTEN);
-    while row.len() > 1 && width(ui, &row, smallest, style) > ui.available_width() {
+    while row.len() > 1 && row_width(ui, &row, smallest, style) > ui.available_width() {
         row.pop();
     }
     rows(ui, &[row], &[16.0, 14.0, WRITTEN], ui.available_height(), style);
 }
 
-/// Returns the width of a row of numbers with this number of digits, at this text size.
-fn width(ui: &Ui, row: &[Reading], (digits, size): (usize, f32), style: NumberStyle) -> f32 {
-    let jobs = row.iter().map(|reading| job_of(ui, reading, style.at_most(digits), true, size));
-    jobs.map(|job| ui.painter().layout_job(job).size().x + GAP * size).sum()
+/// Returns the width of a number with this number of digits, at this text size. It is the width of the widest
+/// one of its kind, so that no other one moves while it changes.
+fn width(ui: &Ui, reading: &Reading, (digits, size): (usize, f32), style: NumberStyle) -> f32 {
+    let width = |reading| {
+        let job = job_of(ui, reading, style.at_most(digits), true, size);
+        ui.painter().layout_job(job).size().x
+    };
+    width(reading).max(width(&widest(reading)))
 }
 
-/// Shows rows of numbers, each at least `height` points high, with the most digits and then with the first
+/// Returns the width of a row of numbers. Names count as nothing, because they are cut off.
+fn row_width(ui: &Ui, row: &[Reading], choice: (usize, f32), style: NumberStyle) -> f32 {
+    let numbers = row.iter().filter(|reading| !is_text(reading));
+    let widths = numbers.map(|reading| width(ui, reading, choice, style));
+    widths.sum::<f32>() + GAP * choice.1 * (row.len() - 1) as f32
+}
+
+/// Shows rows of numbers, each at most `height` points high, with the most digits and then with the first
 /// of the text sizes with which all numbers fit.
 fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: NumberStyle) {
     let fits = |choice: &(usize, f32)| {
-        rows.iter().all(|row| width(ui, row, *choice, style) <= ui.available_width())
+        rows.iter().all(|row| row_width(ui, row, *choice, style) <= ui.available_width())
     };
     let digits = (FEWEST.min(style.digits)..=style.digits).rev();
     let choices = digits.flat_map(|digits| sizes.iter().map(move |size| (digits, *size)));
     let choice = choices.clone().find(fits).or(choices.last()).unwrap_or((FEWEST, WRITTEN));
+    let height = height.min(LINE * choice.1);
     for row in rows {
         ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = GAP * choice.1;
+            ui.spacing_mut().item_spacing.x = 0.0;
             ui.set_min_height(height);
             for reading in row {
+                let end = ui.cursor().left() + width(ui, reading, choice, style) + GAP * choice.1;
                 let style = style.at_most(choice.0);
-                let job = job_of(ui, reading, style, true, choice.1);
-                explain(ui.add(Label::new(job).extend()), reading, style);
+                let label = Label::new(job_of(ui, reading, style, true, choice.1));
+                let label = if is_text(reading) { label.truncate() } else { label.extend() };
+                explain(ui.add(label), reading, style);
+                ui.add_space((end - ui.cursor().left()).max(0.0));
             }
         });
     }
+}
+
+/// Returns true if a reading is a name rather than a number. A long one is cut off.
+fn is_text(reading: &Reading) -> bool {
+    matches!(reading.value, ReadingValue::Text(_))
+}
+
+/// Returns the reading with a value that takes as much space as usual values at most do.
+fn widest(reading: &Reading) -> Reading {
+    let value = match &reading.value {
+        ReadingValue::Vector(_) => ReadingValue::Vector(DVec3::splat(-FRAC_1_SQRT_2)),
+        ReadingValue::Uv(_) => ReadingValue::Uv(DVec2::splat(-FRAC_1_SQRT_2)),
+        ReadingValue::Number(_) => ReadingValue::Number(-FRAC_1_SQRT_2),
+        other => other.clone(),
+    };
+    Reading { value, ..*reading }
 }
 
 /// Returns the numbers of a ray in two lines: first its pixel and (u, v), then the object that it hits, and

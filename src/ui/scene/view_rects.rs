@@ -12,6 +12,12 @@ use crate::view::typesetting::theme;
 pub(crate) const STRIP: f32 = 26.0;
 /// Width of the draggable divider between two areas, in points.
 const HANDLE: f32 = 8.0;
+/// Distance of the content of a column or a page from its edges, in points.
+const MARGIN: f32 = 10.0;
+/// Aspect ratio of an area from which on the column is beside the main figure rather than below it.
+pub(crate) const WIDE: f32 = 1.2;
+/// Minimum height of the numbers below the camera view, in points.
+const NUMBERS: f32 = 240.0;
 /// Movement of a divider by one press of an arrow key, in points.
 const PUSH: f32 = 16.0;
 /// Height of three views side by side while presenting, as a multiple of the width of one view.
@@ -25,6 +31,8 @@ const SMALLEST: f32 = 120.0;
 pub(crate) struct ViewRects {
     /// The rectangle of the world view's picture.
     pub world: Option<Rect>,
+    /// The rectangle of the world view's title and buttons: above its picture, or over its upper edge.
+    pub world_title: Option<Rect>,
     /// The area that the camera view may fill.
     pub camera_area: Option<Rect>,
     /// The rectangle of the camera view's picture, with the image's aspect ratio.
@@ -55,32 +63,62 @@ pub(crate) struct Divider<'a> {
     pub(crate) ui: &'a Ui,
     pub(crate) whole: Rect,
     pub(crate) splits: &'a mut Splits,
-    pub(crate) numbers: Numbers,
-}
-
-/// How the numbers below the two views are shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Numbers {
-    /// All numbers, in an area whose height the user drags.
-    All,
-    /// The most important numbers, in a strip of this height in points; 0 shows none.
-    Strip(f32),
+    /// Size of the camera's image.
+    pub(crate) image: ImageSize,
+    /// Height of the numbers at the foot of a view that fills the page, in points; 0 if there are none.
+    pub(crate) band: f32,
+    /// True if all numbers are shown rather than the most important ones.
+    pub(crate) has_all_numbers: bool,
 }
 
 impl Divider<'_> {
     /// Returns the areas of a page without views.
     pub(crate) fn no_views(&self) -> Areas {
-        Areas { world: None, camera: None, second: None, rest: self.whole }
+        Areas { world: None, camera: None, second: None, rest: self.whole.shrink(MARGIN) }
+    }
+
+    /// Makes the world view the main figure, which reaches the edges, as on a lesson's stage. Beside it, or
+    /// below it in an area that is not wide, is a column of the camera view and the rest.
+    pub(crate) fn figure_and_column(&mut self) -> Areas {
+        let whole = self.whole;
+        let is_beside = whole.width() >= WIDE * whole.height();
+        let (main, column) = match is_beside {
+            true => self.across(whole, Split::Views, "views handle"),
+            false => self.down(whole, Split::Stack),
+        };
+        let column = column.shrink(MARGIN);
+        let aspect = self.image.width() as f32 / self.image.height() as f32;
+        let (camera, rest) = if is_beside {
+            let height = STRIP + column.width() / aspect;
+            let most = (column.height() - NUMBERS).max(0.5 * column.height());
+            let (above, below) = column.split_top_bottom_at_y(column.top() + height.min(most));
+            (above, below.with_min_y(below.top() + MARGIN))
+        } else {
+            let width = (column.height() - STRIP) * aspect;
+            let (left, right) =
+                column.split_left_right_at_x(column.left() + width.min(0.5 * column.width()));
+            (left, right.with_min_x(right.left() + MARGIN))
+        };
+        Areas { world: Some(main), camera: Some(camera), second: None, rest }
+    }
+
+    /// Puts all numbers, side by side, below figure and column, which keep the rule of
+    /// [`figure_and_column`](Self::figure_and_column).
+    pub(crate) fn above_numbers(&mut self) -> Areas {
+        let (views, rest) = self.above(Split::Readouts);
+        self.whole = views;
+        Areas { rest, ..self.figure_and_column() }
+    }
+
+    /// Returns the area of a view that fills the page, and of the numbers at its foot.
+    pub(crate) fn figure_and_foot(&self) -> (Rect, Rect) {
+        let boundary = (self.whole.bottom() - self.band).max(self.whole.top());
+        self.whole.split_top_bottom_at_y(boundary)
     }
 
     /// Puts both views side by side, above the rest.
     pub(crate) fn both_above(&mut self, split: Split) -> Areas {
         let (views, rest) = self.above(split);
-        self.both(views, rest)
-    }
-
-    /// Puts both views side by side.
-    pub(crate) fn both(&mut self, views: Rect, rest: Rect) -> Areas {
         let (left, right) = self.across(views, Split::Views, "views handle");
         Areas { world: Some(left), camera: Some(right), second: None, rest }
     }
@@ -109,18 +147,7 @@ impl Divider<'_> {
     pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
         let (views, rest) = self.across(self.whole, split, name);
         let (top, bottom) = self.down(views, Split::Stack);
-        Areas { world: Some(top), camera: Some(bottom), second: None, rest }
-    }
-
-    /// Splits off the readouts below the views.
-    pub(crate) fn above_readouts(&mut self) -> (Rect, Rect) {
-        match self.numbers {
-            Numbers::All => self.above(Split::Readouts),
-            Numbers::Strip(height) => {
-                let boundary = (self.whole.bottom() - height).max(self.whole.top());
-                self.whole.split_top_bottom_at_y(boundary)
-            }
-        }
+        Areas { world: Some(top), camera: Some(bottom), second: None, rest: rest.shrink(MARGIN) }
     }
 
     /// Splits the whole into the views and the area below them, which has the height that the user has set.
@@ -146,7 +173,7 @@ impl Divider<'_> {
         let boundary = area.bottom() - height;
         let handle = area.with_min_y(boundary - HANDLE).with_max_y(boundary);
         self.move_by(split, height, -drag(self.ui, handle, "readouts handle").y);
-        (area.with_max_y(boundary - HANDLE), area.with_min_y(boundary))
+        (area.with_max_y(boundary - HANDLE), area.with_min_y(boundary).shrink2(vec2(MARGIN, 0.0)))
     }
 
     /// Stores the new position of a divider that is shown at `shown` and is dragged by `by`. Without a drag,
@@ -186,27 +213,43 @@ impl ViewRects {
             .is_some_and(|(world, camera)| world.intersects(camera) && world.area() < camera.area())
     }
 
-    /// Lays out everything in these areas, with a title above each picture.
+    /// Lays out everything in these areas, with a title above each picture. The title of a world view that is
+    /// the main figure is over the picture.
     pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, is_bare: bool) -> Self {
         // Pictures that are compared always have their titles and legends.
-        let strip = if is_bare && areas.second.is_none() { 0.0 } else { STRIP };
-        let below_strip = |rect: Rect| snapped(rect.with_min_y(rect.top() + strip), per_point);
-        let [world, camera_area, second_area] =
-            [areas.world, areas.camera, areas.second].map(|part| part.map(below_strip));
+        let is_compared = areas.second.is_some();
+        let has_titles = is_compared || !is_bare;
+        let below =
+            |strip: f32| move |rect: Rect| snapped(rect.with_min_y(rect.top() + strip), per_point);
+        let world = areas.world.map(below(if is_compared { STRIP } else { 0.0 }));
+        let world_title = areas.world.filter(|_| has_titles);
+        let world_title = world_title.map(|rect| rect.with_max_y(rect.top() + STRIP));
+        let below_title = below(if has_titles { STRIP } else { 0.0 });
+        let [camera_area, second_area] =
+            [areas.camera, areas.second].map(|part| part.map(below_title));
         // Two pictures that are compared have the same size, even if their areas were rounded differently.
         let both = camera_area.zip(second_area).map(|(a, b)| a.size().min(b.size()));
         let of_both = |area: Rect| Rect::from_min_size(area.min, both.unwrap_or(area.size()));
         let [camera_area, second_area] = [camera_area, second_area].map(|area| area.map(of_both));
         let fitted = |area| fitted(area, image, per_point, !is_bare);
         let (camera, second) = (camera_area.map(fitted), second_area.map(fitted));
-        ViewRects { world, camera_area, camera, second_area, second, rest: areas.rest }
+        ViewRects { world, world_title, camera_area, camera, second_area, second, rest: areas.rest }
     }
 }
 
 /// Shows the title of a picture, above its area.
 pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)) {
-    let above = area.with_min_y(area.top() - STRIP).with_max_y(area.top());
-    inside(ui, above, |ui| ui.horizontal_centered(content));
+    strip(ui, above(area), content);
+}
+
+/// Returns the rectangle of the title above a picture's area.
+pub(crate) fn above(area: Rect) -> Rect {
+    area.with_min_y(area.top() - STRIP).with_max_y(area.top())
+}
+
+/// Shows a title in this rectangle.
+pub(crate) fn strip(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
+    inside(ui, rect.shrink2(vec2(4.0, 0.0)), |ui| ui.horizontal_centered(content));
 }
 
 /// Clamps a fraction of a length so that both parts are large enough. If the length is too small for

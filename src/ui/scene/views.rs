@@ -7,8 +7,8 @@ use egui::accesskit::Role;
 use egui::epaint::PathStroke;
 use egui::text::LayoutJob;
 use egui::{
-    Align2, Area, Color32, CursorIcon, FontId, Galley, Order, Pos2, Rect, Response, RichText,
-    Sense, Ui, Vec2, pos2, vec2,
+    Align2, Area, Color32, CursorIcon, FontId, Galley, Label, Order, Pos2, Rect, Response,
+    RichText, Sense, Ui, Vec2, pos2, vec2,
 };
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
@@ -19,13 +19,14 @@ use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
 use crate::model::session::presenting::{PEN_COLORS, Pen};
 use crate::model::symbols::typeset_message;
 use crate::model::{
-    Concept, HoverSource, Hovered, NumberStyle, Observer, Session, Settings, ViewLayout, ViewSize,
+    Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, Settings, ViewLayout,
+    ViewSize,
 };
 use crate::ui::action::request;
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::readouts;
-use crate::ui::scene::view_rects::{ViewRects, strip_above};
+use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
@@ -69,11 +70,14 @@ fn covered(rects: &ViewRects, world: Rect) -> [Option<Rect>; 2] {
     })
 }
 
-/// Returns what covers the world view, in its physical pixels: left, top, right and bottom.
-fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 2] {
+/// Returns what covers the world view, its title included, in its physical pixels: left, top, right and
+/// bottom.
+fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 3] {
     let scale = ui.ctx().pixels_per_point();
-    let covered = rects.world.map(|world| covered(rects, world)).unwrap_or_default();
-    covered.map(|rect| {
+    let [camera, rest] = rects.world.map(|world| covered(rects, world)).unwrap_or_default();
+    let title = rects.world.zip(rects.world_title);
+    let title = title.map(|(world, title)| title.translate(-world.min.to_vec2()));
+    [camera, rest, title].map(|rect| {
         let Rect { min, max } = rect? * scale;
         Some([min.x, min.y, max.x, max.y])
     })
@@ -345,7 +349,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
         .gap(FROM_POINTER)
         .show(|ui| {
-            let words = egui::Label::new(RichText::new(words).size(15.0));
+            let words = Label::new(RichText::new(words).size(15.0));
             ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
         });
 }
@@ -355,8 +359,13 @@ const NARROW: f32 = 310.0;
 
 /// Shows the titles above the views, each with a button that maximises the view.
 pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
-    let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
-        strip_above(ui, rect, |ui| {
+    let title = |ui: &mut Ui,
+                 settings: &mut Settings,
+                 rect: Rect,
+                 text: String,
+                 hint: &str,
+                 own: ViewLayout| {
+        strip(ui, rect, |ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let alone = settings.layout == own;
                 let (label, to) =
@@ -369,16 +378,24 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
                 }
                 // The title gets the width that the buttons leave.
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                    let title = egui::Label::new(RichText::new(text).strong());
+                    // A drag that begins on it moves the observer.
+                    let title = Label::new(RichText::new(text).strong()).selectable(false);
                     ui.add(title.truncate()).on_hover_text(hint);
                 });
             });
         });
     };
-    if let Some(rect) = rects.world {
+    if let Some(rect) = rects.world_title {
         let hint = "Drag: orbit. Shift+drag or right drag: pan. Wheel: zoom. F: show everything. Drag a \
                     handle to move it.";
-        strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
+        title(ui, settings, rect, WORLD.to_owned(), hint, ViewLayout::World);
+    }
+    if let (Some(world), ViewLayout::Both) = (rects.world, settings.layout) {
+        let foot = world.with_min_y(world.bottom() - STRIP);
+        let shows_all = settings.items.shows(Item::ViewAndUp);
+        let dragged = if shows_all { "eye, at or up" } else { "eye" };
+        let hint = RichText::new(format!("Drag {dragged}. Click a pixel.")).weak();
+        strip(ui, foot, |ui| drop(ui.add(Label::new(hint).selectable(false))));
     }
     if let Some(rect) = rects.camera_area {
         let text = match rect.width() < NARROW {
@@ -390,7 +407,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
         };
         let hint = "Click: select a pixel. Right drag: look around. Middle drag or Shift+right drag: orbit \
                     around at. Wheel: enlarge pixels. Ctrl+wheel: field of view.";
-        strip(rect, text, hint, ViewLayout::Camera);
+        title(ui, settings, above(rect), text, hint, ViewLayout::Camera);
     }
 }
 
@@ -466,7 +483,7 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let band = Rect::from_center_size(rect.center(), vec2(rect.width(), height));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
     let position = Rect::from_center_size(band.center(), vec2(width, galley.size().y));
-    let response = ui.put(position, egui::Label::new(galley));
+    let response = ui.put(position, Label::new(galley));
     // Screen readers get the text without the non-breaking spaces.
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(text));
 }

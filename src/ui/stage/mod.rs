@@ -11,7 +11,7 @@ use pinhole_core::ImageSize;
 
 use crate::model::ViewLayout;
 use crate::ui::ray::{lines, plot};
-use crate::ui::scene::view_rects::{Areas, STRIP, halves};
+use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{PageContext, foot, page};
 
@@ -23,8 +23,6 @@ mod navigation;
 const BESIDE_COLUMN: [f32; 2] = [0.58, 0.75];
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
 const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
-/// Aspect ratio of a window from which on the column stands beside the figure.
-const WIDE: f32 = 1.2;
 /// Distance of an inset from the edges of the main figure, in points.
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.

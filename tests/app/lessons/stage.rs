@@ -131,7 +131,7 @@ fn the_observer_glides_to_the_next_step_unless_motion_is_reduced() {
         let eye =
             |window: &Window| window.state().derived().world_frame.clone().unwrap().camera().eye();
         let from = eye(&window);
-        window.run_steps(2);
+        window.step();
         let between = eye(&window);
         window.run();
         let to = eye(&window);

@@ -2,6 +2,7 @@
 
 mod by_keys;
 mod compare;
+mod composition;
 mod covered;
 mod framing;
 mod handles;

@@ -209,7 +209,7 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     let why = too_many.to_string();
     assert!(why.starts_with("20,000 objects at "), "{why}");
     assert_says(&window, &format!("drawn by the ladder, not by textbook-f64: {why}"));
-    let ladders = crowded_window(Settings::default());
+    let ladders = crowded_window(unfolded());
     let (of_ladder, shown) = (ladders.state().derived(), derived.camera_view.unwrap());
     assert_eq!(of_ladder.too_many, None, "the ladder takes any number of objects");
     assert_eq!(shown.image.pixels, of_ladder.camera_view.clone().unwrap().image.pixels);
@@ -311,22 +311,23 @@ fn the_window_says_how_far_up_the_ladder_its_picture_went() {
 #[test]
 fn the_window_says_what_its_picture_left_out() {
     let mut window = window("canonical");
-    type_into(&mut window, "H", "200");
+    type_into(&mut window, "W", "200");
+    type_into(&mut window, "H", "100");
     let rows = |window: &Harness<'_, App>| {
         let counts = window.state().derived().counts.unwrap();
-        assert_eq!(counts.rows, 200);
+        assert_eq!(counts.rows, 100);
         counts.rows_untouched
     };
     let untouched = rows(&window);
-    assert_says(&window, &format!("Left out: 0 of 2 spheres, {untouched} of 200 rows"));
+    assert_says(&window, &format!("Left out: 0 of 2 spheres, {untouched} of 100 rows"));
     // The wall is asked about in every row, also where the camera looks away from it.
     type_into(&mut window, "at z", "1");
-    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 200 rows");
+    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 100 rows");
     // What lies next to the picture is left out, too. A fault has no counts.
     type_into(&mut window, "at z", "-1");
     type_into(&mut window, "eye y", "50");
     type_into(&mut window, "at y", "50");
-    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 200 rows");
+    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 100 rows");
     type_into(&mut window, "up y", "0");
     assert!(window.state().derived().fault.is_some());
     assert!(texts_with(&window, "Left out").is_empty());
@@ -334,5 +335,5 @@ fn the_window_says_what_its_picture_left_out() {
     type_into(&mut window, "up y", "1");
     window.get_by_label("Fewer numbers").click();
     window.run();
-    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 200 rows");
+    assert_says(&window, "Left out: 2 of 2 spheres, 0 of 100 rows");
 }
