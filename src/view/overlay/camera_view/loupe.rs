@@ -15,7 +15,7 @@ use crate::view::overlay::{
 const CELLS: f64 = 240.0;
 /// Maximum fractions of the view's width and height that the loupe takes. It takes less than half of the
 /// height, so that it does not cover the selected position, and no large part of an object.
-const SHARE: DVec2 = DVec2::new(0.55, 0.38);
+const SHARE: DVec2 = DVec2::new(0.6, 0.42);
 /// Distance of the loupe from the view's edges, in points.
 const MARGIN: f64 = 10.0;
 /// Half the length of the cross at the selected position, as a fraction of a magnified pixel's side.
