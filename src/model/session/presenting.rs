@@ -74,9 +74,11 @@ const PROJECTOR: [f32; 2] = [1229.0, 768.0];
 
 /// Returns the window's zoom while presenting, at which no text is smaller than `smallest_text` on a
 /// projector. In a larger or smaller window, everything is larger or smaller in proportion, but no text is
-/// smaller than [`WRITTEN`]. `window` is the window's size in points without zoom.
+/// smaller than [`WRITTEN`]. `window` is the window's size in points without zoom, or zero if it is not
+/// known.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     let in_proportion = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]);
+    let in_proportion = if in_proportion > 0.0 { in_proportion } else { 1.0 };
     (in_proportion * smallest_text / WRITTEN).max(1.0)
 }
 

@@ -104,8 +104,9 @@ impl Picture {
     pub(crate) fn on(&self, [columns, rows]: [usize; 2]) -> StretchedPicture<'_> {
         let [nearest_row, nearest_column] = self.raster.nearest(self.image);
         let pixel = |k: usize, dots: usize, count: u32| (2 * k + 1) * count as usize / (2 * dots);
+        let width = self.raster.columns().len();
         let column_of = |k| nearest_column[pixel(k, columns, self.image.width())];
-        let row_of = |k| nearest_row[pixel(k, rows, self.image.height())];
+        let row_of = |k| nearest_row[pixel(k, rows, self.image.height())] * width;
         StretchedPicture {
             picture: self,
             columns: (0..columns).map(column_of).collect(),
@@ -126,7 +127,7 @@ pub(crate) struct StretchedPicture<'a> {
     picture: &'a Picture,
     /// The traced column that each column of screen pixels shows.
     columns: Vec<usize>,
-    /// The traced row that each row of screen pixels shows.
+    /// The index of the first pixel of the traced row that each row of screen pixels shows.
     rows: Vec<usize>,
 }
 
@@ -134,8 +135,7 @@ impl StretchedPicture<'_> {
     /// Returns the colour of a screen pixel.
     #[inline(always)]
     pub(crate) fn color(&self, row: usize, column: usize) -> Color32 {
-        let width = self.picture.raster.columns().len();
-        self.picture.pixels[self.rows[row] * width + self.columns[column]]
+        self.picture.pixels[self.rows[row] + self.columns[column]]
     }
 
     /// Returns how many outlines, that is, abrupt changes of colour, are met on lines across and down a
@@ -162,16 +162,16 @@ impl StretchedPicture<'_> {
 
     /// Fills a band of rows of the buffer, of which `top` is the first.
     pub(crate) fn fill(&self, top: usize, dots: &mut [Color32]) {
-        let (dots_a_row, width) = (self.columns.len(), self.picture.raster.columns().len());
+        let dots_a_row = self.columns.len();
         for (k, row) in (top..self.rows.len()).take(dots.len() / dots_a_row.max(1)).enumerate() {
-            let source_row = self.rows[row];
+            let start = self.rows[row];
             // Rows of the screen that show the same row of the image are equal, so the previous one is
             // copied.
-            if k > 0 && self.rows[row - 1] == source_row {
+            if k > 0 && self.rows[row - 1] == start {
                 dots.copy_within((k - 1) * dots_a_row..k * dots_a_row, k * dots_a_row);
                 continue;
             }
-            let source = &self.picture.pixels[source_row * width..][..width];
+            let source = &self.picture.pixels[start..];
             for (dot, column) in dots[k * dots_a_row..].iter_mut().zip(&self.columns) {
                 *dot = source[*column];
             }

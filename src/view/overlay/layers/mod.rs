@@ -259,26 +259,44 @@ impl<'a> Layers<'a> {
         let mut layers = vec![FlatRow::default(); count];
         for (row, dots) in (top..self.height).zip(dots.chunks_exact_mut(self.width)) {
             let part = part_of(row);
-            if !part.is_empty() {
-                before(row, part.clone(), &mut dots[part.clone()]);
-                self.fill(&mut layers, row, &part);
-                self.paint_row(&layers, row, &part, dots);
+            if part.is_empty() {
+                continue;
             }
+            let y = row as f64 + 0.5;
+            if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
+                let grid = grid.as_ref().map(|(grid, _)| grid);
+                flat.fill_row(&mut layers[0], y, &part, HALF, grid);
+            }
+            let traced = &self.frame.t[row * self.width..][..self.width];
+            if layers[0].span == part && self.shows_only_picture(&layers[0], y, traced) {
+                self.paint_one(&layers[0], 0, part, traced, dots);
+                continue;
+            }
+            before(row, part.clone(), &mut dots[part.clone()]);
+            let patches = self.backdrop.patches.iter().chain(&self.backdrop.floor);
+            for (layer, PlanePatch { flat, grid, .. }) in layers[1..].iter_mut().zip(patches) {
+                flat.fill_row(layer, y, &part, HALF, Some(grid));
+            }
+            self.paint_row(&layers, row, &part, dots);
         }
     }
 
-    /// Computes the values of each layer in a part of a row: the viewport's first, then those of the
-    /// planes.
-    fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
-        let y = row as f64 + 0.5;
-        if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
-            let grid = grid.as_ref().map(|(grid, _)| grid);
-            flat.fill_row(&mut layers[0], y, part, HALF, grid);
-        }
+    /// Returns true if the camera's picture hides everything else in its part of a row.
+    fn shows_only_picture(&self, row: &FlatRow, y: f64, traced: &[f32]) -> bool {
+        let Some(viewport) = self.viewport.as_ref().filter(|layer| layer.picture.is_some()) else {
+            return false;
+        };
+        // The sign of the difference between the 1/t of two planes changes at most once in a row, since 1/t
+        // is linear, so the planes are compared at the ends.
         let patches = self.backdrop.patches.iter().chain(&self.backdrop.floor);
-        for (layer, PlanePatch { flat, grid, .. }) in layers[1..].iter_mut().zip(patches) {
-            flat.fill_row(layer, y, part, HALF, Some(grid));
-        }
+        let is_nearest = |x: usize| {
+            let at = |flat: &Flat| flat.at(DVec2::new(x as f64, y), f64::INFINITY);
+            let Some(spot) = at(&viewport.flat) else { return false };
+            patches.clone().all(|patch| at(&patch.flat).is_none_or(|other| spot.t < other.t))
+        };
+        let mut in_front = row.t.iter().zip(&traced[row.span.clone()]);
+        [row.span.start, row.span.end].into_iter().all(is_nearest)
+            && in_front.all(|(t, traced)| is_nearer(*t, *traced))
     }
 
     fn paint_row(&self, layers: &[FlatRow], row: usize, part: &Range<usize>, dots: &mut [Color32]) {
