@@ -336,10 +336,15 @@ fn width(ui: &Ui, reading: &Reading, (digits, size): (usize, f32), style: Number
     width(reading).max(width(&widest(reading)))
 }
 
-/// Returns the width of a row of numbers. Names count as nothing, because they are cut off.
+/// Width at which a name may be cut off, in points.
+const NAME: f32 = 90.0;
+
+/// Returns the least width of a row of numbers, in which names may be cut off.
 fn row_width(ui: &Ui, row: &[Reading], choice: (usize, f32), style: NumberStyle) -> f32 {
-    let numbers = row.iter().filter(|reading| !is_text(reading));
-    let widths = numbers.map(|reading| width(ui, reading, choice, style));
+    let widths = row.iter().map(|reading| {
+        let width = width(ui, reading, choice, style);
+        if is_text(reading) { width.min(NAME) } else { width }
+    });
     widths.sum::<f32>() + GAP * choice.1 * (row.len() - 1) as f32
 }
 

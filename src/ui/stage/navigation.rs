@@ -25,7 +25,7 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
         response.named(name).asks(action);
     };
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
-    let back = format!("Back to the step ({})", shortcut(Leave::BackToStep));
+    let back = format!("Reset ({})", shortcut(Leave::BackToStep));
     let hint = "Resets everything to the step";
     button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
@@ -37,7 +37,7 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     button(ui, text, name, &hint(about, LessonAction::Next), can, LessonAction::Next.into());
     let can = open.previous().is_some();
     let hint = hint("The previous step", LessonAction::Previous);
-    button(ui, "← Previous", "Previous", &hint, can, LessonAction::Previous.into());
+    button(ui, "←", "Previous", &hint, can, LessonAction::Previous.into());
     // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));

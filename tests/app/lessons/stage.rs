@@ -139,3 +139,24 @@ fn the_observer_glides_to_the_next_step_unless_motion_is_reduced() {
         assert_eq!(between == to, reduced_motion, "{from} {between} {to}");
     }
 }
+
+#[test]
+fn the_buttons_stand_beside_the_figure() {
+    let mut window = window("canonical");
+    for size in [vec2(1280.0, 800.0), vec2(1366.0, 768.0), vec2(1920.0, 1080.0)] {
+        window.set_size(size);
+        for (id, layout) in steps().filter(|(_, layout)| *layout != ViewLayout::Exercises) {
+            open(&mut window, id);
+            let right = figure(&window, layout).into_iter().flatten().map(|rect| rect.right());
+            let right = right.fold(0.0, f32::max);
+            let next = if window.state().session().is_asking { "Show the answer" } else { "Next" };
+            for name in ["Contents", "Previous", next, "Back to the step", "Close the lesson"] {
+                let button = window.get_by_role_and_label(Role::Button, name).rect();
+                assert!(
+                    button.left() >= right,
+                    "{name} in {id:?} at {size}: {button} from {right}"
+                );
+            }
+        }
+    }
+}
