@@ -20,7 +20,7 @@ mod navigation;
 
 /// Width of the main figure and of an exercise, which says itself what is asked, as fractions of a wide
 /// window's.
-const BESIDE_COLUMN: [f32; 2] = [0.58, 0.75];
+const BESIDE_COLUMN: [f32; 2] = [0.58, 0.77];
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
 const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
 /// Distance of an inset from the edges of the main figure, in points.

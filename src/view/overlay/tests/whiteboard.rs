@@ -52,12 +52,12 @@ fn both_products_are_areas() {
     for corner in [DVec3::new(0.0, 1.0, 2.0), DVec3::new(1.0, 0.0, 1.0)] {
         assert!(reaches(&stage, &drawing, length * corner), "{corner}");
     }
-    let expected = ["|up × w| ≈ 1.414 · sin(45°) = 1", "|w × u| = sin(90°) = 1"];
+    let expected = ["|up × w| = 1 ≈ 1.414 · sin(45°)", "|w × u| = 1 = sin(90°)"];
     assert_eq!(texts(&drawing), expected);
     // A long or a short up is drawn with another length, but its area is its own.
     for (up, expected) in [
-        (DVec3::new(0.0, 3.0, 4.0), "|up × w| ≈ 5 · sin(36.87°) = 3"),
-        (DVec3::new(0.0, 0.125, 0.0), "|up × w| = 0.125 · sin(90°) = 0.125"),
+        (DVec3::new(0.0, 3.0, 4.0), "|up × w| = 3 ≈ 5 · sin(36.87°)"),
+        (DVec3::new(0.0, 0.125, 0.0), "|up × w| = 0.125 = 0.125 · sin(90°)"),
     ] {
         let orientation = Orientation::View { view: DVec3::NEG_Z, up };
         let stage = self::stage(Camera { orientation, ..Camera::CANONICAL }, Item::Areas);

@@ -71,14 +71,14 @@ impl Sketch<'_> {
             let number = |x: f64| highlighted.number(x);
             let sine_of = format!("sin({}°)", number(angle.to_degrees()));
             let length = cross.first.length;
-            let substituted = highlighted.relation(&[length, angle.to_degrees()]);
+            let is = highlighted.relation(&[cross.area]);
+            let substituted = highlighted.relation(&[length, angle.to_degrees(), cross.area]);
             let factor = match number(length) {
                 one if one == number(1.0) => String::new(),
                 other => format!("{other} · "),
             };
-            let is = highlighted.relation(&[cross.area]);
             let (of, area) = (format!("|{} × {}|", names[0], names[1]), number(cross.area));
-            let text = format!("{of} {substituted} {factor}{sine_of} {is} {area}");
+            let text = format!("{of} {is} {area} {substituted} {factor}{sine_of}");
             let outward = self.on_screen(corners[2], a + b);
             self.label(pen, &text, [spot.at, outward], POINT);
         }
