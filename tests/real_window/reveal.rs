@@ -45,12 +45,12 @@ const LINES: [&str; 10] = [
 ];
 
 /// Waits until so many lines are shown, which are the first ones, and of question, answer and the next
-/// step's text this one alone.
-fn wait_for_lines(heard: &Heard, count: usize, text: &str) {
-    let what = format!("{count} lines beside {text}");
+/// step's text these alone.
+fn wait_for_lines(heard: &Heard, count: usize, texts: &[&str]) {
+    let what = format!("{count} lines beside {texts:?}");
     let nodes = heard.wait(&what, |nodes| {
-        let mut texts = [QUESTION, ANSWER, NEXT].into_iter();
-        let is_so = texts.all(|other| says(nodes, other) == (other == text));
+        let mut all = [QUESTION, ANSWER, NEXT].into_iter();
+        let is_so = all.all(|text| says(nodes, text) == texts.contains(&text));
         let shown = LINES.iter().filter(|line| says(nodes, line)).count();
         (is_so && shown == count).then(|| heard.nodes())
     });
@@ -67,14 +67,14 @@ pub(crate) fn key_by_key() {
     let arguments = ["--lesson".as_ref(), lesson.as_os_str()];
     let mut heard = Heard::open(&screen, &arguments, folder.path());
     heard.key("F5");
-    wait_for_lines(&heard, 0, QUESTION);
+    wait_for_lines(&heard, 0, &[QUESTION]);
     heard.key("Next");
-    wait_for_lines(&heard, 6, ANSWER);
+    wait_for_lines(&heard, 6, &[QUESTION, ANSWER]);
     for count in 6..=8 {
         heard.key("Next");
-        wait_for_lines(&heard, count, NEXT);
+        wait_for_lines(&heard, count, &[NEXT]);
     }
     heard.key("End");
-    wait_for_lines(&heard, LINES.len(), NEXT);
+    wait_for_lines(&heard, LINES.len(), &[NEXT]);
     heard.window.quit();
 }
