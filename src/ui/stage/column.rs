@@ -46,8 +46,10 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
     ui.painter().rect_filled(stage.column, 0.0, fill);
     let whole = stage.column.shrink2(MARGIN.into());
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - FOOT);
-    let has_card = formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;
-    let (texts, card) = if has_card && stage.is_above_column() && whole.width() > whole.height() {
+    let has_two_parts = stage.is_above_column()
+        && whole.width() > whole.height()
+        && formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;
+    let (texts, card) = if has_two_parts {
         let (left, right) = above.split_left_right_at_x(above.center().x);
         (left.with_max_x(left.right() - MARGIN[0]), Some(right))
     } else {
@@ -79,9 +81,13 @@ fn size_that_fits(
 ) -> f32 {
     let fits = |size: &f32| {
         let words = words_height(ui, open, texts.width(), *size);
+        // Laying out the formulas costs more, and a drag changes them in each frame.
+        if words > texts.height() {
+            return false;
+        }
         let formulas = formulas_height(ui, context, card.unwrap_or(texts).width(), *size);
         match card {
-            Some(card) => words <= texts.height() && formulas <= card.height(),
+            Some(card) => formulas <= card.height(),
             None => words + formulas <= texts.height(),
         }
     };
