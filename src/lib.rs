@@ -99,6 +99,8 @@
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
 //! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
+//! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step: `ui/app/glide.rs` |
+//! | the vote, its rounds and hands | `model/practice/vote.rs`, `ui/practice/vote.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
