@@ -29,7 +29,7 @@ const TOGETHER: f64 = 0.4;
 /// The inputs from which the positions of handles are computed: the document and what is shown of it, and
 /// the observer.
 #[derive(Clone, Copy)]
-pub struct Stage<'a> {
+pub struct HandleInputs<'a> {
     /// The document.
     pub document: &'a Document,
     /// The document's camera, if it has a basis.
@@ -72,13 +72,13 @@ impl PlacedHandle {
 
 /// Returns all handles in the observer's picture, whether they are drawn or not, in order of preference: of
 /// several handles at the same position, the first one is grabbed.
-pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
-    if !stage.items.shows(Item::Handles) {
+pub fn placed(inputs: &HandleInputs, state: &HandleState) -> Vec<PlacedHandle> {
+    if !inputs.items.shows(Item::Handles) {
         return Vec::new();
     }
     let of_camera = [Handle::Eye, Handle::At, Handle::Up];
     let corners = Corner::ALL.map(Handle::Corner);
-    let of_object = |k| match k < stage.document.sphere_count() {
+    let of_object = |k| match k < inputs.document.sphere_count() {
         true => vec![Handle::Center(k), Handle::Radius(k)],
         false => vec![Handle::Point(k)],
     };
@@ -87,20 +87,20 @@ pub fn placed(stage: &Stage, state: &HandleState) -> Vec<PlacedHandle> {
     let [chosen, pointed_at] = state.objects.map(|k| k.into_iter().flat_map(of_object));
     let handles = chosen.chain(of_camera).chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(pointed_at).chain([Handle::Pixel]);
-    let is_small = stage.is_viewport_small();
+    let is_small = inputs.is_viewport_small();
     let placed = handles.filter_map(|handle| {
         let held = state.drag.filter(|drag| drag.handle() == Some(handle));
         let in_the_way = is_small && handle.is_on_viewport() && held.is_none();
-        if in_the_way || !stage.items.shows(handle.item()) {
+        if in_the_way || !inputs.items.shows(handle.item()) {
             return None;
         }
         let (length, toward) = match held {
             Some(drag) => (drag.length, drag.toward),
-            None if handle == Handle::Up => (stage.up_length()?, DVec3::ZERO),
-            None => (1.0, stage.observer.basis().u),
+            None if handle == Handle::Up => (inputs.up_length()?, DVec3::ZERO),
+            None => (1.0, inputs.observer.basis().u),
         };
-        let at = stage.position(handle, length, toward)?;
-        Some(PlacedHandle { handle, at, spot: stage.spot(at)?, length, toward })
+        let at = inputs.position(handle, length, toward)?;
+        Some(PlacedHandle { handle, at, spot: inputs.spot(at)?, length, toward })
     });
     placed.collect()
 }
@@ -122,7 +122,7 @@ pub fn hit(
     Some(*group[after.map_or(0, |k| (k + 1) % group.len())])
 }
 
-impl Stage<'_> {
+impl HandleInputs<'_> {
     /// Returns true if the viewport is drawn so small that its handles are left out.
     fn is_viewport_small(&self) -> bool {
         let Some(resolved) = self.resolved else { return false };
@@ -262,8 +262,8 @@ const GUIDE_POINTS: f64 = 46.0;
 /// of up are always drawn, and so are those of a selected or hovered object. A handle of the viewport or of
 /// the pixel is drawn if it is hovered or dragged, or if it changes one of the concepts in `spoken`, which
 /// a lesson mentions.
-pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles {
-    let mut placed = placed(stage, state);
+pub fn drawn(inputs: &HandleInputs, state: &HandleState, spoken: &[Concept]) -> Handles {
+    let mut placed = placed(inputs, state);
     let held = state.drag.and_then(|drag| drag.handle());
     placed.retain(|PlacedHandle { handle, .. }| {
         matches!(handle, Handle::Eye | Handle::At | Handle::Up)
@@ -283,13 +283,13 @@ pub fn drawn(stage: &Stage, state: &HandleState, spoken: &[Concept]) -> Handles 
             _ => KnobState::Plain,
         },
     });
-    let up = stage.document.camera.up().length();
+    let up = inputs.document.camera.up().length();
     Handles {
         marks: marks.collect(),
-        guides: over.map_or(Vec::new(), |over| guides(stage, over)),
+        guides: over.map_or(Vec::new(), |over| guides(inputs, over)),
         up: held
             .filter(|held| held.handle == Handle::Up)
-            .map(|held| held.length * up - stage.beyond_up()),
+            .map(|held| held.length * up - inputs.beyond_up()),
     }
 }
 
@@ -319,23 +319,23 @@ fn knob(handle: Handle) -> Knob {
 }
 
 /// Returns the lines or the ring that show along what a handle moves; none if it moves freely.
-fn guides(stage: &Stage, over: &PlacedHandle) -> Vec<Guide> {
+fn guides(inputs: &HandleInputs, over: &PlacedHandle) -> Vec<Guide> {
     let PlacedHandle { handle, at, .. } = *over;
-    let length = overlay::length_of_points(stage.observer, at, GUIDE_POINTS, stage.scale);
+    let length = overlay::length_of_points(inputs.observer, at, GUIDE_POINTS, inputs.scale);
     let line = |axis: usize| {
-        let basis = stage.resolved?.basis();
+        let basis = inputs.resolved?.basis();
         let direction = length * [basis.u, basis.v, basis.w][axis];
         Some(Guide::Line { from: at - direction, to: at + direction, axis })
     };
     match handle {
         Handle::Radius(k) => {
-            let basis = stage.observer.basis();
+            let basis = inputs.observer.basis();
             let ring = |Sphere { center, radius }| Guide::Ring {
                 center,
                 a: radius * basis.u,
                 b: radius * basis.v,
             };
-            stage.document.spheres.get(k).map(|item| ring(item.shape)).into_iter().collect()
+            inputs.document.spheres.get(k).map(|item| ring(item.shape)).into_iter().collect()
         }
         Handle::Distance => line(2).into_iter().collect(),
         Handle::Corner(_) | Handle::Pixel => [0, 1].into_iter().filter_map(line).collect(),

@@ -13,7 +13,7 @@ use crate::model::session::handles::{Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
 use crate::view::handle_drag::HandleDrag;
-use crate::view::handles::{PlacedHandle, Stage, hit, placed};
+use crate::view::handles::{HandleInputs, PlacedHandle, hit, placed};
 use crate::view::overlay;
 
 /// The input state of the world view and the camera view that persists between egui passes: the drag in
@@ -79,8 +79,8 @@ impl WorldArea<'_> {
         let (selection, items) = (session.selection, session.settings.items);
         let WorldArea { observer, scale, .. } = *self;
         let resolved = resolved.as_ref();
-        let stage = Stage { document, resolved, selection, items, observer, scale };
-        placed(&stage, &session.handles)
+        let inputs = HandleInputs { document, resolved, selection, items, observer, scale };
+        placed(&inputs, &session.handles)
     }
 
     /// Returns the parameters of a handle's drag. While Ctrl is held, values snap to round steps. While Alt

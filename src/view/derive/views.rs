@@ -28,7 +28,7 @@ use crate::view::derive::{
     Derived, Enclosing, GoodPicture, Inputs, Memo, Objects, OnWork, Purpose, Shown, SpareImages,
     WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture, watched,
 };
-use crate::view::handles::{self, Stage};
+use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
@@ -56,7 +56,7 @@ impl WorldViews {
         let observer_camera = observer.camera(size[0], size[1]).resolve().ok()?;
         let WorldViews { pictures, view, buffers } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
-        let stage = Stage {
+        let placing = HandleInputs {
             document,
             resolved: derived.resolved.as_ref(),
             selection: session.shown_selection(),
@@ -83,7 +83,7 @@ impl WorldViews {
             ghost: ghost_camera(inputs, derived),
             answer_marks: Arc::clone(&derived.answer_marks),
             highlighted: highlighted(inputs),
-            handles: handles::drawn(&stage, &session.handles, &session.spoken_of()),
+            handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
             is_clear: sizes.purpose.is_clear(),
             names_all: session.spoken.is_some() || without_marks,
             covered: sizes.covered.into_iter().flatten().collect(),

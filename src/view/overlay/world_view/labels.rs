@@ -85,7 +85,7 @@ const LEADER_FROM: f64 = 20.0;
 const OBSTACLE_SPACING: f64 = 5.0;
 
 /// A rectangle: its centre, and half of its width and height.
-type Area = (DVec2, DVec2);
+type CenteredBox = (DVec2, DVec2);
 
 /// Places the requested labels in order of rank, so that the first ones get the best positions. Adds
 /// the labels and their leader lines to the drawing, and omits labels that fit nowhere near their
@@ -142,14 +142,14 @@ fn leader(request: &Request, center: DVec2, half: DVec2, scale: f32) -> Option<[
 }
 
 /// Returns true if a line segment passes through an area without starting in it.
-fn crosses([from, to]: [DVec2; 2], (center, half): Area) -> bool {
+fn crosses([from, to]: [DVec2; 2], (center, half): CenteredBox) -> bool {
     const SAMPLES: usize = 16;
     let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
     !is_in(from) && (1..=SAMPLES).any(|k| is_in(from.lerp(to, k as f64 / SAMPLES as f64)))
 }
 
 /// Returns the areas covered by handles.
-fn handle_areas(drawing: &Drawing) -> Vec<Area> {
+fn handle_areas(drawing: &Drawing) -> Vec<CenteredBox> {
     let marks = drawing.marks.iter().filter(|mark| mark.item == Item::Handles);
     let areas = marks.filter_map(|mark| match &mark.shape {
         Shape::Disc { center, radius } => Some((wide(*center), DVec2::splat((*radius).into()))),
@@ -168,7 +168,7 @@ fn handle_areas(drawing: &Drawing) -> Vec<Area> {
 const TIP: f64 = 2.0;
 
 /// Returns the areas around the tips of arrowheads.
-fn tips(drawing: &Drawing) -> impl Iterator<Item = Area> {
+fn tips(drawing: &Drawing) -> impl Iterator<Item = CenteredBox> {
     let half = DVec2::splat(TIP * f64::from(drawing.scale));
     let tip = |mark: &Mark| match &mark.shape {
         Shape::Polygon { points } if points.len() == 3 => Some(wide(points[0])),
