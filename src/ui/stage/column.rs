@@ -3,7 +3,7 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Align, Color32, FontId, Frame, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
+    Align, Color32, FontId, Frame, Id, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
     WidgetInfo, vec2,
 };
 
@@ -71,7 +71,8 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
 }
 
 /// Returns the largest size at which the texts and the card fit. `card` is the card's own area, if it is not
-/// below the texts.
+/// below the texts. In one step and one area it never grows again, so that the text stands still under the
+/// hand while numbers get shorter and longer.
 fn size_that_fits(
     ui: &mut Ui,
     open: &OpenLesson,
@@ -79,6 +80,10 @@ fn size_that_fits(
     texts: Rect,
     card: Option<Rect>,
 ) -> f32 {
+    let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
+    let step = Id::unique((&open.step().text, width, height));
+    let slot = Id::unique("size of the column's text");
+    let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
     let fits = |size: &f32| {
         let words = words_height(ui, open, texts.width(), *size);
         // Laying out the formulas costs more, and a drag changes them in each frame.
@@ -91,7 +96,10 @@ fn size_that_fits(
             None => words + formulas <= texts.height(),
         }
     };
-    SIZES.into_iter().find(fits).unwrap_or(WRITTEN)
+    let size = SIZES.into_iter().filter(|size| last.is_none_or(|last| *size <= last.1)).find(fits);
+    let size = size.unwrap_or(WRITTEN);
+    ui.data_mut(|data| data.insert_temp(slot, (step, size)));
+    size
 }
 
 /// Returns the height of the title, the texts and the room for the answer.
