@@ -151,6 +151,15 @@ fn the_line_of_what_is_pointed_at_is_scrolled_into_view() {
 }
 
 #[test]
+fn only_the_point_of_the_first_hit_is_named_hit() {
+    let mut window = derivation_window("canonical");
+    type_into(&mut window, "distance", "2");
+    let hits = texts_with(&window, "hit = 𝐩 + ");
+    assert!(matches!(&hits[..], [hit] if hit.contains("t₁")), "{hits:?}");
+    assert_says(&window, "𝐩 + t 𝐝 = (0, 0, 0) + 3 (0.2, −0.1, −2) = (0.6, −0.3, −6)");
+}
+
+#[test]
 fn a_number_that_changes_changes_the_derivation_in_the_same_frame() {
     let mut window = derivation_window("canonical");
     window.get_by_role_and_label(Role::SpinButton, "distance").click();

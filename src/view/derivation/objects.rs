@@ -112,7 +112,7 @@ impl ObjectLines<'_> {
             let above = minus(numbers.vector(hit.point), numbers.vector(derivation.sphere.center));
             let symbols = fraction(minus(HIT, CENTRE), R);
             let substituted = fraction(above, numbers.divisor(derivation.sphere.radius));
-            self.normal(k, hit, symbols, Some(substituted));
+            self.normal(hit, symbols, Some(substituted));
         }
     }
 
@@ -239,11 +239,18 @@ impl ObjectLines<'_> {
         self.root([T, quotient, substituted, numbers.scalar(root.t)], 0);
         if derivation.hit().is_some() {
             self.hit(T, 0, &root);
-            self.normal(0, &root, fraction(N, norm(N)), None);
+            self.normal(&root, fraction(N, norm(N)), None);
         }
     }
 
-    /// Adds the line that computes the point where the ray first hits this object.
+    /// Returns true if the root's point is the ray's hit: no other object is in front of it.
+    fn is_first_hit(&self, root: &Root) -> bool {
+        let first = self.inspection.first_hit();
+        first.is_some_and(|first| first.object == root.object && first.t == root.t)
+    }
+
+    /// Adds the line that computes the point where the ray first meets this object. Only the point of the
+    /// ray's first hit is named *hit*.
     fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
         let numbers = self.numbers;
         let substituted = along(
@@ -251,20 +258,21 @@ impl ObjectLines<'_> {
             numbers.scalar(hit.t),
             numbers.vector(self.ray.direction),
         );
-        let sides = [HIT, along(P, t, D), substituted, numbers.vector(hit.point)];
-        self.lines.push(DerivedLine::chain(self.root_concept(k), sides));
+        let name = self.is_first_hit(hit).then_some(HIT);
+        let sides = [along(P, t, D), substituted, numbers.vector(hit.point)];
+        let formula = name.into_iter().chain(sides).reduce(equation).unwrap_or_else(|| row([]));
+        self.lines.push(DerivedLine::new(self.root_concept(k), formula));
     }
 
-    fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, substituted: Option<Formula>) {
-        let is_first = self
-            .inspection
-            .first_hit()
-            .is_some_and(|first| first.object == hit.object && first.t == hit.t);
-        let concept = if is_first { Concept::Normal } else { self.root_concept(k) };
+    /// Adds the line that computes the normal at the ray's first hit.
+    fn normal(&mut self, hit: &Root, symbols: Formula, substituted: Option<Formula>) {
+        if !self.is_first_hit(hit) {
+            return;
+        }
         let normal = Formula::Vector("normal", SymbolInk::Text);
         let numbers = substituted.into_iter().chain([self.numbers.vector(hit.normal)]);
         let formula = numbers.fold(equation(normal, symbols), equation);
-        self.lines.push(DerivedLine::new(concept, formula));
+        self.lines.push(DerivedLine::new(Concept::Normal, formula));
     }
 }
 
