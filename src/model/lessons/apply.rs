@@ -60,7 +60,7 @@ fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut session.sections, view.derivation);
     (session.formulas, session.before_recap) = (view.formulas.clone(), None);
     set(&mut session.highlighted, view.highlighted);
-    session.ray_point_t = view.t;
+    (session.ray_point_t, session.ghost) = (view.t, view.ghost);
     session.spoken = Some(spoken_of(step));
     set(&mut session.lines, view.lines.clone());
     if let Some(chosen) = view.mistake {
@@ -130,12 +130,14 @@ pub fn differs(
     step.document != *document || as_step != *session
 }
 
-/// Returns the concepts of the viewport (such as the distance) that the step's title or text names.
+/// Returns which of the viewport's concepts (such as the distance) and the normal the step's title or text
+/// names.
 fn spoken_of(step: &Step) -> Vec<Concept> {
-    const NAMES: [(&str, Concept); 3] = [
+    const NAMES: [(&str, Concept); 4] = [
         ("width", Concept::Viewport),
         ("height", Concept::Viewport),
         ("distance", Concept::Distance),
+        ("the normal", Concept::Normal),
     ];
     let text = format!("{} {}", step.title, step.text).to_lowercase();
     let named = NAMES.into_iter().filter(|(name, _)| text.contains(name));

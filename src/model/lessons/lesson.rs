@@ -10,7 +10,7 @@ use pinhole_lecture::{Exercise, Mistake};
 use crate::model::lessons::{builtin, read};
 use crate::model::play::Kind;
 use crate::model::{
-    Concept, DerivationSections, Formulas, LinesLab, Observer, OverlayItems, ViewLayout,
+    Concept, DerivationSections, Formulas, Ghost, LinesLab, Observer, OverlayItems, ViewLayout,
 };
 
 /// A lesson: a list of steps.
@@ -93,6 +93,8 @@ pub struct StepView {
     pub mistake: Option<Mistake>,
     /// The parameter t of the point to mark on the selected ray; `None` marks no point.
     pub t: Option<f64>,
+    /// The camera that the world view compares with the step's own; `None` draws no other camera.
+    pub ghost: Option<Ghost>,
     /// The animation to open, at its start.
     pub play: Option<Kind>,
     /// The state of the page *Lines*.

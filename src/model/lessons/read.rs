@@ -13,7 +13,7 @@ use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
 use crate::model::session::{DIGITS, ViewLayout};
 use crate::model::{
-    Concept, DerivationSection, DerivationSections, Formulas, Item, LinesLab, Observer,
+    Concept, DerivationSection, DerivationSections, Formulas, Ghost, Item, LinesLab, Observer,
     OverlayItems,
 };
 
@@ -26,7 +26,7 @@ const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 /// The keys that a step may have in addition to the tables of a scene.
 const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
                     count_from_one digits keep_picture teaching derivation formulas highlight mistake t \
-                    play lines exercise seed";
+                    play ghost lines exercise seed";
 
 /// Reads a lesson file.
 ///
@@ -125,6 +125,8 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
         view.highlighted = Some(None);
     }
     read_view(section, &mut view, objects)?;
+    let other = section.get("ghost").map(|field| scene(&field, base)).transpose()?;
+    view.ghost = other.map(|other| Ghost { camera: other.camera, shows_differences: false });
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
     Ok(Step { title, text, question, document, scene_from, selection, view })
 }

@@ -45,8 +45,8 @@ pub struct Session {
     pub alt_dims: bool,
     /// True while the question of a lesson's step is not answered yet. No number is shown then.
     pub is_asking: bool,
-    /// The concepts that the lesson's step mentions and whose handles are therefore shown; `None` if no
-    /// lesson is open.
+    /// The concepts that the lesson's step mentions and whose handles or arrows are therefore shown; `None` if
+    /// no lesson is open.
     pub spoken: Option<Vec<Concept>>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,

@@ -138,10 +138,7 @@ impl App {
         let opened = match leave {
             Leave::Open(source) => self.open(source),
             Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
-            Leave::GoTo(id) => {
-                self.scene.session.ghost = None;
-                Ok(self.scene.open_lesson(id, None).unwrap_or_default())
-            }
+            Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
             Leave::BackToStep => Ok(self.scene.back_to_step()),
             Leave::Restore { as_new } => self.restore(as_new),
             Leave::Quit => {

@@ -14,6 +14,7 @@ use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::Drawn;
 use crate::model::play::Kind;
+use crate::model::session::resolve;
 use crate::model::{
     Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, Settings,
     ViewLayout, ViewSize,
@@ -160,9 +161,13 @@ impl OpenScene {
     /// Returns what the world view draws with these items, including what is hidden while a question is open.
     fn drawn(&self, scene: &Scene, items: OverlayItems) -> Drawn {
         let (session, camera) = (&self.session, &self.open.document.camera);
-        let is_compared = session.settings.layout == ViewLayout::Mistakes;
-        let wrong = WrongCamera::new(camera, session.mistakes_view.shown()).ok();
-        let ghost = wrong.filter(|_| is_compared).as_ref().map(GhostCamera::of_mistake);
+        let ghost = if session.settings.layout == ViewLayout::Mistakes {
+            let wrong = WrongCamera::new(camera, session.mistakes_view.shown()).ok();
+            wrong.as_ref().map(GhostCamera::of_mistake)
+        } else {
+            let ghost = session.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
+            ghost.as_ref().map(GhostCamera::frozen)
+        };
         let ray = (session.shown_selection(), session.ray_point_t);
         drawn(camera, scene, items, ray, ghost.as_ref())
     }

@@ -17,6 +17,7 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
+use crate::model::Concept;
 use crate::model::derivation_sections::{DerivationSections, Formulas};
 use crate::model::observer::enclosing;
 use crate::model::session::ViewLayout;
@@ -86,6 +87,10 @@ impl WorldViews {
             handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
             is_clear: sizes.purpose.is_clear(),
             names_all: session.spoken.is_some() || without_marks,
+            shows_normal: session
+                .spoken
+                .as_ref()
+                .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
             covered: sizes.covered.into_iter().flatten().collect(),
             without_marks,
         };

@@ -129,24 +129,24 @@ fn end_shows_all_that_a_step_keeps_back() {
 
 #[test]
 fn what_a_step_before_has_derived_is_not_derived_line_by_line_again() {
-    let mut window = at_step(2, 1);
+    let mut window = at_step(6, 2);
     let sections = |window: &Window| -> Vec<DerivationSection> {
         let derivation = window.state().derived().derivation.clone().unwrap();
         derivation.sections.iter().map(|section| section.section).collect()
     };
-    assert_eq!(sections(&window), [DerivationSection::PixelToRay]);
-    go_to(&mut window, 2, 4);
-    assert_eq!(sections(&window), [DerivationSection::Objects], "the ray is the same one");
+    assert_eq!(sections(&window), [DerivationSection::Basis]);
+    go_to(&mut window, 6, 3);
+    assert_eq!(sections(&window), [DerivationSection::PixelToRay], "the basis is the same one");
 }
 
 #[test]
 fn what_end_has_shown_stays_shown_in_the_next_step() {
-    let mut window = at_step(1, 3);
+    let mut window = at_step(6, 3);
     key(&mut window, Key::F5);
     key(&mut window, Key::End);
     assert_eq!(window.state().session().revealed_lines, None);
     key(&mut window, Key::PageDown);
-    assert_says(&window, "Lesson 1 · 4 of 4 · The view ray");
+    assert_says(&window, "Lesson 6 · 4 of 6 · Where is the distance?");
     assert_eq!(window.state().session().revealed_lines, None, "the same derivation, whole");
 }
 

@@ -45,6 +45,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         highlighted,
         mistake,
         t,
+        ghost,
         play,
         lines,
         exercise,
@@ -72,6 +73,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         ("highlight", highlighted.is_none_or(|said| session.highlighted == said)),
         ("mistake", mistake.is_none_or(|said| session.mistakes_view.shown() == said)),
         ("t", session.ray_point_t == t),
+        ("ghost", session.ghost == ghost),
         ("play", app.player().map(|player| player.kind) == play),
         ("lines", lines.is_none_or(|said| session.lines == said)),
         (
@@ -194,8 +196,9 @@ fn the_loupe_of_2_2_hides_no_sphere() {
 }
 
 #[test]
-fn the_ray_of_1_2_does_not_end_at_a_wall_that_is_not_drawn() {
-    let window = at_step(1, 2);
+fn the_ray_of_2_1_does_not_end_at_a_wall_that_is_not_drawn() {
+    let mut window = at_step(2, 1);
+    answer(&mut window);
     let app = window.state();
     assert!(!app.session().settings.items.shows(Item::Planes));
     let (shown, frame) = (app.derived().world_view.clone().unwrap(), &app.derived().world_frame);

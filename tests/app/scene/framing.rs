@@ -287,7 +287,7 @@ fn a_low_view_has_room_for_the_arrows_and_the_ball() {
 #[test]
 fn items_that_a_hand_switches_move_nothing() {
     let mut harness = window_with("canonical", Remembered::default(), None);
-    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 2 }, None);
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 3 }, None);
     harness.run_steps(3);
     let before = observer(&harness);
     for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {

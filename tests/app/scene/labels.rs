@@ -77,14 +77,30 @@ fn only_what_the_camera_is_made_of_has_a_name_until_a_lesson_is_open() {
         assert!(!named.iter().any(|text| text == name), "{name} in {named:?}");
     }
     assert!(!draws_normal(&harness), "an arrow without a name");
-    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(0), step: 3 }, None);
-    harness.run();
-    if harness.state().session().is_asking {
-        harness.key_press(Key::PageDown);
+    let mut open = |lesson: usize, step: usize| {
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
         harness.run();
-    }
-    assert!(labels(&harness).iter().any(|text| text == "n"), "{:?}", labels(&harness));
-    assert!(draws_normal(&harness));
+        assert!(!draws_normal(&harness), "nothing in the lesson speaks of the normal");
+        labels(&harness)
+    };
+    assert!(open(6, 0).iter().any(|text| text == "view"));
+    assert!(open(0, 3).iter().any(|text| text == "hit"));
+}
+
+#[test]
+fn a_lesson_draws_where_the_camera_was() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    let mut primed = |lesson: usize, step: usize| {
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
+        harness.run();
+        let mut labels = labels(&harness);
+        labels.retain(|text| text.ends_with('′'));
+        labels
+    };
+    assert_eq!(primed(3, 0), ["eye′"], "the eye has moved");
+    assert_eq!(primed(4, 0), [""; 0], "nothing has moved yet");
+    assert_eq!(primed(4, 1), ["u′", "w′"], "v is the axis of the turn");
+    assert_eq!(primed(4, 2), ["u′", "v′", "w′"]);
 }
 
 /// Whether the normal is drawn at the hit.

@@ -1,5 +1,7 @@
 //! The ghost, a camera that is compared with the edited one, in the world view.
 
+use pinhole_core::{Basis, Orientation};
+
 use super::*;
 use crate::view::overlay::drawing::Shape;
 
@@ -22,4 +24,17 @@ fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
     assert!(dashed.len() >= 11 && solid.is_empty(), "{} {}", dashed.len(), solid.len());
     let mut names = both.labels.iter().map(|label| label.text.as_str());
     assert!(names.any(|name| name.ends_with('′')));
+}
+
+#[test]
+fn what_a_ghost_shares_with_the_camera_is_drawn_once() {
+    let stage = Stage::new(Camera::CANONICAL, Vec::new(), Vec::new());
+    let (u, w) = (DVec3::NEG_Z, DVec3::X);
+    let turned = Orientation::Basis(Basis { u, v: DVec3::Y, w });
+    let ghost = Camera { orientation: turned, ..stage.camera }.resolve().expect("a camera");
+    let ghost = Some(GhostCamera::frozen(&ghost));
+    let both = WorldView { ghost, ..stage.view() }.drawing(stage.scene());
+    let names = both.labels.iter().map(|label| label.text.as_str());
+    let primed: Vec<&str> = names.filter(|name| name.ends_with('′')).collect();
+    assert_eq!(primed, ["u′", "w′"]);
 }

@@ -112,6 +112,7 @@ impl Stage {
             answer_marks: Arc::default(),
             is_clear: false,
             names_all: true,
+            shows_normal: true,
             covered: Vec::new(),
             without_marks: false,
         }

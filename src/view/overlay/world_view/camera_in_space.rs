@@ -240,9 +240,7 @@ impl Sketch<'_> {
         let Some(hit) = self.drawn_hit(inspection) else { return };
         let ink = self.colors.hit;
         let pen = LineStyle::new(Item::Hit, ink, MEDIUM).about(Concept::Normal);
-        // Without its label, the normal would look like just another arrow, so it is drawn only with
-        // labels.
-        if self.view.names_all {
+        if self.view.shows_normal {
             let tip = hit.point + self.screen.normal_length(hit.point) * hit.normal;
             self.named_arrow([hit.point, tip], Head::Filled, pen, "n", BOLD_POINT);
         }

@@ -28,9 +28,6 @@ pub struct GhostCamera {
     /// Vectors from the eye to the viewport's corners, clockwise in the image, starting at the corner
     /// of pixel (0, 0).
     corners: [DVec3; 4],
-    /// True if this is a frozen camera, which has its own eye. A camera with a mistake has the edited
-    /// camera's eye.
-    is_frozen: bool,
     /// True if the corner of pixel (0, 0) lies at another place than that of the edited camera.
     is_turned: bool,
 }
@@ -43,7 +40,6 @@ impl GhostCamera {
             eye: camera.eye(),
             basis: [basis.u, basis.v, basis.w].map(Some),
             corners: corners(camera).map(|uv| camera.ray(uv).direction),
-            is_frozen: true,
             is_turned: false,
         }
     }
@@ -59,7 +55,6 @@ impl GhostCamera {
             eye: right.eye(),
             basis: [u.then(|| wrong.u()), v.then(|| wrong.v()), w.then(|| wrong.w())],
             corners,
-            is_frozen: false,
             is_turned: (corners[0] - first).length() > 0.25 * first.length(),
         }
     }
@@ -79,7 +74,8 @@ impl GhostCamera {
 }
 
 impl Sketch<'_> {
-    /// Draws the ghost. This must be done before the edited camera is drawn, which then covers it.
+    /// Draws the ghost, without an eye or arrows that are the edited camera's own. This must be done before
+    /// the edited camera is drawn, which then covers it.
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
@@ -90,15 +86,17 @@ impl Sketch<'_> {
         }
         self.sides(corners.map(|corner| eye + corner), outline);
         let length = self.screen.arrow_length(eye);
-        let arrows = ghost.basis.into_iter().zip(BASIS).zip(self.colors.basis);
-        for ((vector, (_, name, head)), color) in arrows {
-            let Some(vector) = vector else { continue };
+        let own = self.view.resolved.filter(|own| own.eye() == eye).map(|own| *own.basis());
+        let own = own.map_or([None; 3], |own| [own.u, own.v, own.w].map(Some));
+        let arrows = ghost.basis.into_iter().zip(own).zip(BASIS).zip(self.colors.basis);
+        for (((vector, own), (_, name, head)), color) in arrows {
+            let Some(vector) = vector.filter(|vector| Some(*vector) != own) else { continue };
             let pen = LineStyle::new(Item::Basis, color, MEDIUM).dashed();
             let tip = eye + length * vector.clamp_length_max(LONGEST);
             self.named_arrow([eye, tip], head, pen, &format!("{name}′"), VECTOR);
         }
         let pen = LineStyle::new(Item::Eye, ink, 2.0);
-        if ghost.is_frozen {
+        if eye != self.view.camera.eye {
             self.named_point(eye, 4.5, pen, "eye′", [0.6, 1.0]);
         }
         let pen = LineStyle::new(Item::Marks, self.colors.mark, 2.0);

@@ -72,6 +72,8 @@ pub struct WorldView {
     /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
     /// and the highlighted concept have labels.
     pub names_all: bool,
+    /// True if the normal at the hit is drawn, as in figures and in lessons about it.
+    pub shows_normal: bool,
     /// The rectangles, in physical pixels, that an inset and a line of numbers cover: left, top, right and
     /// bottom of each.
     pub covered: Vec<[f32; 4]>,
