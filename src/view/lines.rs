@@ -387,7 +387,7 @@ impl PlaneView {
                 Ordering::Equal => continue,
                 Ordering::Greater => ("+", self.colors.basis[2]),
             };
-            let (font, color) = (FontId::proportional(SMALL), color.gamma_multiply(0.75));
+            let font = FontId::proportional(SMALL);
             self.painter.text(self.to_screen(at), Align2::CENTER_CENTER, sign, font, color);
         }
     }

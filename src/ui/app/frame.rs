@@ -353,6 +353,9 @@ impl App {
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects, stage: Option<&Stage>) {
         let page = self.page();
+        if let Some(stage) = stage {
+            stage.show_ground(ui);
+        }
         self.show_views(ui, rects, stage.is_some());
         let style = NumberStyle::new(&self.scene.session.settings);
         let is_changed = self.scene.differs_from_step();

@@ -36,7 +36,6 @@ pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
     draw(ui, area.shrink(2.0), plot, first, &mut session.ray_point_t);
 }
 

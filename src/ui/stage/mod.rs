@@ -14,6 +14,7 @@ use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{PageContext, foot, page};
+use crate::view::typesetting::theme;
 
 pub(crate) mod column;
 mod navigation;
@@ -97,6 +98,14 @@ impl Stage {
             }
             ViewLayout::Lines => areas(None, None, main),
             _ => None,
+        }
+    }
+
+    /// Fills the area of the main figure with the views' own ground, which its pictures and graphs need not
+    /// cover.
+    pub(crate) fn show_ground(&self, ui: &Ui) {
+        if self.layout != ViewLayout::Exercises {
+            ui.painter().rect_filled(self.main, 0.0, theme::style(ui).colors().background);
         }
     }
 

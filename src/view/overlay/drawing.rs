@@ -276,16 +276,18 @@ impl Drawing {
 /// Returns the path of a mark's casing, or `None` if it has no casing, and the path of the mark itself.
 fn paths_of(mark: &Mark, scale: f32) -> (Option<Path>, Path) {
     let full = HALO_WIDTH * scale;
-    let (width, ink) = match mark.shape {
+    let (ink, around) = match mark.shape {
         Shape::Line { width, .. } => {
             let dash = if mark.hidden { Some(DASH) } else { mark.pattern };
             let dash = dash.map(|dash| dash.map(|length| length * scale));
             let ink = Ink::Stroke { width, round: dash.is_none(), dash };
-            (width + 2.0 * full.min(HALO_SHARE * width), ink)
+            let around = width + 2.0 * full.min(HALO_SHARE * width);
+            (ink, Ink::Stroke { width: around, round: dash.is_none(), dash })
         }
-        Shape::Polygon { .. } | Shape::Disc { .. } => (2.0 * full, Ink::Fill),
+        Shape::Polygon { .. } | Shape::Disc { .. } => {
+            (Ink::Fill, Ink::Stroke { width: 2.0 * full, round: true, dash: None })
+        }
     };
-    let around = Ink::Stroke { width, round: true, dash: None };
     let path = |color, ink| Path { outline: outline_of(&mark.shape), color, ink };
     (mark.halo.map(|halo| path(halo, around)), path(mark.color, ink))
 }

@@ -41,7 +41,7 @@ pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, concept_a
 pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
 pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
-pub use style::{Colors, Style};
+pub use style::{Colors, Style, contrast_ratio};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
 pub use world_view::drawn::drawn;
@@ -56,7 +56,9 @@ use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
 use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
-use style::{BOLD_POINT, DIMMED, FINE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR};
+use style::{
+    BOLD_POINT, DIMMED, FINE, LEGIBLE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR, VISIBLE,
+};
 use world_view::camera_in_space::{BASIS, corners, shows_where_it_looks};
 use world_view::highlighted::{
     ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,

@@ -84,10 +84,10 @@ const LIGHT: Colors = Colors {
     background: rgb(0xf4f6f9),
     halo: rgb(0xf4f6f9),
     ink: rgb(0x2b3038),
-    basis: [rgb(0xc8480a), rgb(0x00805c), rgb(0x0062a8)],
+    basis: [rgb(0xc04509), rgb(0x00805c), rgb(0x0062a8)],
     patterns: [None; 3],
-    axes: [rgb(0x8d6a5c), rgb(0x5c7a70), rgb(0x5c6e86)],
-    given: rgb(0x9c4480),
+    axes: [rgb(0x8a675a), rgb(0x57746b), rgb(0x5c6e86)],
+    given: rgb(0x95407a),
     ray: rgb(0xb8004e),
     hit: rgb(0x111111),
     mark: rgb(0x7a3cc2),
@@ -157,22 +157,24 @@ const GREY_DARK: Colors = Colors {
 };
 
 /// Least contrast of a dimmed label with the background (WCAG 2.2, *Contrast (Minimum)*).
-const LEGIBLE: f64 = 4.5;
+pub(super) const LEGIBLE: f64 = 4.5;
+/// Least contrast of a dimmed mark with its casing (WCAG 2.2, *Non-text Contrast*).
+pub(super) const VISIBLE: f64 = 3.0;
 
-/// Opacity of all other marks while a concept is highlighted and the rest is dimmed; of a label, the weight
-/// of its own colour, if it then is still legible.
+/// Weight of a colour that is dimmed, because another concept is highlighted, if it then still has enough
+/// contrast; opacity of translucent marks.
 pub(super) const DIMMED: f32 = 0.42;
 
 impl Colors {
-    /// Returns the colour of a label while another concept is highlighted: closer to the background, but
-    /// only as far as the label stays legible. A colour that is not legible itself is strengthened.
-    pub(super) fn dimmed(&self, color: Color32) -> Color32 {
+    /// Returns the colour of a mark or a label while another concept is highlighted: closer to the
+    /// background, but only as far as it keeps this contrast. A colour that does not have it is strengthened.
+    pub(super) fn dimmed(&self, color: Color32, contrast: f64) -> Color32 {
         const STEPS: u8 = 20;
         let shares = || (0..=STEPS).map(|k| f32::from(k) / f32::from(STEPS));
         let weaker = shares().map(|s| mix(self.background, color, DIMMED + s * (1.0 - DIMMED)));
         let stronger = shares().map(|s| mix(color, self.hit, s));
-        let is_legible = |color: &Color32| contrast_ratio(*color, self.background) >= LEGIBLE;
-        weaker.chain(stronger).find(is_legible).unwrap_or(self.hit)
+        let is_enough = |color: &Color32| contrast_ratio(*color, self.background) >= contrast;
+        weaker.chain(stronger).find(is_enough).unwrap_or(self.hit)
     }
 }
 
@@ -189,7 +191,7 @@ fn luminance([r, g, b]: [f64; 3]) -> f64 {
 }
 
 /// Returns WCAG 2's contrast ratio of two opaque colours.
-fn contrast_ratio(a: Color32, b: Color32) -> f64 {
+pub fn contrast_ratio(a: Color32, b: Color32) -> f64 {
     let [a, b] = [a, b].map(|color| luminance(linear(color)) + 0.05);
     a.max(b) / a.min(b)
 }

@@ -116,6 +116,7 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     // egui's own greys are legible near the screen, but not from the back row.
     let mut text = Color32::from_gray(if is_dark { 0xea } else { 0x10 });
     visuals.weak_text_alpha = 0.75;
+    visuals.disabled_alpha = 0.6;
     if look.presenting {
         let [ground, strong] = match is_dark {
             true => [Color32::BLACK, Color32::WHITE],

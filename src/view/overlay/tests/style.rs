@@ -68,7 +68,7 @@ fn dimmed_labels_are_legible_and_haloes_are_not_seen() {
         assert_eq!(c.halo, c.background, "{style:?}");
         let named = [c.ink, c.given, c.ray, c.hit, c.mark].into_iter().chain(c.basis).chain(c.axes);
         for color in named {
-            let dimmed = c.dimmed(color);
+            let dimmed = c.dimmed(color, LEGIBLE);
             let ratio = contrast_ratio(dimmed, c.background);
             assert!(dimmed.is_opaque() && ratio >= 4.5, "{style:?}: {color:?} has {ratio:.2}");
             let own = contrast_ratio(color, c.background);

@@ -279,7 +279,7 @@ impl Sketch<'_> {
             .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
         let pen =
             LineStyle::new(Item::Ray, self.colors.ray, MEDIUM).about(Concept::Pixel).on_viewport();
-        self.sides(corners, pen.without_halo());
+        self.sides(corners, pen);
     }
 
     /// Draws the view and up vectors that the user gives. A camera given by its basis has neither.

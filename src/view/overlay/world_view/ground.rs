@@ -243,7 +243,7 @@ impl Sketch<'_> {
             self.sides(pane.corners(), pen);
         }
         let Some(floor) = ground.floor else { return };
-        let color = self.colors.ink.gamma_multiply(0.5);
+        let color = self.colors.ink.gamma_multiply(0.6);
         let pen = LineStyle::new(Item::Floor, color, FINE).without_halo().where_visible();
         let pen = pen.patterned(Some(DROP));
         let eye = Bound { center: view.camera.eye, radius: 0.0 };

@@ -14,8 +14,8 @@ use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 use crate::model::observer::{UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{
-    BASIS, Colors, DIMMED, Drawing, Head, LABEL_DIGITS, LineStyle, POINT, Request, Sketch, VECTOR,
-    circle, corners, tangents, unit,
+    BASIS, Colors, DIMMED, Drawing, Head, LABEL_DIGITS, LEGIBLE, LineStyle, POINT, Request, Sketch,
+    VECTOR, VISIBLE, circle, corners, tangents, unit,
 };
 
 /// The highlighted concept, and the inputs for drawing it.
@@ -77,11 +77,13 @@ pub(crate) fn dim(
         return;
     }
     for mark in &mut drawing.marks {
-        mark.color = mark.color.gamma_multiply(DIMMED);
-        mark.halo = mark.halo.map(|halo| halo.gamma_multiply(DIMMED));
+        mark.color = match mark.color.is_opaque() {
+            true => colors.dimmed(mark.color, VISIBLE),
+            false => mark.color.gamma_multiply(DIMMED),
+        };
     }
     for request in requests {
-        request.label.color = colors.dimmed(request.label.color);
+        request.label.color = colors.dimmed(request.label.color, LEGIBLE);
     }
 }
 

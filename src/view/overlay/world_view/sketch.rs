@@ -192,7 +192,6 @@ impl Sketch<'_> {
                 Shape::Line { points, width: thin * pen.width * self.drawing.scale }
             };
             // The head is never dashed, because dashes would hide its shape.
-            let pen = LineStyle { halo: pen.halo && !hidden, ..pen };
             self.drawing.marks.push(pen.mark(shape, self.colors.halo));
         };
         match head {
@@ -304,7 +303,6 @@ impl Sketch<'_> {
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let dashed = run.hidden || pen.dashed;
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let pen = LineStyle { halo: pen.halo && !dashed, ..pen };
             let mark = pen.mark(shape, self.colors.halo);
             self.drawing.marks.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
         }

@@ -193,8 +193,8 @@ impl Sketch<'_> {
         let side = RIGHT_ANGLE * distance.min(radius);
         if let Some(forward) = unit(ray.direction) {
             let back = at - side * forward;
-            self.line(back, back + side * out, thin.without_halo());
-            self.line(back + side * out, at + side * out, thin.without_halo());
+            self.line(back, back + side * out, thin);
+            self.line(back + side * out, at + side * out, thin);
         }
         if roots.is_empty()
             && let Some(spot) = self.screen.spot(at + 0.5 * (distance - radius) * out)
@@ -240,7 +240,7 @@ impl Sketch<'_> {
         if !end.is_finite() {
             return;
         }
-        self.line(ray.origin, end, pen.patterned(Some(DOTS)).without_halo());
+        self.line(ray.origin, end, pen.patterned(Some(DOTS)));
         if let Some(spot) = self.screen.spot(end) {
             let toward = self.on_screen(end, -ray.direction);
             self.label(pen, "t < 0", [spot.at, toward], MARK);

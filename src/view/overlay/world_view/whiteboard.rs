@@ -65,7 +65,7 @@ impl Sketch<'_> {
         let corners = [eye, eye + a, eye + a + b, eye + b];
         let fill = LineStyle { color: pen.color.gamma_multiply(0.3), ..pen }.without_halo();
         self.polygon(&corners, fill);
-        self.sides(corners, LineStyle { width: 1.6, ..pen }.without_halo());
+        self.sides(corners, LineStyle { width: 1.6, ..pen });
         let (angle, sine) = cross.angle.zip(cross.sine)?;
         if let Some(spot) = self.screen.spot(corners[2]) {
             let number = |x: f64| highlighted.number(x);
