@@ -3,6 +3,7 @@
 
 mod derivation;
 mod edits;
+mod every_step;
 mod failure;
 mod faults;
 mod files;

@@ -1,0 +1,171 @@
+//! Texts are large, and texts and marks stand out from the ground that they stand on.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use egui::epaint::{Shape, TextShape};
+use egui::{Color32, ColorImage, Pos2, Rect, Theme};
+use pinhole::model::Item;
+use pinhole::model::session::Scheme;
+use pinhole::model::session::presenting::WRITTEN;
+use pinhole::view::overlay::{self, Style, contrast_ratio};
+
+use super::Seen;
+
+/// The least contrast of a text, and of a mark (WCAG 2.2, *Contrast (Minimum)* and *Non-text Contrast*).
+const LEAST: [f64; 2] = [4.5, 3.0];
+
+/// A run of letters of one colour.
+struct Run {
+    text: String,
+    size: f32,
+    color: Color32,
+    /// The colour of its halo or of the fills below it; `None` on a picture.
+    ground: Option<Color32>,
+}
+
+/// Returns a colour painted over another.
+fn over(below: Color32, above: Color32) -> Color32 {
+    let keep = 1.0 - f32::from(above.a()) / 255.0;
+    let [r, g, b] = [0, 1, 2].map(|k| {
+        (f32::from(above.to_array()[k]) + keep * f32::from(below.to_array()[k])).round() as u8
+    });
+    Color32::from_rgb(r, g, b)
+}
+
+/// The texts of a frame, and what was filled below them so far; `None` is a picture.
+struct Texts {
+    fills: Vec<(Rect, Option<Color32>)>,
+    runs: Vec<Run>,
+}
+
+impl Texts {
+    fn of(seen: &Seen<'_>) -> Texts {
+        let window = seen.window.ctx.global_style().visuals.panel_fill;
+        let mut texts = Texts { fills: vec![(Rect::EVERYTHING, Some(window))], runs: Vec::new() };
+        for clipped in &seen.window.output().shapes {
+            texts.add(&clipped.shape, clipped.clip_rect);
+        }
+        texts
+    }
+
+    fn add(&mut self, shape: &Shape, clip: Rect) {
+        match shape {
+            Shape::Vec(shapes) => match shapes.as_slice() {
+                [Shape::Text(halo), .., Shape::Text(text)]
+                    if Arc::ptr_eq(&halo.galley, &text.galley) =>
+                {
+                    self.add_text(text, clip, halo.override_text_color);
+                }
+                shapes => shapes.iter().for_each(|shape| self.add(shape, clip)),
+            },
+            Shape::Rect(rect) if rect.fill.a() > 0 => {
+                let fill = rect.brush.is_none().then_some(rect.fill);
+                self.fills.push((rect.rect.intersect(clip), fill));
+            }
+            Shape::Mesh(mesh) => self.fills.push((mesh.calc_bounds().intersect(clip), None)),
+            Shape::Text(text) => {
+                let ground = self.ground(text.visual_bounding_rect().center());
+                self.add_text(text, clip, ground);
+            }
+            _ => {}
+        }
+    }
+
+    fn ground(&self, at: Pos2) -> Option<Color32> {
+        let below = self.fills.iter().filter(|(rect, _)| rect.contains(at));
+        below.fold(None, |ground, (_, fill)| match (*fill, ground) {
+            (Some(fill), _) if fill.is_opaque() => Some(fill),
+            (Some(fill), Some(ground)) => Some(over(ground, fill)),
+            _ => None,
+        })
+    }
+
+    fn add_text(&mut self, shape: &TextShape, clip: Rect, ground: Option<Color32>) {
+        if !clip.intersects(shape.visual_bounding_rect()) {
+            return;
+        }
+        let job = &shape.galley.job;
+        for section in &job.sections {
+            let range = &section.byte_range;
+            let text = job.text[range.start.0..range.end.0].to_owned();
+            let own = section.format.color;
+            let own = if own == Color32::PLACEHOLDER { shape.fallback_color } else { own };
+            let color = shape.override_text_color.unwrap_or(own);
+            let color = color.gamma_multiply(shape.opacity_factor);
+            if !text.trim().is_empty() {
+                self.runs.push(Run { text, size: section.format.font_id.size, color, ground });
+            }
+        }
+    }
+}
+
+/// The texts that are smaller than 28 pixels at 1920 x 1080: than the size that the zoom makes so large.
+pub(super) fn small_texts(seen: &Seen<'_>) -> Vec<String> {
+    let is_1080p = seen.window.ctx.content_rect().width() > 800.0;
+    let small = Texts::of(seen).runs.into_iter().filter(|run| is_1080p && run.size < WRITTEN);
+    small.map(|run| format!("“{}” has {}", run.text, run.size)).collect()
+}
+
+/// The texts that have too little contrast, or have no halo on a picture.
+pub(super) fn faint_texts(seen: &Seen<'_>) -> Vec<String> {
+    let faint = |Run { text, color, ground, .. }: Run| {
+        let Some(ground) = ground else { return Some(format!("“{text}” on a picture")) };
+        let ratio = contrast_ratio(over(ground, color), ground);
+        (ratio < LEAST[0]).then(|| format!("“{text}”: {ratio:.2}, {color:?} on {ground:?}"))
+    };
+    Texts::of(seen).runs.into_iter().filter_map(faint).collect()
+}
+
+/// The colours of the picture on both sides of a line, along it.
+fn beside(image: &ColorImage, points: &[[f32; 2]], width: f32) -> Vec<[Option<Color32>; 2]> {
+    let color = |at: Pos2| {
+        let [column, row] = [at.x, at.y].map(|x| x as usize);
+        let is_inside =
+            at.x >= 0.0 && at.y >= 0.0 && column < image.width() && row < image.height();
+        is_inside.then(|| image[(column, row)])
+    };
+    let mut found = Vec::new();
+    for ends in points.windows(2) {
+        let [from, to] = [ends[0], ends[1]].map(Pos2::from);
+        let side = (0.5 * width + 2.5) * (to - from).normalized().rot90();
+        let count = ((to - from).length() / 6.0).ceil();
+        let all = (0..count as u32).map(|k| from.lerp(to, (k as f32 + 0.5) / count));
+        found.extend(all.map(|at| [color(at + side), color(at - side)]));
+    }
+    found
+}
+
+/// The marks that have too little contrast with their casing or, without one, with both sides for more than
+/// a third of their length. What is translucent, and the edges of panes, are the ground on which marks
+/// stand; what has the background's colour is a casing or a hole.
+pub(super) fn faint_marks(seen: &Seen<'_>) -> Vec<String> {
+    let is_dark = seen.window.ctx.theme() == Theme::Dark;
+    let background = Style::new(Scheme::Standard, is_dark).colors().background;
+    let derived = seen.app().derived();
+    let views = [("World view", &derived.world_view), ("Camera view", &derived.camera_view)];
+    let mut lengths: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    for (view, shown) in views {
+        let Some(shown) = shown.as_ref().filter(|_| seen.rect(view).is_some()) else { continue };
+        let is_ground = |mark: &overlay::Mark| {
+            !mark.color.is_opaque() || mark.color == background || mark.item == Item::Planes
+        };
+        for mark in shown.marks.iter().filter(|mark| !is_ground(mark)) {
+            let is_faint = |ground: &Color32| contrast_ratio(mark.color, *ground) < LEAST[1];
+            let [faint, all] = match (&mark.shape, mark.halo) {
+                (_, Some(halo)) => [usize::from(is_faint(&halo)), 1],
+                (overlay::Shape::Line { points, width }, None) => {
+                    let sides = beside(&shown.image, points, *width);
+                    let faint = sides.iter().filter(|both| both.iter().flatten().all(is_faint));
+                    [faint.count(), sides.len()]
+                }
+                _ => continue,
+            };
+            let name = format!("{view}: {:?} {:?} {:?}", mark.item, mark.concept, mark.color);
+            let sum = lengths.entry(name).or_default();
+            *sum = [sum[0] + faint, sum[1] + all];
+        }
+    }
+    let faint = lengths.into_iter().filter(|(_, [faint, all])| 3 * faint > *all);
+    faint.map(|(name, [faint, all])| format!("{name}: {faint} of {all}")).collect()
+}
