@@ -1,5 +1,6 @@
 //! Sentences with the lecture's symbols: `**u**` is a vector, shown in bold and in its own colour; `*u*` is a
-//! scalar, shown in italics. In a formula, the words view, up and at need no marks to be vectors.
+//! scalar, shown in italics. The words view, up and at need no marks where they are vectors: in a formula, and
+//! where the words around them say so.
 
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
@@ -81,7 +82,7 @@ fn runs(text: &str) -> Vec<(String, bool)> {
 /// The vectors that the user gives, whose names are also ordinary words.
 const GIVEN: [&str; 3] = ["view", "up", "at"];
 
-/// Splits a run at the names of vectors in formulas, such as `view = at − eye`.
+/// Splits a run at the names of vectors, as in `view = at − eye` and `perpendicular to up`.
 fn with_named(run: &str, is_vector: bool) -> Vec<(String, bool)> {
     if is_vector {
         return vec![(run.to_owned(), true)];
@@ -91,7 +92,8 @@ fn with_named(run: &str, is_vector: bool) -> Vec<(String, bool)> {
     for word in run.split_inclusive(|letter: char| !letter.is_alphabetic()) {
         let name = word.trim_end_matches(|letter: char| !letter.is_alphabetic());
         let (before, after) = (&run[..start], &run[start + name.len()..]);
-        let is_name = GIVEN.contains(&name) && is_in_formula(before, after);
+        let is_name =
+            GIVEN.contains(&name) && (is_in_formula(before, after) || is_noun(name, before, after));
         for (part, is_vector) in [(name, is_name), (&word[name.len()..], false)] {
             match split.last_mut().filter(|last| last.1 == is_vector) {
                 Some((last, _)) => last.push_str(part),
@@ -113,12 +115,31 @@ fn is_in_formula(before: &str, after: &str) -> bool {
         || after.trim_start().starts_with(is_operator)
 }
 
+/// The words after which the name of a given vector is not an ordinary word.
+const BEFORE_NOUN: [&str; 14] = [
+    "of", "to", "from", "along", "above", "and", "or", "not", "when", "which", "any", "closer",
+    "eye,", "at,",
+];
+
+/// Returns true if a given vector's name between these texts is that vector. The words at and view are also a
+/// preposition and a verb, which do not end a phrase.
+fn is_noun(name: &str, before: &str, after: &str) -> bool {
+    let last = before.split_whitespace().next_back().unwrap_or_default().to_lowercase();
+    let is_after = before.ends_with(char::is_whitespace)
+        && BEFORE_NOUN.contains(&last.as_str())
+        && !before.ends_with("line of ");
+    let ends_phrase = after.is_empty()
+        || after.starts_with([',', '.', ';', ':', '?'])
+        || [" and ", " or "].into_iter().any(|next| after.starts_with(next));
+    is_after && (name == "up" || ends_phrase)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn names_of_given_vectors_are_vectors_in_formulas_alone() {
+    fn names_of_given_vectors_are_vectors_in_formulas_and_as_nouns() {
         let vectors = |text: &str| -> Vec<String> {
             with_named(text, false).into_iter().filter(|run| run.1).map(|run| run.0).collect()
         };
@@ -126,7 +147,21 @@ mod tests {
         assert_eq!(vectors(" = −view / |view| = (0, 1, 0)"), ["view", "view"]);
         assert_eq!(vectors("normalize(up × "), ["up"]);
         assert_eq!(vectors(" ← normalize(view). The"), ["view"]);
-        for text in ["Up is a hint at most; look at the view, up to at", "points upwards"] {
+        assert_eq!(vectors("perpendicular to up and to "), ["up"]);
+        assert_eq!(
+            vectors("the opposite of view, with length 1. Drag the tip of up."),
+            ["view", "up"]
+        );
+        assert_eq!(
+            vectors("the eye is straight above at, and up is parallel to view."),
+            ["at", "up", "view"]
+        );
+        assert_eq!(vectors("Drag eye, at, up or the pixel"), ["at", "up"]);
+        for text in [
+            "Up is a hint at most; look at the view, points up in the picture",
+            "and at which t? It looks at the point. The warm-up, off the line of view.",
+            "points upwards",
+        ] {
             assert_eq!(vectors(text), [""; 0], "{text}");
             assert_eq!(with_named(text, false), [(text.to_owned(), false)]);
         }
