@@ -113,9 +113,11 @@ fn quotient(vector: DVec3, length: f64, numbers: NumberFormat) -> Formula {
     fraction(decimals, divisor)
 }
 
-/// Returns the formula `symbols = substituted = result`; omits `substituted` if it equals the result.
+/// Returns the formula `symbols = substituted = result`; omits `substituted` if it equals the result, or if it
+/// is rounded and the result is exact.
 fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula {
-    if result == substituted {
+    let is_rounded = substituted.begins_rounded() || substituted.ends_rounded();
+    if result == substituted || is_rounded && !result.begins_rounded() {
         return equation(symbols, result);
     }
     equation(equation(symbols, substituted), result)
