@@ -417,6 +417,8 @@ fn own_session(session: &Session, observer: Observer, hovered: Option<Hovered>) 
             ..session.settings
         },
         exercises,
+        // As in a lesson's step, everything that is drawn has its label.
+        spoken: Some(Vec::new()),
         ..Session::default()
     }
 }

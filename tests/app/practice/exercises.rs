@@ -314,6 +314,18 @@ fn drawn(window: &Harness<'_, App>) -> String {
 }
 
 #[test]
+fn the_arrow_of_view_has_its_label() {
+    for exercise in [Exercise::ViewUp, Exercise::EyeAtUp] {
+        let window = open(exercise);
+        let painted = window.output().shapes.iter().filter(|clipped| {
+            let Shape::Vec(with_halo) = &clipped.shape else { return false };
+            matches!(&with_halo[..], [.., Shape::Text(text)] if text.galley.job.text == "view")
+        });
+        assert_eq!(painted.count(), 1, "{exercise:?}");
+    }
+}
+
+#[test]
 fn the_solution_is_the_derivation_and_is_hidden_again() {
     let mut window = open(Exercise::EyeAtUp);
     let fold = "Fold: Basis";
