@@ -276,7 +276,7 @@ pub enum LookAction {
     Blank,
     /// Take the pen's next colour.
     NextPenColor,
-    /// Show the recap of w, u, v and d, or what it replaced.
+    /// Show the recap from view to the ray, or what it replaced.
     Recap,
     /// Fill the window with this layout.
     Fill(ViewLayout),

@@ -421,13 +421,15 @@ fn three_decimals_while_presenting() {
 }
 
 #[test]
-fn w_recaps_w_u_v_and_d_in_four_lines_and_ends_the_recap() {
-    let recap = |d: &str| {
+fn w_recaps_the_way_to_the_ray_in_six_lines_and_ends_the_recap() {
+    let recap = |d: &str, is: char| {
         [
+            "view = at − eye = (−21, −4, −15)".to_owned(),
             "𝐰 = normalize(−view) = (21, 4, 15)/√682".to_owned(),
             "𝐮 = normalize(up × 𝐰) = (5, 0, −7)/√74".to_owned(),
             "𝐯 = 𝐰 × 𝐮 ≈ (−0.12464, 0.9882, −0.089027)".to_owned(),
-            format!("𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 {d}"),
+            format!("𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 {is} {d}"),
+            format!("𝐩 + t 𝐝 {is} (20, 4, 10) + t {d}; 𝐩 = eye; t = 1 is on the viewport"),
         ]
     };
     let press = |window: &mut Harness<'_, App>, key| {
@@ -438,7 +440,7 @@ fn w_recaps_w_u_v_and_d_in_four_lines_and_ends_the_recap() {
     let mut window = window_with("look-at", Remembered::default(), None);
     let before = layout(&window);
     press(&mut window, egui::Key::W);
-    let shown = recap("≈ (−0.67542, −0.25199, −0.72822)");
+    let shown = recap("(−0.67542, −0.25199, −0.72822)", '≈');
     assert_eq!(lines(&window), shown);
     shown.iter().for_each(|line| assert_says(&window, line));
     window.get_by_role_and_label(Role::Image, "Camera view");
@@ -449,14 +451,14 @@ fn w_recaps_w_u_v_and_d_in_four_lines_and_ends_the_recap() {
     window.run();
     assert_eq!(layout(&window), ViewLayout::Derivation);
     assert!(lines(&window).len() > 20);
-    // In a lesson, the card beside the figure has the four lines in place of the step's own.
+    // In a lesson, the card beside the figure has the six lines in place of the step's own.
     let id = LessonArgument::parse("8.2").unwrap().load().unwrap().0;
     window.state_mut().open_lesson(id, None);
     window.run();
     press(&mut window, egui::Key::End);
     let of_step = lines(&window);
     press(&mut window, egui::Key::W);
-    let shown = recap("= (−21, −4, −15)/√682");
+    let shown = recap("(−21, −4, −15)/√682", '=');
     assert_eq!(lines(&window), shown);
     shown.iter().for_each(|line| assert_says(&window, line));
     press(&mut window, egui::Key::W);

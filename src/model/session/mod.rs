@@ -86,7 +86,7 @@ pub struct BeforeRecap {
 }
 
 impl Session {
-    /// Shows the recap of w, u, v and d, beside the picture; again, shows what it replaced.
+    /// Shows the recap from view to the ray, beside the picture; again, shows what it replaced.
     pub fn toggle_recap(&mut self) {
         let layout = &mut self.settings.layout;
         if let Some(before) = self.before_recap.take() {

@@ -141,14 +141,14 @@ impl Derivation {
         self
     }
 
-    /// Keeps only the lines that compute w, u, v and d, each as its symbols and its result. If one of them
-    /// cannot be computed, its line says why.
+    /// Keeps only the lines that compute view, w, u, v, d and the ray, each as its symbols and its result. If one
+    /// of them cannot be computed, its line says why.
     #[must_use]
     pub fn recap(self) -> Derivation {
-        use Concept::{Direction, U, V, W, WCrossU};
+        use Concept::{Direction, Ray, U, V, View, W, WCrossU};
         let lines: Vec<DerivedLine> = self.sections.into_iter().flat_map(|s| s.lines).collect();
         // v is given by hand, or it is the product w x u.
-        let recap = [[W, W], [U, U], [V, WCrossU], [Direction, Direction]];
+        let recap = [[View; 2], [W; 2], [U; 2], [V, WCrossU], [Direction; 2], [Ray; 2]];
         let line_of = |concepts: [Concept; 2]| {
             let is_of = |line: &&DerivedLine| line.concept.is_some_and(|c| concepts.contains(&c));
             lines.iter().find(is_of).cloned().map(DerivedLine::abridged)

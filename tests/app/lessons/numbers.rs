@@ -164,7 +164,8 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         &[
             ("𝐰", "(21, 4, 15)/√682"),
             ("𝐮", "(5, 0, −7)/√74"),
-            ("𝐝", "(−0.83617, 0.095117, −0.59573)"),
+            // Right of the middle and below it: (u, v) = (0.32625, −0.05625).
+            ("𝐝", "(−0.60749, −0.20875, −0.83485)"),
         ],
     ),
     // The eye is √52 from at, and 4 off the vertical through it: √52/4.
@@ -202,7 +203,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             ("(𝐮 × 𝐯) · 𝐰", "1 passes"),
         ],
     ),
-    (10, 3, &[("𝐰 · view / |view|", "1 catches it"), (SAYS, "right: −1 < 0")]),
+    (10, 3, &[(SAYS, "𝐰 · view / |view| = −1 < 0"), (SAYS, "𝐰 · view / |view| = 1")]),
     (11, 1, &[("f(x, y)", "x + 2 y − 4"), (SAYS, "at t = 0:  f = −4 < 0")]),
     // 0.5 + 1 - 4.
     (11, 2, &[("slide t", "(0.5, 0.5)"), (SAYS, "at t = 0.5:  f = −2.5 < 0")]),
