@@ -21,12 +21,13 @@ pub(crate) fn name(second: SecondPicture) -> &'static str {
 }
 
 /// Shows the second picture in `rect`, or the reason why there is none. Shows the picture's title above
-/// `area`.
+/// `area`. `on_stage` is the area of the camera view on a lesson's stage, where it has no title of its own.
 pub(crate) fn show(
     ui: &mut Ui,
     context: &mut PageContext<'_>,
     second: SecondPicture,
     [area, rect]: [Rect; 2],
+    on_stage: Option<Rect>,
 ) {
     let (derived, session) = (context.derived, &mut *context.session);
     let view = derived.second_view.as_ref();
@@ -42,7 +43,10 @@ pub(crate) fn show(
         }
         SecondPicture::WrongCamera => {
             let mistakes_view = &mut session.mistakes_view;
-            mistakes::strip(ui, area, mistakes_view);
+            match on_stage {
+                Some(camera) => mistakes::headings(ui, [camera, area], session.is_asking),
+                None => mistakes::strip(ui, area, mistakes_view),
+            }
             if let Some(wrong) = derived.wrong_camera.as_deref() {
                 spoken = Some(mistakes::spoken(wrong, mistakes_view));
                 why_not = mistakes::why_not(wrong, mistakes_view);

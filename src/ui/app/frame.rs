@@ -366,13 +366,14 @@ impl App {
             tools: &mut self.tools,
             style,
         };
+        // A vote asks its own question, and reveals nothing about the step's question.
+        let is_vote = context.session.shows_vote();
         if let (Some(second), Some(area), Some(rect)) =
             (page.second, rects.second_area, rects.second)
         {
-            second_picture::show(ui, &mut context, second, [area, rect]);
+            let on_stage = rects.camera_area.filter(|_| stage.is_some() && !is_vote);
+            second_picture::show(ui, &mut context, second, [area, rect], on_stage);
         }
-        // A vote asks its own question, and reveals nothing about the step's question.
-        let is_vote = context.session.shows_vote();
         match (stage, self.scene.lessons.step(is_changed)) {
             (Some(stage), _) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));

@@ -68,6 +68,23 @@ fn title(mistakes_view: &MistakesView) -> String {
     }
 }
 
+/// Shows the titles above the pictures of the right and the wrong camera on a lesson's stage. While the step's
+/// question is open, they do not say which is right.
+pub(crate) fn headings(ui: &mut Ui, areas: [Rect; 2], is_asking: bool) {
+    let titles = [("Camera 1", ": right", true), ("Camera 2", ": wrong", false)];
+    for (area, (name, verdict, is_right)) in areas.into_iter().zip(titles) {
+        strip_above(ui, area, |ui| {
+            if is_asking {
+                ui.strong(name);
+            } else {
+                sign(ui, is_right);
+                let title = RichText::new(format!("{name}{verdict}")).strong();
+                ui.label(if is_right { title } else { title.color(error_color(ui)) });
+            }
+        });
+    }
+}
+
 /// Returns the size of a label's text, in points.
 fn text_size(ui: &Ui) -> f32 {
     FontSelection::Default.resolve(ui.style()).size
@@ -164,9 +181,17 @@ pub(crate) fn card(
         basis(ui, camera, style, about);
     }
     if about.is_empty() {
-        ui.strong(summary(wrong));
-        rows(ui, wrong, false, style);
+        let checks = wrong.right_checks.iter().zip(&wrong.checks);
+        for (right, here) in checks.filter(|(_, here)| !here.passes) {
+            let formula = right.check.formula();
+            let is_right = format!("{formula} = {}", wanted(here, right, style));
+            let is_wrong = format!("{formula} = {}", text_of(here.value, style));
+            for (text, passes) in [(is_right, true), (is_wrong, false)] {
+                ui.horizontal(|ui| (sign(ui, passes), ui.label(text)));
+            }
+        }
     } else if about.len() == 3 {
+        ui.strong("Camera 2 passes");
         let checks = wrong.checks.iter().filter(|it| it.passes && it.check.is_of_basis());
         // Three lengths, three right angles, and handedness.
         for row in checks.collect::<Vec<_>>().chunks(3) {
@@ -187,8 +212,9 @@ fn passed(ui: &mut Ui, Checked { check, value, .. }: &Checked, style: NumberStyl
 pub(crate) fn card_rows(wrong: &ComparedCamera, about: &[Concept]) -> usize {
     match about.len() {
         0 => 5 + 2 * failing(wrong).count(),
-        3 => 8,
-        count => count,
+        3 => 9,
+        // A wrong vector may be below the right one.
+        count => 2 * count,
     }
 }
 

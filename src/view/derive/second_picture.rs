@@ -182,10 +182,9 @@ impl SecondPictures {
                 })
             }
         };
-        // The mark would give away the answer to an open vote, so it is drawn only after the answer is
-        // revealed.
-        if let (Some(world), Ok(camera), true) = (world, &wrong.camera, mistakes_view.is_revealed())
-        {
+        // The mark would give away the answer to a step's question or an open vote.
+        let is_secret = session.is_asking || !mistakes_view.is_revealed();
+        if let (Some(world), Ok(camera), false) = (world, &wrong.camera, is_secret) {
             let marks = of_mistake(camera, &world.scene, session.shown_selection());
             derived.answer_marks = marks.into();
         }

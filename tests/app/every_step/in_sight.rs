@@ -2,7 +2,6 @@
 
 use egui::{Pos2, Rect, Vec2, pos2};
 use pinhole::model::overlay_items::Item;
-use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::{Mark, Shape};
 
@@ -28,7 +27,7 @@ fn points(mark: &Mark) -> Vec<Pos2> {
 }
 
 /// Whether a mark may leave the picture: planes, floor and frustum have no end, nor has a ray that hits nothing
-/// that is drawn. The ray of a wrong camera is an answer, which belongs to the eye.
+/// that is drawn. That of a wrong camera is an answer, and ends on what the wrong camera sees.
 fn is_endless(app: &App, mark: &Mark) -> bool {
     let items = app.session().settings.items;
     let shows_planes = items.shows(Item::Planes) || items.shows(Item::Hit);
@@ -38,7 +37,6 @@ fn is_endless(app: &App, mark: &Mark) -> bool {
     match mark.item {
         Item::Planes | Item::Floor | Item::Frustum => true,
         Item::Ray => !has_end && matches!(mark.shape, Shape::Line { .. }),
-        Item::Eye => app.session().settings.layout == ViewLayout::Mistakes,
         _ => false,
     }
 }

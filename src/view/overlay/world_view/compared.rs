@@ -7,8 +7,8 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use crate::model::{AnswerMark, Item, MarkShape};
 use crate::view::overlay::{
-    BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, Shape, Sketch, THIN, VECTOR,
-    corners, unit,
+    BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, POINT, Shape, Sketch, THIN,
+    VECTOR, corners, unit,
 };
 
 /// Length at which the ghost's frustum edges are drawn, as a multiple of the distance from the eye to the
@@ -28,6 +28,8 @@ pub struct GhostCamera {
     /// Vectors from the eye to the viewport's corners, clockwise in the image, starting at the corner
     /// of pixel (0, 0).
     corners: [DVec3; 4],
+    /// True if this is a camera with a mistake rather than a frozen camera.
+    is_wrong: bool,
     /// True if the corner of pixel (0, 0) lies at another place than that of the edited camera.
     is_turned: bool,
 }
@@ -40,6 +42,7 @@ impl GhostCamera {
             eye: camera.eye(),
             basis: [basis.u, basis.v, basis.w].map(Some),
             corners: corners(camera).map(|uv| camera.ray(uv).direction),
+            is_wrong: false,
             is_turned: false,
         }
     }
@@ -55,6 +58,7 @@ impl GhostCamera {
             eye: right.eye(),
             basis: [u.then(|| wrong.u()), v.then(|| wrong.v()), w.then(|| wrong.w())],
             corners,
+            is_wrong: true,
             is_turned: (corners[0] - first).length() > 0.25 * first.length(),
         }
     }
@@ -85,6 +89,12 @@ impl Sketch<'_> {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
         self.sides(corners.map(|corner| eye + corner), outline);
+        if ghost.is_wrong
+            && let Some(spot) = self.screen.spot(eye + corners[2])
+        {
+            let outward = self.on_screen(eye + corners[2], corners[2] - corners[0]);
+            self.label(outline, "wrong camera", [spot.at, outward], POINT);
+        }
         let length = self.screen.arrow_length(eye);
         let own = self.view.resolved.filter(|own| own.eye() == eye).map(|own| *own.basis());
         let own = own.map_or([None; 3], |own| [own.u, own.v, own.w].map(Some));
