@@ -2,141 +2,101 @@
 
 use serde::{Deserialize, Serialize};
 
-/// An item that the overlay draws, with the label of its checkbox and its name in lesson files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u8)]
-pub enum Item {
+/// Defines the items, each with the label of its checkbox and its name in lesson files.
+macro_rules! items {
+    ($($(#[$doc:meta])* $item:ident: $label:literal, $name:literal;)*) => {
+        /// An item that the overlay draws.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[repr(u8)]
+        pub enum Item {
+            $($(#[$doc])* $item,)*
+        }
+
+        impl Item {
+            /// All items, in order.
+            pub const ALL: [Item; { [$(Item::$item),*].len() }] = [$(Item::$item),*];
+
+            /// Returns the label of the item's checkbox.
+            pub fn label(self) -> &'static str {
+                match self {
+                    $(Item::$item => $label,)*
+                }
+            }
+
+            /// Returns the item's name in lesson files.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Item::$item => $name,)*
+                }
+            }
+        }
+    };
+}
+
+items! {
     /// The camera's position.
-    Eye,
+    Eye: "eye", "eye";
     /// The point at, for a camera that is given by it.
-    At,
+    At: "at", "at";
     /// The view and up vectors as given.
-    ViewAndUp,
+    ViewAndUp: "view and up", "view-and-up";
     /// The u, v, w arrows.
-    Basis,
+    Basis: "u, v, w", "basis";
     /// The frustum's edges.
-    Frustum,
+    Frustum: "frustum", "frustum";
     /// The viewport's outline.
-    Viewport,
+    Viewport: "viewport outline", "viewport";
     /// The traced picture, on the viewport in space.
-    Picture,
+    Picture: "picture on the viewport", "picture";
     /// The edges between pixels, in both views.
-    PixelGrid,
+    PixelGrid: "pixel grid", "pixel-grid";
     /// The marks that show how the image lies on the viewport: at its top edge and at pixel (0, 0), in both
     /// views.
-    Marks,
+    Marks: "top edge and pixel (0, 0)", "marks";
     /// The selected view ray, and its pixel in both views.
-    Ray,
+    Ray: "selected ray", "ray";
     /// The first hit and its normal.
-    Hit,
+    Hit: "hit and normal", "hit";
     /// The x, y, z axes at the origin.
-    Axes,
+    Axes: "x, y, z axes", "axes";
     /// The planes, each drawn as a pane with a grid of world units.
-    Planes,
+    Planes: "planes", "planes";
     /// The lines u = 0 and v = 0 in the camera view.
-    UvAxes,
+    UvAxes: "u = 0 and v = 0", "uv-axes";
     /// The labels of all these items.
-    Labels,
+    Labels: "labels", "labels";
     /// The loupe: the magnified pixels around the selected point, in the camera view.
-    Loupe,
+    Loupe: "loupe", "loupe";
     /// The handles in the world view.
-    Handles,
+    Handles: "handles", "handles";
     /// The selected ray and the sphere that it hits first, as a textbook draws them: centre, radius, foot of
     /// the perpendicular, half chord and both roots.
-    SphereFigure,
+    SphereFigure: "ray and sphere: roots and half chord", "sphere-figure";
     /// The floor in the world view: a grid below everything, and drop lines down to it.
-    Floor,
+    Floor: "floor and drop lines", "floor";
     /// The arcs from u to v, from v to w and from w to u.
-    Ring,
+    Ring: "order of u, v, w", "ring";
     /// The right angles between u, v and w.
-    RightAngles,
-    /// The parallelogram of up and w and the square of w and u, with their areas.
-    Areas,
+    RightAngles: "right angles of u, v, w", "right-angles";
+    /// The parallelogram of up and w, with its area.
+    UpCrossW: "area of up × w", "up-cross-w";
     /// The vector view from the eye to at, with -view beside it.
-    ViewVector,
+    ViewVector: "view = at − eye, and −view", "view-vector";
     /// Dimension lines of the viewport's width, height and distance.
-    Measures,
+    Measures: "width, height, distance", "measures";
     /// The selected point's u and v, from the middle of the viewport to the point, in both views.
-    UvLegs,
+    UvLegs: "u and v of the point", "uv-legs";
     /// The numbers of rows and columns along the pixel grid, and W and H, in both views.
-    PixelNumbers,
+    PixelNumbers: "rows and columns, W and H", "pixel-numbers";
+    /// The u arrow without the others, for a basis that is not complete yet.
+    U: "u alone", "u";
+    /// The w arrow without the others.
+    W: "w alone", "w";
+    /// The square of w and u, with its area.
+    WCrossU: "area of w × u", "w-cross-u";
 }
 
 impl Item {
-    /// All items, in order.
-    pub const ALL: [Item; 26] = {
-        use Item::*;
-        [
-            Eye,
-            At,
-            ViewAndUp,
-            Basis,
-            Frustum,
-            Viewport,
-            Picture,
-            PixelGrid,
-            Marks,
-            Ray,
-            Hit,
-            Axes,
-            Planes,
-            UvAxes,
-            Labels,
-            Loupe,
-            Handles,
-            SphereFigure,
-            Floor,
-            Ring,
-            RightAngles,
-            Areas,
-            ViewVector,
-            Measures,
-            UvLegs,
-            PixelNumbers,
-        ]
-    };
-
-    fn texts(self) -> [&'static str; 2] {
-        match self {
-            Item::Eye => ["eye", "eye"],
-            Item::At => ["at", "at"],
-            Item::ViewAndUp => ["view and up", "view-and-up"],
-            Item::Basis => ["u, v, w", "basis"],
-            Item::Frustum => ["frustum", "frustum"],
-            Item::Viewport => ["viewport outline", "viewport"],
-            Item::Picture => ["picture on the viewport", "picture"],
-            Item::PixelGrid => ["pixel grid", "pixel-grid"],
-            Item::Marks => ["top edge and pixel (0, 0)", "marks"],
-            Item::Ray => ["selected ray", "ray"],
-            Item::Hit => ["hit and normal", "hit"],
-            Item::Axes => ["x, y, z axes", "axes"],
-            Item::Planes => ["planes", "planes"],
-            Item::UvAxes => ["u = 0 and v = 0", "uv-axes"],
-            Item::Labels => ["labels", "labels"],
-            Item::Loupe => ["loupe", "loupe"],
-            Item::Handles => ["handles", "handles"],
-            Item::SphereFigure => ["ray and sphere: roots and half chord", "sphere-figure"],
-            Item::Floor => ["floor and drop lines", "floor"],
-            Item::Ring => ["order of u, v, w", "ring"],
-            Item::RightAngles => ["right angles of u, v, w", "right-angles"],
-            Item::Areas => ["areas of up × w and w × u", "areas"],
-            Item::ViewVector => ["view = at − eye, and −view", "view-vector"],
-            Item::Measures => ["width, height, distance", "measures"],
-            Item::UvLegs => ["u and v of the point", "uv-legs"],
-            Item::PixelNumbers => ["rows and columns, W and H", "pixel-numbers"],
-        }
-    }
-
-    /// Returns the label of the item's checkbox.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns the item's name in lesson files.
-    pub fn name(self) -> &'static str {
-        self.texts()[1]
-    }
-
     const fn bit(self) -> u32 {
         1 << self as u8
     }
@@ -192,6 +152,12 @@ impl OverlayItems {
     /// Returns true if the item is drawn.
     pub fn shows(self, item: Item) -> bool {
         self.off & item.bit() == 0
+    }
+
+    /// Returns the items as which u, v and w are drawn: all three as the basis, or each alone.
+    pub fn of_basis(self) -> [Item; 3] {
+        let alone = [Item::U, Item::Basis, Item::W];
+        if self.shows(Item::Basis) { [Item::Basis; 3] } else { alone }
     }
 
     /// Switches an item on or off.

@@ -238,6 +238,10 @@ pub const VIEW_LENGTH: f64 = 1.6;
 /// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
 pub const AXIS_LENGTH: f64 = 1.6;
 
+/// Space that is kept free beyond the corner of an area for its caption, as a multiple of the basis arrows'
+/// length.
+const CAPTION: f64 = 0.2;
+
 /// Returns the length at which a factor of a cross product is drawn, as a multiple of the basis arrows'
 /// length: its own, but 1 if it is much shorter or longer than they are.
 pub fn side_length(length: f64) -> f64 {
@@ -263,9 +267,9 @@ impl Arrows {
         let mut has_axes = false;
         if let Ok(resolved) = camera.resolve() {
             let basis = resolved.basis();
-            if items.shows(Item::Basis) {
-                at_eye.extend([basis.u, basis.v, basis.w].map(|axis| (axis, 1.0)));
-            }
+            let axes = [basis.u, basis.v, basis.w].into_iter().zip(items.of_basis());
+            let drawn = axes.filter(|(_, item)| items.shows(*item));
+            at_eye.extend(drawn.map(|(axis, _)| (axis, 1.0)));
             has_axes = items.shows(Item::Axes) && camera.eye.length() <= near_size(&resolved);
         }
         if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
@@ -275,14 +279,15 @@ impl Arrows {
                 scaled.is_finite().then(|| (scaled.normalize(), times))
             }));
         }
-        if let (true, true, Ok(resolved)) =
-            (items.shows(Item::Areas), camera.orientation.has_up(), camera.resolve())
-        {
-            let basis = resolved.basis();
-            let up = camera.up();
-            let corners = [side_length(up.length()) * up.normalize_or_zero(), basis.u];
-            let corners = corners.map(|side| side + basis.w);
-            at_eye.extend(corners.map(|corner| (corner.normalize_or_zero(), corner.length())));
+        if let (true, Ok(resolved)) = (camera.orientation.has_up(), camera.resolve()) {
+            let (basis, up) = (resolved.basis(), camera.up());
+            let up = side_length(up.length()) * up.normalize_or_zero();
+            let sides = [(Item::UpCrossW, up), (Item::WCrossU, basis.u)];
+            let corners = sides.into_iter().filter(|(item, _)| items.shows(*item));
+            let corners = corners.map(|(_, side)| side + basis.w);
+            let tips =
+                corners.map(|corner| (corner.normalize_or_zero(), CAPTION + corner.length()));
+            at_eye.extend(tips);
         }
         let looks = camera.view().normalize_or_zero();
         if items.shows(Item::ViewVector) && !camera.orientation.has_at() {

@@ -307,7 +307,7 @@ fn arrows_that_are_not_drawn_take_no_room() {
         (resolve(&seen).eye() - camera.eye).dot(named.back())
     };
     let without = OverlayItems::NONE.with(Item::Eye, true);
-    for item in [Item::Basis, Item::ViewAndUp, Item::Axes, Item::Areas] {
+    for item in [Item::Basis, Item::ViewAndUp, Item::Axes, Item::UpCrossW] {
         let [least, with] = [without, without.with(item, true)].map(depth);
         assert!(least < with, "{item:?}: {least} and {with}");
     }

@@ -127,7 +127,10 @@ impl Exercises {
             SphereFigure,
             Ring,
             RightAngles,
-            Areas,
+            UpCrossW,
+            WCrossU,
+            U,
+            W,
             ViewVector,
         ];
         let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));

@@ -142,8 +142,10 @@ impl OpenScene {
             None => self.session.settings.items,
         };
         // A highlighted cross product is drawn with its area.
-        if matches!(self.session.highlighted, Some(Concept::UpCrossW | Concept::WCrossU)) {
-            items.set(Item::Areas, true);
+        match self.session.highlighted {
+            Some(Concept::UpCrossW) => items.set(Item::UpCrossW, true),
+            Some(Concept::WCrossU) => items.set(Item::WCrossU, true),
+            _ => {}
         }
         let observer = match (named, own) {
             (Some(named), _) => {

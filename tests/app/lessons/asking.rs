@@ -167,3 +167,37 @@ fn a_line_of_text_ends_in_no_short_formula() {
         assert!(rows.iter().any(|row| row.contains(whole)), "{width}: {rows:?}");
     }
 }
+
+/// The labels of the world view.
+fn labels(window: &Window) -> Vec<String> {
+    let shown = window.state().derived().world_view.clone().unwrap();
+    shown.labels.iter().map(|label| label.text.clone()).collect()
+}
+
+#[test]
+fn which_camera_is_wrong_is_not_told_before_the_answer() {
+    let mut window = window("canonical");
+    let id = StepId { lesson: Which::Builtin(9), step: 0 };
+    window.state_mut().open_lesson(id, None);
+    window.run();
+    assert_says(&window, "Camera 1");
+    assert_says(&window, "Camera 2");
+    let of_wrong = ["u′", "w′", "ray′", "wrong camera"].map(str::to_owned);
+    assert!(!labels(&window).iter().any(|label| of_wrong.contains(label)));
+    key(&mut window, Key::PageDown);
+    assert_says(&window, "Camera 1: right");
+    assert_says(&window, "Camera 2: wrong");
+    let labels = labels(&window);
+    assert!(of_wrong.iter().all(|label| labels.contains(label)), "{labels:?}");
+}
+
+#[test]
+fn no_vector_of_the_basis_is_drawn_before_the_step_that_finds_it() {
+    for (step, known) in [(2, vec!["w"]), (3, vec!["u", "w"]), (4, vec!["u", "v", "w"])] {
+        let labels = labels(&at_step(7, step));
+        let mut drawn: Vec<&str> = labels.iter().map(String::as_str).collect();
+        drawn.retain(|label| ["u", "v", "w"].contains(label));
+        drawn.sort();
+        assert_eq!(drawn, known, "7.{step}: {labels:?}");
+    }
+}

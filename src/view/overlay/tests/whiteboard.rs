@@ -46,21 +46,23 @@ fn the_ring_goes_from_u_to_v_to_w_and_the_angles_are_squares() {
 #[test]
 fn both_products_are_areas() {
     let orientation = Orientation::View { view: DVec3::NEG_Z, up: DVec3::new(0.0, 1.0, 1.0) };
-    let stage = stage(Camera { orientation, ..Camera::CANONICAL }, Item::Areas);
-    let drawing = small_drawing(&stage);
-    let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
-    for corner in [DVec3::new(0.0, 1.0, 2.0), DVec3::new(1.0, 0.0, 1.0)] {
+    for (item, corner, expected) in [
+        (Item::UpCrossW, DVec3::new(0.0, 1.0, 2.0), "|up × w| = 1 ≈ 1.414 · sin(45°)"),
+        (Item::WCrossU, DVec3::new(1.0, 0.0, 1.0), "|w × u| = 1 = sin(90°)"),
+    ] {
+        let stage = stage(Camera { orientation, ..Camera::CANONICAL }, item);
+        let drawing = small_drawing(&stage);
+        let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
         assert!(reaches(&stage, &drawing, length * corner), "{corner}");
+        assert_eq!(texts(&drawing), [expected]);
     }
-    let expected = ["|up × w| = 1 ≈ 1.414 · sin(45°)", "|w × u| = 1 = sin(90°)"];
-    assert_eq!(texts(&drawing), expected);
     // A long or a short up is drawn with another length, but its area is its own.
     for (up, expected) in [
         (DVec3::new(0.0, 3.0, 4.0), "|up × w| = 3 ≈ 5 · sin(36.87°)"),
         (DVec3::new(0.0, 0.125, 0.0), "|up × w| = 0.125 = 0.125 · sin(90°)"),
     ] {
         let orientation = Orientation::View { view: DVec3::NEG_Z, up };
-        let stage = self::stage(Camera { orientation, ..Camera::CANONICAL }, Item::Areas);
+        let stage = stage(Camera { orientation, ..Camera::CANONICAL }, Item::UpCrossW);
         assert_eq!(texts(&small_drawing(&stage))[0], expected);
     }
 }

@@ -312,8 +312,11 @@ impl Sketch<'_> {
         let (eye, basis) = (resolved.eye(), resolved.basis());
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
-        for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
-            let pen = LineStyle::new(Item::Basis, color, THICK).about(concept).patterned(pattern);
+        let items = self.items.of_basis();
+        for (((vector, (concept, name, head)), (color, pattern)), item) in
+            vectors.zip(inks).zip(items)
+        {
+            let pen = LineStyle::new(item, color, THICK).about(concept).patterned(pattern);
             self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
         }
     }

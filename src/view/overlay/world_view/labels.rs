@@ -60,7 +60,7 @@ impl Request {
 fn rank(item: Item) -> u8 {
     match item {
         Item::Handles => 1,
-        Item::Eye | Item::Basis => 2,
+        Item::Eye | Item::Basis | Item::U | Item::W => 2,
         Item::ViewAndUp | Item::At => 3,
         Item::Ray | Item::Hit | Item::SphereFigure => 4,
         Item::Axes => 6,

@@ -35,14 +35,16 @@ impl Sketch<'_> {
     /// is drawn with the highlight.
     pub(crate) fn areas(&mut self, arrow: f64) {
         let (camera, highlighted) = (self.view.camera, self.view.highlighted);
-        for concept in [Concept::UpCrossW, Concept::WCrossU] {
+        for (concept, item) in
+            [(Concept::UpCrossW, Item::UpCrossW), (Concept::WCrossU, Item::WCrossU)]
+        {
             let shown = Highlighted { concept, camera, digits: LABEL_DIGITS, dims: false };
             let is_lit = highlighted.is_some_and(|lit| lit.concept == concept);
             let Some((cross, names, colors)) = cross_of(shown, self.colors).filter(|_| !is_lit)
             else {
                 continue;
             };
-            let pen = LineStyle::new(Item::Areas, colors[2], 1.6).about(concept).on_top();
+            let pen = LineStyle::new(item, colors[2], 1.6).about(concept).on_top();
             self.cross_area((camera.eye, arrow), &cross, shown, pen, names);
         }
     }
