@@ -15,6 +15,7 @@ mod names;
 mod number_format;
 mod objects;
 mod pace;
+mod painted_texts;
 mod palette;
 mod play;
 mod practice;

@@ -2,19 +2,23 @@
 //! not see.
 
 use egui::epaint::Shape;
-use egui::{Key, Rect, vec2};
+use egui::{Key, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
+use super::presenter::assert_texts_are_large;
 use crate::harness::{click_at, drag_from, texts_with, window};
 
 fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
     harness.run();
 }
+
+/// The window's size in points while presenting at 1920 x 1080 pixels.
+const SIZE: Vec2 = vec2(819.0, 461.0);
 
 /// The most presses of Page Down that lead from the first step to the last one's answer.
 const MOST_PRESSES: usize = 120;
@@ -26,6 +30,8 @@ fn the_whole_lecture_takes_few_presses_of_page_down() {
     harness.state_mut().open_lesson(first, None);
     harness.run();
     press(&mut harness, Key::F5);
+    harness.set_size(SIZE);
+    harness.run();
     let mut presses: Vec<(StepId, usize)> = vec![(first, 0)];
     let state = |harness: &Harness<'_, App>| {
         let session = harness.state().session();
@@ -35,6 +41,7 @@ fn the_whole_lecture_takes_few_presses_of_page_down() {
     loop {
         let before = state(&harness);
         press(&mut harness, Key::PageDown);
+        assert_texts_are_large(&harness);
         let now = state(&harness);
         if now == before {
             break;
@@ -50,6 +57,10 @@ fn the_whole_lecture_takes_few_presses_of_page_down() {
         |lesson: usize, step: usize| StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     let of = |step| presses.iter().find(|(id, _)| *id == step).map_or(0, |(_, count)| *count);
     assert_eq!(of(at(6, 2)), 4, "checks of the same kind come together, and so do given vectors");
+    let layout = |harness: &Harness<'_, App>| harness.state().session().settings.layout;
+    let shown = layout(&harness);
+    press(&mut harness, Key::F5);
+    assert_eq!(layout(&harness), shown, "what a step has set stays");
 }
 
 fn step(lesson: usize, step: usize) -> Harness<'static, App> {
@@ -58,7 +69,7 @@ fn step(lesson: usize, step: usize) -> Harness<'static, App> {
     harness.state_mut().open_lesson(id, None);
     harness.run();
     press(&mut harness, Key::F5);
-    harness.set_size(vec2(819.0, 461.0));
+    harness.set_size(SIZE);
     harness.run();
     harness
 }

@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::epaint::Shape;
-use egui::{Color32, Key, Modifiers, Rect, Theme, pos2, vec2};
+use egui::{Key, Modifiers, Rect, Theme, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
@@ -12,6 +12,7 @@ use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
 
+use super::painted_texts::{Run, texts};
 use crate::harness::{
     assert_says, click_at, drag_from, says, show, texts_with, unfolded, window, window_with,
 };
@@ -55,37 +56,9 @@ fn lesson_1s_ray_is_the_same_number_in_the_text_and_the_derivation_in_few_steps(
     assert_eq!(step(&harness), 3);
 }
 
-/// Every text that is painted, with its size in points before zoom.
-fn texts(harness: &Harness<'_, App>) -> Vec<(String, f32)> {
-    fn walk(shape: &Shape, clip: Rect, found: &mut Vec<(String, f32)>) {
-        match shape {
-            Shape::Vec(shapes) => shapes.iter().for_each(|shape| walk(shape, clip, found)),
-            Shape::Text(text) if clip.intersects(text.visual_bounding_rect()) => {
-                let job = &text.galley.job;
-                for section in &job.sections {
-                    let range = section.byte_range.start.0..section.byte_range.end.0;
-                    let part = job.text[range].to_owned();
-                    let own = Some(section.format.color).filter(|own| *own != Color32::PLACEHOLDER);
-                    let color = text.override_text_color.or(own).unwrap_or(text.fallback_color);
-                    if !part.trim().is_empty() && color.a() > 0 {
-                        found.push((part, section.format.font_id.size));
-                    }
-                }
-            }
-            _ => (),
-        }
-    }
-    let mut found = Vec::new();
-    for clipped in &harness.output().shapes {
-        walk(&clipped.shape, clipped.clip_rect, &mut found);
-    }
-    assert!(!found.is_empty());
-    found
-}
-
 #[track_caller]
-fn assert_texts_are_large(harness: &Harness<'_, App>) {
-    for (text, size) in texts(harness) {
+pub(super) fn assert_texts_are_large(harness: &Harness<'_, App>) {
+    for Run { text, size, .. } in texts(harness) {
         assert!(size >= WRITTEN, "“{text}” is written in {size}");
     }
 }
@@ -169,37 +142,6 @@ fn no_text_is_smaller_than_the_setting() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
     harness.run();
     assert_texts_are_large(&harness);
-}
-
-#[test]
-fn lessons_texts_are_large_and_their_keys_go_on() {
-    let mut harness = window("canonical");
-    press(&mut harness, Key::F5);
-    for lesson in 1..=13 {
-        harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
-        harness.run();
-        harness.get_by_label("Command").type_text(&format!("step lesson {lesson}: 1."));
-        harness.run();
-        press(&mut harness, Key::Enter);
-        let steps = harness.state().lesson().unwrap().lesson().steps.len();
-        for step in 0..steps {
-            assert_eq!(harness.state().lesson().unwrap().id().step, step);
-            assert_texts_are_large(&harness);
-            assert!(harness.query_by_label("Next").is_none(), "the strip is slim");
-            if harness.state().session().is_asking {
-                press(&mut harness, Key::PageDown);
-                assert_texts_are_large(&harness);
-            }
-            // The derivation comes line by line.
-            while step + 1 < steps && harness.state().lesson().unwrap().id().step == step {
-                press(&mut harness, Key::PageDown);
-                assert_texts_are_large(&harness);
-            }
-        }
-    }
-    let shown = layout(&harness);
-    press(&mut harness, Key::F5);
-    assert_eq!(layout(&harness), shown, "what a step has set stays");
 }
 
 #[test]
@@ -320,7 +262,7 @@ fn an_exercise_is_as_large_as_its_fields_leave_room_for() {
         assert_texts_are_large(&harness);
         let size = |start: &str| {
             let texts = texts(&harness);
-            texts.iter().find(|(text, _)| text.starts_with(start)).map(|(_, size)| *size).unwrap()
+            texts.iter().find(|run| run.text.starts_with(start)).unwrap().size
         };
         let least = if largest { 16.0 } else { WRITTEN };
         for text in ["What ", "You may type"] {

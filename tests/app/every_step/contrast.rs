@@ -1,109 +1,23 @@
 //! Texts are large, and texts and marks stand out from the ground that they stand on.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
-use egui::epaint::{Shape, TextShape};
-use egui::{Color32, ColorImage, Pos2, Rect, Theme};
+use egui::{Color32, ColorImage, Pos2, Theme};
 use pinhole::model::Item;
 use pinhole::model::session::Scheme;
 use pinhole::model::session::presenting::WRITTEN;
 use pinhole::view::overlay::{self, Style, contrast_ratio};
 
 use super::Seen;
+use crate::app::painted_texts::{Run, over, texts};
 
 /// The least contrast of a text, and of a mark (WCAG 2.2, *Contrast (Minimum)* and *Non-text Contrast*).
 const LEAST: [f64; 2] = [4.5, 3.0];
 
-/// A run of letters of one colour.
-struct Run {
-    text: String,
-    size: f32,
-    color: Color32,
-    /// The colour of its halo or of the fills below it; `None` on a picture.
-    ground: Option<Color32>,
-}
-
-/// Returns a colour painted over another.
-fn over(below: Color32, above: Color32) -> Color32 {
-    let keep = 1.0 - f32::from(above.a()) / 255.0;
-    let [r, g, b] = [0, 1, 2].map(|k| {
-        (f32::from(above.to_array()[k]) + keep * f32::from(below.to_array()[k])).round() as u8
-    });
-    Color32::from_rgb(r, g, b)
-}
-
-/// The texts of a frame, and what was filled below them so far; `None` is a picture.
-struct Texts {
-    fills: Vec<(Rect, Option<Color32>)>,
-    runs: Vec<Run>,
-}
-
-impl Texts {
-    fn of(seen: &Seen<'_>) -> Texts {
-        let window = seen.window.ctx.global_style().visuals.panel_fill;
-        let mut texts = Texts { fills: vec![(Rect::EVERYTHING, Some(window))], runs: Vec::new() };
-        for clipped in &seen.window.output().shapes {
-            texts.add(&clipped.shape, clipped.clip_rect);
-        }
-        texts
-    }
-
-    fn add(&mut self, shape: &Shape, clip: Rect) {
-        match shape {
-            Shape::Vec(shapes) => match shapes.as_slice() {
-                [Shape::Text(halo), .., Shape::Text(text)]
-                    if Arc::ptr_eq(&halo.galley, &text.galley) =>
-                {
-                    self.add_text(text, clip, halo.override_text_color);
-                }
-                shapes => shapes.iter().for_each(|shape| self.add(shape, clip)),
-            },
-            Shape::Rect(rect) if rect.fill.a() > 0 => {
-                let fill = rect.brush.is_none().then_some(rect.fill);
-                self.fills.push((rect.rect.intersect(clip), fill));
-            }
-            Shape::Mesh(mesh) => self.fills.push((mesh.calc_bounds().intersect(clip), None)),
-            Shape::Text(text) => {
-                let ground = self.ground(text.visual_bounding_rect().center());
-                self.add_text(text, clip, ground);
-            }
-            _ => {}
-        }
-    }
-
-    fn ground(&self, at: Pos2) -> Option<Color32> {
-        let below = self.fills.iter().filter(|(rect, _)| rect.contains(at));
-        below.fold(None, |ground, (_, fill)| match (*fill, ground) {
-            (Some(fill), _) if fill.is_opaque() => Some(fill),
-            (Some(fill), Some(ground)) => Some(over(ground, fill)),
-            _ => None,
-        })
-    }
-
-    fn add_text(&mut self, shape: &TextShape, clip: Rect, ground: Option<Color32>) {
-        if !clip.intersects(shape.visual_bounding_rect()) {
-            return;
-        }
-        let job = &shape.galley.job;
-        for section in &job.sections {
-            let range = &section.byte_range;
-            let text = job.text[range.start.0..range.end.0].to_owned();
-            let own = section.format.color;
-            let own = if own == Color32::PLACEHOLDER { shape.fallback_color } else { own };
-            let color = shape.override_text_color.unwrap_or(own);
-            let color = color.gamma_multiply(shape.opacity_factor);
-            if !text.trim().is_empty() {
-                self.runs.push(Run { text, size: section.format.font_id.size, color, ground });
-            }
-        }
-    }
-}
-
 /// The texts that are smaller than 28 pixels at 1920 x 1080: than the size that the zoom makes so large.
 pub(super) fn small_texts(seen: &Seen<'_>) -> Vec<String> {
     let is_1080p = seen.window.ctx.content_rect().width() > 800.0;
-    let small = Texts::of(seen).runs.into_iter().filter(|run| is_1080p && run.size < WRITTEN);
+    let small = texts(seen.window).into_iter().filter(|run| is_1080p && run.size < WRITTEN);
     small.map(|run| format!("“{}” has {}", run.text, run.size)).collect()
 }
 
@@ -114,7 +28,7 @@ pub(super) fn faint_texts(seen: &Seen<'_>) -> Vec<String> {
         let ratio = contrast_ratio(over(ground, color), ground);
         (ratio < LEAST[0]).then(|| format!("“{text}”: {ratio:.2}, {color:?} on {ground:?}"))
     };
-    Texts::of(seen).runs.into_iter().filter_map(faint).collect()
+    texts(seen.window).into_iter().filter_map(faint).collect()
 }
 
 /// The colours of the picture on both sides of a line, along it.

@@ -133,7 +133,7 @@ fn disturb(window: &mut Window) {
 fn after_dragging_in_any_step_r_brings_back_all_of_it() {
     let mut window = at_step(1, 1);
     // Small views are quickly traced.
-    window.set_size(egui::vec2(1280.0, 560.0));
+    window.set_size(egui::vec2(960.0, 400.0));
     window.run();
     for (index, lesson) in builtin::all().iter().enumerate() {
         for (k, step) in lesson.steps.iter().enumerate() {

@@ -274,6 +274,8 @@ fn items_that_a_hand_switches_move_nothing() {
 #[test]
 fn a_step_is_seen_alike_from_whichever_it_is_opened() {
     let mut harness = window_with("canonical", Remembered::default(), None);
+    // Small views are quickly traced.
+    harness.set_size(vec2(640.0, 400.0));
     let mut found = Vec::new();
     for (lesson, steps) in builtin::all().iter().enumerate() {
         let mut seen = |steps: &[(usize, usize)]| {
