@@ -216,26 +216,21 @@ mod tests {
 
     #[test]
     fn a_file_of_another_version_loses_only_what_is_unknown() {
-        let settings = Settings {
-            digits: 7,
-            method: Method::DoubleDouble,
-            compared: Method::LadderF32,
-            ..Settings::default()
-        };
+        let settings = Settings { digits: 7, compared: Method::LadderF32, ..Settings::default() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut state = serde_json::to_value(&remembered).expect("JSON");
         let stored = &mut state["settings"];
         assert_eq!(
-            (&stored["method"], &stored["shade"]),
-            (&"double-double".into(), &"lambert".into())
+            (&stored["compared"], &stored["shade"]),
+            (&"ladder-f32".into(), &"lambert".into())
         );
-        stored["method"] = "a-method-of-tomorrow".into();
+        stored["compared"] = "a-method-of-tomorrow".into();
         stored["layout"] = "Frame".into();
         stored["shade"] = "Normal".into();
         stored["eye_keeps"] = "View".into();
         stored["maps_certainty"] = true.into();
         stored["splits"]["frame"] = 350.into();
-        let settings = Settings { method: Method::Ladder, ..settings };
+        let settings = Settings { compared: Settings::default().compared, ..settings };
         assert_eq!(readable(&state.to_string()), Remembered { settings, ..remembered });
     }
 }

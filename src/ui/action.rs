@@ -4,7 +4,6 @@
 use std::path::PathBuf;
 
 use egui::{Context, Id};
-use pinhole_core::methods::Method;
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
 use pinhole_exchange::{Document, SceneSource};
@@ -254,8 +253,6 @@ pub enum LookAction {
     Theme(ThemeName),
     /// Use this colour scheme for the views.
     Scheme(Scheme),
-    /// Trace the camera's picture with this method.
-    Method(Method),
     /// Toggle a switch.
     Toggle(Switch),
     /// Show this many more digits.

@@ -157,9 +157,6 @@ pub struct Settings {
     pub splits: Splits,
     /// True if the plot of f(p + t d) compresses values beyond 1 logarithmically.
     pub plot_compressed: bool,
-    /// The method that draws the camera's picture: the exact one, [`Method::Ladder`], unless the user wants
-    /// to see the errors of another method.
-    pub method: Method,
     /// The method whose errors the error map shows.
     pub compared: Method,
     /// Dark, light, or the system's choice.
@@ -228,7 +225,6 @@ impl Default for Settings {
             unfolded: Unfolded::default(),
             splits: Splits::default(),
             plot_compressed: false,
-            method: Method::Ladder,
             compared: Method::Known(Formula::Textbook, Precision::F32),
             theme: ThemeName::System,
             scheme: Scheme::Standard,

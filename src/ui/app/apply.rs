@@ -349,7 +349,6 @@ fn change_look(session: &mut Session, action: LookAction) {
             }
         }
         LookAction::Scheme(scheme) => settings.scheme = scheme,
-        LookAction::Method(method) => settings.method = method,
         LookAction::Toggle(switch) => switch.toggle(session),
         LookAction::Recap => session.toggle_recap(),
         LookAction::DigitsBy(by) => {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Align2, Context, Event, Key, Pos2, Ui, Vec2};
+use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 use pinhole_core::Selection;
 
 use super::App;
@@ -11,7 +11,6 @@ use crate::model::symbols::typeset_message;
 use crate::model::{Fault, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, views};
-use crate::ui::tools::accuracy;
 use crate::ui::widgets::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
@@ -133,10 +132,6 @@ impl App {
         if session.handles.over.is_none() && !is_steered && !session.is_asking {
             views::show_pointed(ui, session, derived, document);
         }
-        let mark = accuracy::method_label(derived, session.settings.method);
-        if let (Some(rect), Some(text)) = (picture, mark) {
-            views::badge(ui, rect, Align2::LEFT_BOTTOM, &text);
-        }
         if let (Some(rect), Some(fault)) = (picture, derived.fault) {
             views::reason(ui, rect, &typeset_message(fault));
         }
@@ -146,7 +141,7 @@ impl App {
             let text = shown.adaptive_resolution.message(subsampling);
             let text = text.filter(|_| derived.fault.is_none());
             if let (Some(rect), Some(text)) = (rect, text) {
-                views::badge(ui, rect, Align2::RIGHT_BOTTOM, &text);
+                views::badge(ui, rect, &text);
             }
         }
         dragging.show_text(ui, rects, (document, session), derived);

@@ -56,8 +56,6 @@ pub enum Group {
     Exercise,
     /// The wrong cameras.
     Mistake,
-    /// The method that draws the camera's picture.
-    Method,
 }
 
 impl Group {
@@ -82,7 +80,6 @@ impl Group {
             Group::Step => "Step",
             Group::Exercise => "Exercise",
             Group::Mistake => "Mistake",
-            Group::Method => "Picture drawn by",
         }
     }
 }

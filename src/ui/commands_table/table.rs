@@ -3,7 +3,6 @@
 
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
-use pinhole_core::methods::Method;
 use pinhole_exchange::{BuiltinScene, Format, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
@@ -292,8 +291,8 @@ fn switches() -> Vec<UiCommand> {
     commands
 }
 
-/// Returns the commands that choose one of several alternatives, such as a layout, a shading, a method, a
-/// scene, a mistake, an exercise or a lesson step.
+/// Returns the commands that choose one of several alternatives, such as a layout, a shading, a scene,
+/// a mistake, an exercise or a lesson step.
 fn choices() -> Vec<UiCommand> {
     let mut commands = Vec::new();
     let mut add = |group, name: &str, about: &str, action: Action| {
@@ -317,9 +316,6 @@ fn choices() -> Vec<UiCommand> {
     }
     for scheme in Scheme::ALL {
         add(Group::Colours, scheme.label(), scheme.about(), LookAction::Scheme(scheme).into());
-    }
-    for method in Method::all() {
-        add(Group::Method, method.name(), method.about(), LookAction::Method(method).into());
     }
     for scene in BuiltinScene::all() {
         let action = Leave::Open(SceneSource::Builtin(scene));

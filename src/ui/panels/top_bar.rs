@@ -3,7 +3,6 @@
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{MenuBar, PopupCloseBehavior, RichText, Ui};
 use pinhole_core::Shade;
-use pinhole_core::methods::Method;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use crate::model::files::{OpenDocument, title_of};
@@ -234,14 +233,6 @@ fn tools_menu(ui: &mut Ui, settings: &mut Settings) {
         let choice = ui.selectable_value(&mut settings.layout, *tool, tool.label());
         choice.on_hover_text(tool.about());
     }
-    ui.separator();
-    ui.menu_button("Renderer", |ui| {
-        ui.label("The camera's picture is drawn by");
-        for method in Method::all() {
-            let hint = format!("{}\n{}", method.about(), method.source());
-            ui.radio_value(&mut settings.method, method, method.name()).on_hover_text(hint);
-        }
-    });
 }
 
 fn help_menu(ui: &mut Ui) {

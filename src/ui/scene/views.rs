@@ -447,12 +447,12 @@ pub(crate) fn frame_inset(ui: &Ui, rect: Rect) {
 /// Size of the text of a badge on a picture, in points.
 const MARK: f32 = 15.0;
 
-/// Writes black text on amber in a corner of a picture.
-pub(crate) fn badge(ui: &mut Ui, rect: Rect, corner: Align2, text: &str) {
+/// Writes black text on amber in the lower right corner of a picture.
+pub(crate) fn badge(ui: &mut Ui, rect: Rect, text: &str) {
     let font = FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
     let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
-    let band = corner.align_size_within_rect(galley.size() + vec2(16.0, 8.0), rect);
+    let band = Align2::RIGHT_BOTTOM.align_size_within_rect(galley.size() + vec2(16.0, 8.0), rect);
     ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
     inside(ui, band.shrink2(vec2(8.0, 4.0)), |ui| {
         ui.label(RichText::new(text).size(MARK).color(Color32::BLACK));

@@ -112,20 +112,6 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} screen pixels wrong{errors}")
 }
 
-/// Returns a label for the camera's picture if a method other than the ladder (the exact method) drew it, or
-/// if the ladder drew it in place of the chosen method. Returns `None` for other pictures.
-pub(crate) fn method_label(derived: &Derived, chosen: Method) -> Option<String> {
-    if let Some(why) = derived.too_many {
-        return (chosen != Method::Ladder)
-            .then(|| format!("drawn by the ladder, not by {chosen}: {why}"));
-    }
-    let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
-    Some(match comparison.wrong {
-        1 => format!("drawn by {method}: 1 wrong screen pixel"),
-        wrong => format!("drawn by {method}: {} wrong screen pixels", grouped(wrong as u64)),
-    })
-}
-
 /// Shows the plot and the table; above them, the progress of measuring and the results at the selected pixel.
 pub(crate) fn ui(
     ui: &mut Ui,

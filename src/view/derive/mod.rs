@@ -230,14 +230,8 @@ pub struct Derived {
     pub counts: Option<Counts>,
     /// The subsampling of the camera's picture and of the observer's picture.
     pub subsampling: [Subsampling; 2],
-    /// The reason why the exact method (the ladder) drew the picture although the user chose another
-    /// method; `None` if the chosen method drew it.
+    /// The reason why there is no error map.
     pub too_many: Option<TooMany>,
-    /// The exact method's answers for the shown pixels, if another method is compared with it.
-    pub truth: Option<Arc<Frame>>,
-    /// The answers of the method that drew the camera's picture, unless that was the exact method (the
-    /// ladder).
-    pub drawn_by: Option<Arc<Compared>>,
     /// The derivation of all numbers, if the layout shows it.
     pub derivation: Option<Arc<Derivation>>,
     /// The curves f(p + t d) of the objects, if the layout shows them.

@@ -1,5 +1,5 @@
-//! The camera's picture, drawn by the exact method (called the ladder) or by another method, and the errors
-//! of other methods. Tracing reports its work to an [`OnWork`] callback, whose owner measures the time, so
+//! The camera's picture, drawn by the exact method (called the ladder), and the errors of another method.
+//! Tracing reports its work to an [`OnWork`] callback, whose owner measures the time, so
 //! this module needs no clock.
 
 use std::fmt;
@@ -23,8 +23,8 @@ use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 /// during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// The reason why a picture is drawn by the exact method (the ladder) instead of the chosen one: every
-/// other method tests every object at every pixel, which would take more than [`MOST_QUESTIONS`] tests.
+/// The reason why there is no error map: every method but the exact one (the ladder) tests every object at
+/// every pixel, which would take more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooMany {
     /// Number of objects in the scene.
@@ -75,44 +75,28 @@ pub(super) struct GoodPicture {
     pub(super) subsampling: Subsampling,
     /// Numbers of spheres and rows that the renderer could skip.
     pub(super) counts: Counts,
-    /// The answers of other methods.
-    pub(super) others: OtherMethods,
+    /// The answers of the error map's method, or the reason why it has none; `None` without an error map.
+    pub(super) compared: Option<Result<Arc<Compared>, TooMany>>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
-}
-
-/// The method that draws the picture, and the answers of the methods that are compared with the exact one
-/// (the ladder).
-#[derive(Clone, Debug)]
-pub(super) struct OtherMethods {
-    method: Method,
-    /// The reason why no method is compared with the exact one although the user chose one.
-    too_many: Option<TooMany>,
-    /// The exact method's answers, if another method is compared with them.
-    truth: Option<Arc<Frame>>,
-    /// The answers of the method that drew the picture, unless that was the exact method (the ladder).
-    drawn_by: Option<Arc<Compared>>,
-    /// The answers of the method that the error map shows, if there is an error map.
-    pub(super) compared: Option<Arc<Compared>>,
 }
 
 impl GoodPicture {
     /// Copies the data that the readouts show about the picture.
     pub(super) fn describe(&self, derived: &mut Derived) {
-        derived.drawn_by.clone_from(&self.others.drawn_by);
-        derived.too_many = self.others.too_many;
+        derived.too_many =
+            self.compared.as_ref().and_then(|compared| compared.as_ref().err().copied());
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
-        derived.truth.clone_from(&self.others.truth);
     }
 }
 
 /// The inputs of a trace: the camera, the generation number of the objects, and the traced pixels.
 type TraceKey = (ResolvedCamera, u64, Raster);
 
-/// The inputs of a picture's colours: the method, the inputs of the trace, the shading, the generation
-/// number of the colours, and whether the picture is transparent where no object is hit.
-type PictureKey = (Method, TraceKey, Shade, u64, bool);
+/// The inputs of a picture's colours: the inputs of the trace, the shading, the generation number of the
+/// colours, and whether the picture is transparent where no object is hit.
+type PictureKey = (TraceKey, Shade, u64, bool);
 
 /// A picture, the number of decisions at each step of the exact method (the ladder), and how many spheres
 /// and rows were skipped.
@@ -125,9 +109,8 @@ pub(super) struct Pictures {
     /// The last frame, which can be recoloured without tracing. It contains the objects and, if the flag in
     /// its key is true, `t`.
     rough: Memo<(TraceKey, bool), Arc<Frame<f32>>>,
-    /// The answers of the method that drew the picture, and those of the error map's method if it is
-    /// another one.
-    by: [Memo<(Method, TraceKey), Arc<Compared>>; 2],
+    /// The answers of the error map's method.
+    compared: Memo<(Method, TraceKey), Arc<Compared>>,
     picture: Memo<PictureKey, MadePicture>,
     /// The last two pictures. The next picture reuses the memory of the older one, because tracing into
     /// newly allocated memory takes twice as long.
@@ -163,18 +146,16 @@ impl Pictures {
         // The limit applies to the full picture: a method that is too slow for it is not used during a drag
         // either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
-        let too_many = TooMany::check(world.scene.len(), all);
-        let others = self.other_methods(inputs, &trace_key, world, too_many);
+        let compared = self.compared(inputs, &trace_key, world, all);
         // A picture for the viewport in the world view is opaque, since it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (others.method, trace_key, settings.shade, world.palette, clear);
-        let (picture, steps, counts) = self.picture(&key, world, &others, watch);
+        let key = (trace_key, settings.shade, world.palette, clear);
+        let (picture, steps, counts) = self.picture(&key, world, watch);
         let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
-            let (method, (resolved, generation, _), mode, palette, _) = key;
-            let trace_key = (resolved, generation, Raster::part(rows, columns));
-            let key = (method, trace_key, mode, palette, false);
+            let ((resolved, generation, _), mode, palette, _) = key;
+            let key = ((resolved, generation, Raster::part(rows, columns)), mode, palette, false);
             let key = (key, (settings.loupe_pixels, settings.count_from_one));
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.scanned_pixels {
@@ -191,56 +172,43 @@ impl Pictures {
                 Arc::new(first_pixels(&whole.0, *count))
             }),
         };
-        GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, others }
+        GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, compared }
     }
 
-    /// Returns the answers of the exact method (the ladder) and of other methods, as far as the picture or
-    /// the error map needs them.
-    fn other_methods(
+    /// Compares the error map's method with the exact one (the ladder), if there is an error map. `pixels` is
+    /// the number of pixels of the full picture.
+    fn compared(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
         trace_key: &TraceKey,
         world: &GoodWorld,
-        too_many: Option<TooMany>,
-    ) -> OtherMethods {
-        let settings = &session.settings;
-        let with_map = sizes.second.is_some_and(|(kind, _)| kind == SecondPicture::ErrorMap);
-        let other = settings.compared;
-        let is_compared = settings.method != Method::Ladder || with_map;
-        let too_many = too_many.filter(|_| is_compared);
-        let method = too_many.map_or(settings.method, |_| Method::Ladder);
-        // All digits of t are needed only for a comparison.
-        let truth = (is_compared && too_many.is_none()).then(|| {
-            self.truth.get(trace_key.clone(), |(resolved, _, raster)| {
-                self.traced += 1;
-                trace_truth(&world.scene, resolved, raster, watch)
-            })
+        pixels: usize,
+    ) -> Option<Result<Arc<Compared>, TooMany>> {
+        sizes.second.filter(|(kind, _)| *kind == SecondPicture::ErrorMap)?;
+        if let Some(too_many) = TooMany::check(world.scene.len(), pixels) {
+            return Some(Err(too_many));
+        }
+        let truth = self.truth.get(trace_key.clone(), |(resolved, _, raster)| {
+            self.traced += 1;
+            trace_truth(&world.scene, resolved, raster, watch)
         });
-        let mut compare = |slot: usize, method| {
-            let truth = truth.as_deref()?;
-            let memo = &mut self.by[slot];
-            Some(watched(watch, WorkKind::Trace, || compare(memo, method, trace_key, world, truth)))
-        };
-        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
-        let compared = if with_map { compare(usize::from(other != method), other) } else { None };
-        OtherMethods { method, too_many, truth, drawn_by, compared }
+        let key = (session.settings.compared, trace_key.clone());
+        Some(Ok(self.compared.get(key, |(method, (resolved, _, raster))| {
+            watched(watch, WorkKind::Trace, || {
+                let traced = trace_by(*method, &world.scene, resolved, raster);
+                let comparison = Comparison::new(&truth, &traced);
+                let mut frame = Frame::clone(&truth);
+                (frame.t, frame.object) = (traced.t, traced.object);
+                Arc::new(Compared { method: *method, comparison, frame })
+            })
+        })))
     }
 
-    /// Returns the camera's picture, drawn by the exact method (the ladder) or by the chosen one.
-    fn picture(
-        &mut self,
-        key: &PictureKey,
-        world: &GoodWorld,
-        others: &OtherMethods,
-        watch: OnWork<'_>,
-    ) -> MadePicture {
-        let (scene, mode, clear) = (&world.scene, key.2, key.4);
+    /// Returns the camera's picture.
+    fn picture(&mut self, key: &PictureKey, world: &GoodWorld, watch: OnWork<'_>) -> MadePicture {
+        let (scene, mode, clear) = (&world.scene, key.1, key.3);
         let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (picture, steps, counts) = self.picture.get(key.clone(), |(_, trace_key, ..)| {
-            if let (Some(by), Some(truth)) = (&others.drawn_by, &others.truth) {
-                let pixels = repainted(&by.frame, scene, colors, watch);
-                return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
-            }
+        let (picture, steps, counts) = self.picture.get(key.clone(), |(trace_key, ..)| {
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
             let key = (trace_key.clone(), outputs.t);
@@ -270,7 +238,7 @@ fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
     Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
 }
 
-fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
+fn picture_of(frame: &Frame<f32>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
     if clear {
         let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
         missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
@@ -279,35 +247,14 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
     Arc::new(Picture { raster, image, pixels })
 }
 
-/// Returns the pixels that the loupe (the magnifier) shows, traced by the same method as the picture.
+/// Returns the pixels that the loupe (the magnifier) shows.
 fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
-    let ((method, (resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
-    let mut frame = trace_truth(&world.scene, resolved, raster, watch);
-    if *method != Method::Ladder {
-        let traced = trace_by(*method, &world.scene, resolved, raster);
-        let frame = Arc::make_mut(&mut frame);
-        (frame.t, frame.object) = (traced.t, traced.object);
-    }
+    let (((resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
+    let frame = trace_truth(&world.scene, resolved, raster, watch);
     let colors = (*mode, |i: u32| world.colors[i as usize]);
     let pixels = repainted(&frame, &world.scene, colors, watch);
     let picture = Picture { raster: raster.clone(), image: resolved.image(), pixels };
     Loupe { picture, shown_pixels: *shown_pixels, count_from_one: *count_from_one }
-}
-
-fn compare(
-    memo: &mut Memo<(Method, TraceKey), Arc<Compared>>,
-    method: Method,
-    trace_key: &TraceKey,
-    world: &GoodWorld,
-    truth: &Frame,
-) -> Arc<Compared> {
-    memo.get((method, trace_key.clone()), |(method, (resolved, _, raster))| {
-        let traced = trace_by(*method, &world.scene, resolved, raster);
-        let comparison = Comparison::new(truth, &traced);
-        let mut frame = truth.clone();
-        (frame.t, frame.object) = (traced.t, traced.object);
-        Arc::new(Compared { method: *method, comparison, frame })
-    })
 }
 
 /// A kind of work. Each report of finished work attributes the time since the last report to a kind.

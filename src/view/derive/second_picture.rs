@@ -138,9 +138,9 @@ impl SecondPictures {
     }
 
     fn error_map(&mut self, derived: &mut Derived, good: &GoodPicture) -> Option<Arc<Picture>> {
-        derived.compared.clone_from(&good.others.compared);
-        let compared = Same(good.others.compared.clone()?);
-        Some(self.error_map.get(compared, |compared| {
+        let compared = good.compared.clone()?.ok()?;
+        derived.compared = Some(Arc::clone(&compared));
+        Some(self.error_map.get(Same(compared), |compared| {
             self.count += 1;
             let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
             picture(raster, image, accuracy::colors(&compared.comparison))

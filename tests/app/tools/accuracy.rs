@@ -72,7 +72,7 @@ fn the_map_follows_the_camera_at_once() {
     open(&mut window);
     let before = window.state().derived().clone();
     let compared = before.compared.as_deref().unwrap();
-    assert_eq!(compared.comparison.errors.len(), before.truth.as_ref().unwrap().t.len());
+    assert_eq!(compared.comparison.errors.len(), compared.frame.t.len());
     assert_eq!(compared.method.name(), "textbook-f32");
     window.get_by_role_and_label(Role::SpinButton, "eye x").click();
     window.run_steps(2);
@@ -156,36 +156,8 @@ fn a_click_in_the_map_selects_the_pixel_and_says_what_both_make_of_it() {
     assert!(text.iter().any(|text| text.contains("; textbook-f32 hits ")), "{text:?}");
 }
 
-#[test]
-fn a_picture_by_another_method_is_marked() {
-    let mut window = far_window();
-    let ladders = window.state().derived().camera_view.clone().unwrap().image;
-    let draw_by = |window: &mut Harness<'_, App>, method| {
-        for label in ["Tools", "Renderer", method] {
-            window.get_by_label(label).click();
-            window.run();
-        }
-        window.key_press(egui::Key::Escape);
-        window.run();
-    };
-    draw_by(&mut window, "textbook-f32");
-    let derived = window.state().derived().clone();
-    let wrong = derived.drawn_by.unwrap().comparison.wrong;
-    assert!(wrong > 1, "the scene is there to show that");
-    assert_says(
-        &window,
-        &format!("drawn by textbook-f32: {} wrong screen pixels", grouped(wrong as u64)),
-    );
-    assert_ne!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
-    draw_by(&mut window, "ladder");
-    let derived = window.state().derived().clone();
-    assert!(derived.drawn_by.is_none());
-    assert_eq!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
-    assert_eq!(texts_with(&window, "drawn by "), Vec::<String>::new());
-}
-
 /// A window on so many spheres that no method may ask all of them at all pixels.
-fn crowded_window(settings: Settings) -> Harness<'static, App> {
+fn crowded_window() -> Harness<'static, App> {
     let folder = tempfile::tempdir().unwrap();
     let sphere = |i: i32| format!("{},{},-200,0.4\n", i % 200 - 100, i / 200 - 50);
     let rows: String = (0..20_000).map(sphere).collect();
@@ -194,31 +166,23 @@ fn crowded_window(settings: Settings) -> Harness<'static, App> {
     let text = "pinhole = 1\nspheres = \"crowd.csv\"\n\
                 [camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
     std::fs::write(&path, text).unwrap();
-    with(path.to_str().unwrap(), settings)
+    with(path.to_str().unwrap(), unfolded())
 }
 
 #[test]
 fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
-    let settings = Settings { method: named("textbook-f64"), ..unfolded() };
-    let mut window = crowded_window(settings);
-    let derived = window.state().derived().clone();
-    let too_many = derived.too_many.unwrap();
-    assert_eq!(too_many.objects, 20_000);
-    assert!(too_many.objects * too_many.pixels > MOST_QUESTIONS);
-    assert!(derived.drawn_by.is_none() && derived.truth.is_none() && derived.fault.is_none());
-    let why = too_many.to_string();
-    assert!(why.starts_with("20,000 objects at "), "{why}");
-    assert_says(&window, &format!("drawn by the ladder, not by textbook-f64: {why}"));
-    let ladders = crowded_window(unfolded());
-    let (of_ladder, shown) = (ladders.state().derived(), derived.camera_view.unwrap());
-    assert_eq!(of_ladder.too_many, None, "the ladder takes any number of objects");
-    assert_eq!(shown.image.pixels, of_ladder.camera_view.clone().unwrap().image.pixels);
+    let mut window = crowded_window();
+    assert_eq!(window.state().derived().too_many, None, "the ladder takes any number of objects");
     show(&mut window, ViewLayout::Accuracy);
     // Nothing is measured, so this comes to rest.
     window.run();
     let derived = window.state().derived().clone();
-    assert!(derived.second_view.is_none());
-    let why = derived.too_many.unwrap().to_string();
+    assert!(derived.second_view.is_none() && derived.fault.is_none());
+    let too_many = derived.too_many.unwrap();
+    assert_eq!(too_many.objects, 20_000);
+    assert!(too_many.objects * too_many.pixels > MOST_QUESTIONS);
+    let why = too_many.to_string();
+    assert!(why.starts_with("20,000 objects at "), "{why}");
     assert_says(&window, &format!("No error map: {why}"));
     assert_says(&window, &format!("Nothing is measured: {why}"));
 }
@@ -263,7 +227,6 @@ fn what_was_chosen_is_remembered() {
     splits.set(Split::Accuracy, 250.0);
     let settings = Settings {
         layout: ViewLayout::Accuracy,
-        method: named("kahan-f64"),
         compared: named("half-b-f32"),
         splits,
         ..unfolded()
