@@ -32,8 +32,6 @@ pub struct Plot {
     pub left_out: usize,
     /// The range of t.
     pub range: RangeInclusive<f64>,
-    /// True if heights beyond 1 are compressed; see `height_of`.
-    pub compressed: bool,
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
     /// The t of the point marked on the ray, and the value of each curve's function f there.
@@ -112,11 +110,10 @@ pub fn samples(
     scene: &Scene,
     ray: &ExactRay,
     range: &RangeInclusive<f64>,
-    compressed: bool,
 ) -> Samples {
     let sampled = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
-        along.map_or_else(Vec::new, |along| curve.samples(&along, range, compressed))
+        along.map_or_else(Vec::new, |along| curve.samples(&along, range))
     };
     curves.iter().map(sampled).collect()
 }
@@ -166,18 +163,13 @@ impl Curve {
     }
 
     /// Returns the height in the plot at which a value of f is drawn.
-    pub(crate) fn height(&self, f: f64, compressed: bool) -> f64 {
-        height_of(f / self.unit.value, compressed)
+    pub(crate) fn height(&self, f: f64) -> f64 {
+        f / self.unit.value
     }
 
     /// Returns samples of the curve in ascending order of t: evenly spaced, with additional ones around a
     /// parabola's vertex.
-    fn samples(
-        &self,
-        along: &AlongRay,
-        range: &RangeInclusive<f64>,
-        compressed: bool,
-    ) -> Vec<(f64, f64)> {
+    fn samples(&self, along: &AlongRay, range: &RangeInclusive<f64>) -> Vec<(f64, f64)> {
         let (from, to) = (*range.start(), *range.end());
         let mut ts: Vec<f64> =
             (0..=SAMPLES).map(|k| from + (to - from) * k as f64 / SAMPLES as f64).collect();
@@ -189,7 +181,7 @@ impl Curve {
         ts.extend(self.derivation.roots().map(|root| root.t));
         ts.retain(|t| range.contains(t));
         ts.sort_by(f64::total_cmp);
-        let height = |t: f64| (t, self.height(along.value(t), compressed));
+        let height = |t: f64| (t, self.height(along.value(t)));
         ts.into_iter().map(height).filter(|(_, y)| y.is_finite()).collect()
     }
 
@@ -251,27 +243,5 @@ impl Curve {
             _ => ": on it",
         };
         format!("f {} {meaning}", equated(f, digits))
-    }
-}
-
-/// Returns the height in the plot of a value of f, given as a multiple `y` of its curve's unit. It is `y`
-/// itself or, if `compressed` and |y| > 1, `1 + ln |y|` with the sign of `y`, so that distant values remain
-/// visible. Without compression, a plane's curve is a straight line, and a sphere's is a parabola.
-pub(crate) fn height_of(y: f64, compressed: bool) -> f64 {
-    if compressed && y.abs() > 1.0 { (1.0 + y.abs().ln()).copysign(y) } else { y }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::height_of;
-
-    #[test]
-    fn compression_keeps_sign_and_order() {
-        let ys = [-1e9, -3.0, -1.0, -0.2, 0.0, 0.2, 1.0, 3.0, 1e9];
-        let heights = ys.map(|y| height_of(y, true));
-        assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
-        assert_eq!(height_of(-0.25, true), -0.25);
-        assert_eq!(height_of(-5.0, true), -height_of(5.0, true));
-        assert_eq!(ys.map(|y| height_of(y, false)), ys);
     }
 }

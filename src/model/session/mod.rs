@@ -155,8 +155,6 @@ pub struct Settings {
     pub unfolded: Unfolded,
     /// The boundaries between the window's areas.
     pub splits: Splits,
-    /// True if the plot of f(p + t d) compresses values beyond 1 logarithmically.
-    pub plot_compressed: bool,
     /// The method whose errors the error map shows.
     pub compared: Method,
     /// Dark, light, or the system's choice.
@@ -224,7 +222,6 @@ impl Default for Settings {
             hides_panel: false,
             unfolded: Unfolded::default(),
             splits: Splits::default(),
-            plot_compressed: false,
             compared: Method::Known(Formula::Textbook, Precision::F32),
             theme: ThemeName::System,
             scheme: Scheme::Standard,

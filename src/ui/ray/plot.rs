@@ -13,12 +13,12 @@ use egui::{
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
 use crate::model::session::presenting::WRITTEN;
-use crate::model::{Concept, HoverSource, Hovered, Inspection, Session, Settings};
+use crate::model::{Concept, HoverSource, Hovered, Inspection, Session};
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
-use crate::view::plot::{Curve, Plot, height_of};
+use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::{self, formula, plain, unbroken};
 use crate::view::typesetting::theme;
@@ -41,8 +41,7 @@ pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
 
 /// Shows the plot, and the text on its right.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
-    let Session { ray_point_t, settings: Settings { plot_compressed, digits, .. }, .. } = session;
-    let digits = *digits;
+    let (ray_point_t, digits) = (&mut session.ray_point_t, session.settings.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
@@ -65,9 +64,6 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
             for k in 0..plot.curves.len() {
                 curve_text(ui, plot, k, first, digits);
             }
-            let text = "Compress values beyond ±1 unit";
-            let hint = "The axis is then logarithmic there: lines and parabolas are bent";
-            ui.checkbox(plot_compressed, text).on_hover_text(hint);
             match plot.left_out {
                 0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
                 0 => {}
@@ -163,9 +159,8 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f at the plot's upper edge, in the unit of each curve: on a linear scale, and on the compressed
-/// scale.
-const TOP: (f64, f64) = (4.4, 45.0);
+/// Value of f at the plot's upper edge, in the unit of each curve.
+const TOP: f64 = 4.4;
 /// Value of f at the plot's lower edge, in the unit of each curve: with planes, and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
@@ -201,10 +196,8 @@ fn draw(ui: &Ui, rect: Rect, plot: &Plot, first: Option<(u32, f64)>, ray_t: &mut
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let has_planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if has_planes { BOTTOM.0 } else { BOTTOM.1 };
-    let top = if plot.compressed { TOP.1 } else { TOP.0 };
-    let heights = [bottom, top].map(|value| height_of(value, plot.compressed));
     let t = Scale::even([*plot.range.start(), *plot.range.end()], [inner.left(), inner.right()]);
-    let height = Scale::even(heights, [inner.bottom(), inner.top()]);
+    let height = Scale::even([bottom, TOP], [inner.bottom(), inner.top()]);
     input(ui, inner, &t, ray_t);
     let painter = ui.painter_at(inner);
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
@@ -275,24 +268,16 @@ impl PlotDrawing<'_> {
     /// Draws the title, the numbers of t and f, the line f = 0, the grey area behind the eye, and the
     /// vertical lines t = 0 (the eye) and t = 1 (the viewport).
     fn axes(&self, around: &Painter, outer: Rect) {
-        let (rect, ink, compressed) = (self.rect, self.colors.ink, self.plot.compressed);
+        let (rect, ink) = (self.rect, self.colors.ink);
         around.rect_filled(rect, 0.0, self.colors.background);
         let behind = self.at(0.0, 0.0).x.clamp(rect.left(), rect.right());
         around.rect_filled(rect.with_max_x(behind), 0.0, ink.gamma_multiply(0.14));
-        let (title, values): (_, &[f64]) = match compressed {
-            false => ("f(p + t d) / unit", &[-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0]),
-            true => (
-                "f(p + t d) / unit;  beyond ±1 compressed",
-                &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0],
-            ),
-        };
         let grid = GridInk { line: ink.gamma_multiply(0.2), text: ink, size: DRAWN_TEXT };
-        let row = |value: &f64| {
-            let at = self.height.position(height_of(*value, compressed));
-            Tick { value: *value, at, text: number(*value, 3) }
+        let row = |value: i32| {
+            let value = f64::from(value);
+            Tick { value, at: self.height.position(value), text: number(value, 3) }
         };
-        let ticks: Vec<Tick> =
-            values.iter().map(row).filter(|tick| tick.at < rect.bottom()).collect();
+        let ticks: Vec<Tick> = (-2..=4).map(row).filter(|tick| tick.at < rect.bottom()).collect();
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);
@@ -301,7 +286,7 @@ impl PlotDrawing<'_> {
         last.for_each(|tick| tick.text.clear());
         chart::columns(around, rect, &ticks, grid);
         for (text, size, at) in [
-            (title, DRAWN_TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
+            ("f(p + t d) / unit", DRAWN_TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
             ("t", DRAWN_TEXT + 2.0, rect.right_bottom() + vec2(-14.0, 2.0)),
         ] {
             around.galley(at, around.layout_job(formula(text, size, ink)), ink);
@@ -387,7 +372,7 @@ impl PlotDrawing<'_> {
         }
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, self.rect.y_range()));
         for (curve, f) in self.plot.curves.iter().zip(values.iter()) {
-            let at = self.at(*t, curve.height(*f, self.plot.compressed));
+            let at = self.at(*t, curve.height(*f));
             if self.rect.contains(at) {
                 let stroke = Stroke::new(2.5, color_of(curve));
                 self.painter.circle(at, 5.5, self.colors.ray, stroke);

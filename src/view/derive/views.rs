@@ -382,7 +382,7 @@ type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2], bool), Arc<Samples>>,
+    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
     ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// Number of times that the curves were computed. In the keys of the samples and of the values, it
     /// identifies the curves.
@@ -418,16 +418,15 @@ impl Plots {
         });
         let range = range(&curves, session.ray_point_t);
         let ends = [*range.start(), *range.end()];
-        let compressed = session.settings.plot_compressed;
-        let samples = self.samples.get((self.made, ends, compressed), |_| {
-            Arc::new(samples(&curves, scene, &ray, &range, compressed))
-        });
+        let samples = self
+            .samples
+            .get((self.made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
         let ray_point_t = session.ray_point_t.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
             (t, self.ray_point_t.get((self.made, t), make))
         });
         let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, compressed, samples, ray_point_t })
+        Some(Plot { curves, left_out, range, samples, ray_point_t })
     }
 }
 
