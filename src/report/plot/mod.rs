@@ -16,7 +16,6 @@ mod table;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Vec2, pos2, vec2};
 
 use self::panel::Errors;
-pub(crate) use self::panel::PlotMark;
 use super::model::{Digits, Report};
 use super::summary::{self, Summary};
 use crate::figures::Figure;
@@ -190,9 +189,8 @@ fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary);
 }
 
-/// Draws the panels of a scene or a family, with all labels. Returns the marks in the panel of error
-/// against time.
-pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) -> Vec<PlotMark<'a>> {
+/// Draws the panels of a scene or a family, with all labels.
+pub(crate) fn panels(painter: &Painter, rect: Rect, summary: &Summary) {
     let what = "largest error in t, ulps of f64";
     painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
     let frame = Rect::from_min_max(rect.min + vec2(NUMBERS, 21.0), rect.max - vec2(NAMES, 48.0));
@@ -203,7 +201,7 @@ pub(crate) fn panels<'a>(painter: &Painter, rect: Rect, summary: &'a Summary) ->
     }
     let (left, right) = frame.split_left_right_at_fraction(0.5);
     panel::knob(painter, right.with_min_x(right.left() + 8.0), &errors, summary);
-    panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary)
+    panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary);
 }
 
 /// Writes a text with line breaks. Returns the position of its lower edge.

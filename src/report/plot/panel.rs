@@ -111,9 +111,9 @@ impl Errors {
 
 /// The mark of a method and its position.
 #[derive(Clone, Copy)]
-pub(crate) struct PlotMark<'a> {
-    pub(crate) method: &'a MethodSummary<'a>,
-    pub(crate) center: Pos2,
+struct PlotMark<'a> {
+    method: &'a MethodSummary<'a>,
+    center: Pos2,
     outcome: Outcome,
     is_wrong: bool,
 }
@@ -126,13 +126,8 @@ impl PlotMark<'_> {
 
 /// Draws the panel of error against time: for each formula, a curve that connects its precisions; for
 /// each method, a mark, and a horizontal bar from its shortest to its longest time; and the Pareto
-/// front behind the curves. Returns the marks.
-pub(super) fn time<'a>(
-    painter: &Painter,
-    rect: Rect,
-    errors: &Errors,
-    summary: &'a Summary,
-) -> Vec<PlotMark<'a>> {
+/// front behind the curves.
+pub(super) fn time<'a>(painter: &Painter, rect: Rect, errors: &Errors, summary: &'a Summary) {
     let times = summary.methods.iter().filter_map(|method| method.time);
     let spreads = summary.methods.iter().filter_map(|method| method.times).flatten();
     let scale = Scale::close(times.chain(spreads), [rect.left(), rect.right()]);
@@ -162,7 +157,6 @@ pub(super) fn time<'a>(
         marker::ring_around(painter, mark.is_wrong.then_some(mark.center));
         mark.draw(painter);
     }
-    marks
 }
 
 /// Draws vertical grid lines, with their numbers and the name of the horizontal axis below the panel.

@@ -10,8 +10,7 @@ use egui::accesskit::Role;
 use egui::epaint::shape_transform::adjust_colors;
 use egui::layers::ShapeIdx;
 use egui::{
-    Color32, Context, Grid, Painter, PopupAnchor, Pos2, ProgressBar, Rect, RichText, ScrollArea,
-    Sense, Tooltip, Ui, pos2, vec2,
+    Color32, Context, Grid, Painter, ProgressBar, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2,
 };
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
@@ -216,36 +215,23 @@ const COLUMNS: [(&str, &str); 7] = [
     ("ns", "Nanoseconds a pixel, the shortest of interleaved rounds, on one thread"),
 ];
 
-/// Maximum distance of the pointer from the mark whose numbers are shown, in points.
-const NEAR: f32 = 14.0;
-
-/// Shows the plot of the measured scene. If the pointer is on a mark, also shows the numbers of the mark's
-/// method.
+/// Shows the plot of the measured scene.
 fn plot(ui: &mut Ui, case: &Case) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
-    let response = response.named("Every method's error against its time");
+    response.named("Every method's error against its time");
     let summary = Summary::new(vec![case]);
-    let marks = in_window_colors(ui, |painter| panels(painter, rect, &summary));
-    let Some(pointer) = response.hover_pos() else { return };
-    let distance = |center: Pos2| center.distance(pointer);
-    let nearest = marks.iter().min_by(|a, b| distance(a.center).total_cmp(&distance(b.center)));
-    let name = nearest.filter(|mark| distance(mark.center) < NEAR).map(|mark| mark.method.name);
-    if let Some(row) = case.methods.iter().find(|row| Some(row.name.as_str()) == name) {
-        let (layer, pointer) = (response.layer_id, PopupAnchor::Pointer);
-        let tooltip = Tooltip::always_open(ui.ctx().clone(), layer, response.id, pointer);
-        tooltip.show(|ui| ui.label(description(row)));
-    }
+    in_window_colors(ui, |painter| panels(painter, rect, &summary));
 }
 
 /// Runs a function that draws in colours chosen for white paper, and converts the colours of what it has
 /// drawn to the window's.
-fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
+fn in_window_colors(ui: &Ui, draw: impl FnOnce(&Painter)) {
     let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
     let next_shape =
         || ui.ctx().graphics_mut(|graphics| graphics.entry(painter.layer_id()).next_idx().0);
     let first = next_shape();
-    let result = draw(painter);
+    draw(painter);
     let drawn = first..next_shape();
     let recolor = move |color: &mut Color32| {
         let mut dots = [if style.is_dark() { on_dark(*color, ground) } else { *color }];
@@ -258,7 +244,6 @@ fn in_window_colors<R>(ui: &Ui, draw: impl FnOnce(&Painter) -> R) -> R {
             list.mutate_shape(ShapeIdx(k), |clipped| adjust_colors(&mut clipped.shape, recolor));
         }
     });
-    result
 }
 
 /// Converts a colour chosen for white paper to one for a dark background: mirrors the brightness of greys and
@@ -276,19 +261,6 @@ fn on_dark(color: Color32, ground: Color32) -> Color32 {
     let mirrored = 255.0 - middle / 255.0 * (255.0 - f32::from(ground.g()));
     let [r, g, b] = [r, g, b].map(|part| (part - middle + mirrored) as u8);
     Color32::from_rgb(r, g, b)
-}
-
-/// Returns the description of a method under the pointer.
-fn description(row: &MethodRow) -> String {
-    let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
-    let mut lines = vec![
-        row.name.clone(),
-        format!("{} ns a pixel", number(row.ns_per_pixel.min)),
-        format!("t off by at most {} ulps of f64", number(row.ulp_f64.max)),
-        format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
-    ];
-    lines.extend(Method::from_name(&row.name).map(hint));
-    lines.join("\n")
 }
 
 /// Shows one row per method. Clicking a row shows its method in the error map.
