@@ -282,12 +282,7 @@ const MISTAKES: Page = Page {
 };
 
 const COMPARE: Page = Page {
-    areas: |divider| {
-        let (views, rest) = divider.above(Split::Compare);
-        let (left, right) = divider.across(views, Split::CompareViews, "views handle");
-        let (middle, right) = halves(right);
-        Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
-    },
+    areas: |divider| divider.three_above(Split::Compare),
     second: Some(SecondPicture::Ghost),
     rest: |ui, context| {
         compare::ui(ui, context.derived, &context.open.document, context.session);

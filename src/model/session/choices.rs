@@ -212,9 +212,7 @@ pub enum Split {
     /// Boundary between the world view and the camera view when they are stacked: the world view's fraction
     /// of the height.
     Stack,
-    /// The world view's fraction of the width when the picture of the ghost (the frozen camera) is shown.
-    CompareViews,
-    /// The world view's fraction of the width in the practice workspace.
+    /// The world view's fraction of the width when a second picture is shown beside the camera view.
     PracticeViews,
     /// The views' fraction of the width when the derivation or the translator is to their right.
     Derivation,
@@ -236,10 +234,9 @@ const SHARE: RangeInclusive<f32> = 0.0..=1.0;
 const HEIGHT: RangeInclusive<f32> = 0.0..=10_000.0;
 
 /// Default position and range of each boundary, in the order of [`Split`].
-const TABLE: [(Split, f32, RangeInclusive<f32>); 11] = [
+const TABLE: [(Split, f32, RangeInclusive<f32>); 10] = [
     (Split::Views, 0.62, SHARE),
     (Split::Stack, 0.55, SHARE),
-    (Split::CompareViews, 0.42, SHARE),
     (Split::PracticeViews, 0.38, SHARE),
     (Split::Derivation, 0.5, SHARE),
     (Split::Readouts, 200.0, HEIGHT),
@@ -259,11 +256,6 @@ impl Splits {
     /// Returns the position of a boundary.
     pub fn get(&self, split: Split) -> f32 {
         self.0[split as usize]
-    }
-
-    /// Returns true if a boundary is at its default position.
-    pub fn is_default(&self, split: Split) -> bool {
-        self.get(split) == TABLE[split as usize].1
     }
 
     /// Moves a boundary to `to`, clamped to its range, or to its default if `to` is not finite.

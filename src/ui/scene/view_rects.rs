@@ -6,7 +6,6 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
-use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -20,8 +19,6 @@ pub(crate) const WIDE: f32 = 1.2;
 const NUMBERS: f32 = 240.0;
 /// Movement of a divider by one press of an arrow key, in points.
 const PUSH: f32 = 16.0;
-/// Height of three views side by side while presenting, as a multiple of the width of one view.
-const THIRD: f32 = 0.92;
 /// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
 
@@ -123,21 +120,9 @@ impl Divider<'_> {
         Areas { world: Some(left), camera: Some(right), second: None, rest }
     }
 
-    /// Puts the world view, the camera view and a second picture side by side, above the rest. While
-    /// presenting, all three have the same width and are no higher than necessary.
+    /// Puts the world view, the camera view and a second picture side by side, above the rest.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
-        if theme::installed(self.ui.ctx()).presenting {
-            let third = self.whole.width() / 3.0;
-            let height = (THIRD * third + STRIP).min(0.48 * self.whole.height());
-            let (views, rest) = self.whole.split_top_bottom_at_y(self.whole.top() + height);
-            let (left, both) = views.split_left_right_at_x(views.left() + third - HANDLE);
-            let (middle, right) = halves(both.with_min_x(both.left() + HANDLE));
-            return Areas { world: Some(left), camera: Some(middle), second: Some(right), rest };
-        }
-        let (views, rest) = match self.splits.is_default(split) {
-            true => self.above_with(split, self.rest_below_pictures(split)),
-            false => self.above(split),
-        };
+        let (views, rest) = self.above(split);
         let (left, right) = self.across(views, Split::PracticeViews, "views handle");
         let (middle, right) = halves(right);
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
@@ -153,23 +138,9 @@ impl Divider<'_> {
     /// Splits the whole into the views and the area below them, which has the height that the user has set.
     /// Returns both.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
-        self.above_with(split, self.splits.get(split))
-    }
-
-    /// Returns the default height of the area below three views: the height that remains if the pictures are
-    /// only as high as a square image of their width, but at least the stored height.
-    fn rest_below_pictures(&self, split: Split) -> f32 {
-        let share = within(self.splits.get(Split::PracticeViews), self.whole.width());
-        let picture = 0.5 * (1.0 - share) * self.whole.width();
-        self.splits.get(split).max(self.whole.height() - picture - STRIP - HANDLE)
-    }
-
-    /// Splits the whole into the views and an area of this height below them, and returns both. Stores the
-    /// new height if the user drags the divider.
-    fn above_with(&mut self, split: Split, height: f32) -> (Rect, Rect) {
         let area = self.whole;
         let most = (area.height() - SMALLEST - STRIP).max(80.0);
-        let height = height.clamp(80.0, most);
+        let height = self.splits.get(split).clamp(80.0, most);
         let boundary = area.bottom() - height;
         let handle = area.with_min_y(boundary - HANDLE).with_max_y(boundary);
         self.move_by(split, height, -drag(self.ui, handle, "readouts handle").y);
