@@ -220,7 +220,7 @@ pub use fearless_simd::Level;
 pub use camera::basis::{Basis, BasisError, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::difference::CameraDifference;
 pub use camera::ray::{ExactRay, Ray, RayError};
-pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};
+pub use camera::resolved::{PixelOfUv, PixelRays, Projection, ResolvedCamera};
 pub use camera::selection::Selection;
 pub use camera::viewport::{
     ImageError, ImageSize, Intrinsics, Pixel, Viewport, ViewportError, extent_of_fov, fov_of_extent,
@@ -230,7 +230,7 @@ pub use exact::double_double::DoubleDouble;
 pub use exact::scale::{shortest, triple};
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
-pub use render::edges::{EdgeBlend, covered, edge_blends};
+pub use render::edges::{EdgeBlend, edge_blends};
 pub use render::frame::{Counts, Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::shade_rows::HitShader;

@@ -53,6 +53,20 @@ pub struct Projection {
     pub depth: f64,
 }
 
+/// The view rays of a camera. The ray through (x, y), in pixels from the image's top left corner, has the
+/// direction `x * across + y * down + corner`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PixelRays {
+    /// The origin of all rays.
+    pub eye: DVec3,
+    /// The change of the direction from one column to the next.
+    pub across: DVec3,
+    /// The change of the direction from one row to the next.
+    pub down: DVec3,
+    /// The direction of the ray through the image's top left corner.
+    pub corner: DVec3,
+}
+
 impl Projection {
     /// Returns whether the point lies in front of the eye, so that a view ray can reach it.
     pub fn is_in_front(&self) -> bool {
@@ -177,6 +191,18 @@ impl ResolvedCamera {
     /// Returns the view ray through a pixel's centre.
     pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
         self.ray(self.uv_of_pixel(pixel))
+    }
+
+    /// Returns the view rays by the position in the picture through which they pass.
+    pub fn pixel_rays(&self) -> PixelRays {
+        let Viewport { width, height, distance } = self.viewport;
+        let Basis { u, v, w } = self.basis;
+        PixelRays {
+            eye: self.eye,
+            across: u * (width / f64::from(self.image.width())),
+            down: v * (-height / f64::from(self.image.height())),
+            corner: -0.5 * width * u + 0.5 * height * v - distance * w,
+        }
     }
 
     /// Returns the basis in double-double.

@@ -10,7 +10,7 @@ use std::ops::Range;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::camera::resolved::ResolvedCamera;
+use crate::camera::resolved::PixelRays;
 use crate::render::frame::{Frame, NO_OBJECT};
 use crate::scene::Scene;
 use crate::scene::sphere::Sphere;
@@ -36,7 +36,7 @@ const CHUNK: usize = 32;
 
 /// Finds the borders between objects in a frame, and how much of each pixel there belongs to either side.
 /// Blends are in the order of their pixels. The borders of planes stay as they are: the world view draws
-/// planes as layers, and smooths where these cut into spheres. Returns no blends unless the frame has an object for every pixel of the image.
+/// planes as layers. Returns no blends unless the frame has an object for every pixel of the image.
 pub fn edge_blends<T: Sync>(frame: &Frame<T>, scene: &Scene) -> Vec<EdgeBlend> {
     let image = frame.camera.image();
     let (width, height) = (image.width() as usize, image.height() as usize);
@@ -44,31 +44,9 @@ pub fn edge_blends<T: Sync>(frame: &Frame<T>, scene: &Scene) -> Vec<EdgeBlend> {
         return Vec::new();
     }
     let borders =
-        Borders { sight: Sight::new(&frame.camera), scene, object: &frame.object, width, height };
+        Borders { rays: frame.camera.pixel_rays(), scene, object: &frame.object, width, height };
     let bands = (0..height).into_par_iter().step_by(BAND);
     bands.map(|top| borders.band(top..height.min(top + BAND))).collect::<Vec<_>>().concat()
-}
-
-/// The rays of a camera: that through (x, y), in pixels from the image's top left corner, has the
-/// direction `x * across + y * down + corner`.
-struct Sight {
-    eye: DVec3,
-    across: DVec3,
-    down: DVec3,
-    corner: DVec3,
-}
-
-impl Sight {
-    fn new(camera: &ResolvedCamera) -> Sight {
-        let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
-        Sight {
-            eye: camera.eye(),
-            across: basis.u * (viewport.width / f64::from(image.width())),
-            down: basis.v * (-viewport.height / f64::from(image.height())),
-            corner: -0.5 * viewport.width * basis.u + 0.5 * viewport.height * basis.v
-                - viewport.distance * basis.w,
-        }
-    }
 }
 
 /// A sphere as a camera sees it. The vector from the eye to its centre is in units of the radius, so that
@@ -81,8 +59,8 @@ struct Ball {
 }
 
 impl Ball {
-    fn new(sight: &Sight, sphere: &Sphere) -> Ball {
-        let to_center = (sphere.center - sight.eye) / sphere.radius;
+    fn new(eye: DVec3, sphere: &Sphere) -> Ball {
+        let to_center = (sphere.center - eye) / sphere.radius;
         Ball { to_center, tangent: to_center.length_squared() - 1.0, radius: sphere.radius }
     }
 
@@ -111,18 +89,18 @@ impl Ball {
 
     /// Returns the fraction of a pixel that lies inside the outline. `direction` is that of the ray through
     /// the pixel's centre.
-    fn covered(&self, sight: &Sight, direction: DVec3) -> f64 {
+    fn covered(&self, rays: &PixelRays, direction: DVec3) -> f64 {
         let along = direction.dot(self.to_center);
         let slope = |step: DVec3| {
             2.0 * (along * step.dot(self.to_center) - direction.dot(step) * self.tangent)
         };
-        covered(self.discriminant(direction), [slope(sight.across), slope(sight.down)])
+        covered(self.discriminant(direction), [slope(rays.across), slope(rays.down)])
     }
 }
 
 /// Returns the fraction of a pixel where a function is positive, from 0 to 1. `value` is the function's value at the
 /// pixel's centre, and (x, y) its change per pixel; near a border, its zero is as good as a straight line.
-pub fn covered(value: f64, [x, y]: [f64; 2]) -> f64 {
+fn covered(value: f64, [x, y]: [f64; 2]) -> f64 {
     let length = (x * x + y * y).sqrt();
     let (distance, most, least) =
         (value.abs() / length, x.abs().max(y.abs()) / length, x.abs().min(y.abs()) / length);
@@ -138,7 +116,7 @@ pub fn covered(value: f64, [x, y]: [f64; 2]) -> f64 {
 
 /// The objects of a frame, and what is needed to find the borders between them.
 struct Borders<'a> {
-    sight: Sight,
+    rays: PixelRays,
     scene: &'a Scene,
     object: &'a [u32],
     width: usize,
@@ -221,7 +199,7 @@ impl Borders<'_> {
 
     fn ball(&self, object: u32) -> Option<Ball> {
         let sphere = self.scene.spheres().get(object as usize)?;
-        Some(Ball::new(&self.sight, sphere))
+        Some(Ball::new(self.rays.eye, sphere))
     }
 
     /// Returns the fraction of a pixel on its own side of the border to a neighbour, and whether this border
@@ -233,11 +211,11 @@ impl Borders<'_> {
         [dx, dy]: [f64; 2],
         [own, other]: [u32; 2],
     ) -> Option<(f64, bool)> {
-        let Sight { across, down, corner, .. } = self.sight;
+        let PixelRays { across, down, corner, .. } = self.rays;
         let here = x * across + y * down + corner;
         let there = here + dx * across + dy * down;
-        let of_own = |ball: &Ball| (ball.covered(&self.sight, here), true);
-        let of_other = |ball: &Ball| (1.0 - ball.covered(&self.sight, here), false);
+        let of_own = |ball: &Ball| (ball.covered(&self.rays, here), true);
+        let of_other = |ball: &Ball| (1.0 - ball.covered(&self.rays, here), false);
         let (near, far) = match (own, other) {
             (_, NO_OBJECT) => return Some(of_own(&self.ball(own)?)),
             (NO_OBJECT, _) => return Some(of_other(&self.ball(other)?)),

@@ -3,9 +3,9 @@
 
 use std::ops::Range;
 
-use pinhole_core::{DVec2, DVec3};
+use pinhole_core::{DVec2, DVec3, PixelRays};
 
-use crate::view::overlay::screen::{PixelRays, unit};
+use crate::view::overlay::screen::unit;
 
 /// A plane with coordinates (a, b), as the observer sees it.
 ///

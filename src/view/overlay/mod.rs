@@ -55,7 +55,7 @@ use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
 use pixel_numbers::{NUMBER, half_extent, numbers};
-use screen::{CutLine, PixelRays, Screen, Spot, position_of, tangents, unit};
+use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{
     BOLD_POINT, DIMMED, FINE, LEGIBLE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR, VISIBLE,
 };

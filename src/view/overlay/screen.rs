@@ -196,17 +196,6 @@ impl Screen {
         let (width, height) = (self.size.x / self.scale, self.size.y / self.scale);
         ViewSize::new(width, height).arrow_points()
     }
-
-    /// Returns three vectors that give the direction of the observer's ray through a screen position `at`:
-    /// `at.x * across + at.y * down + corner`.
-    pub(crate) fn pixel_rays(&self) -> PixelRays {
-        let (basis, viewport) = (self.observer.basis(), self.observer.viewport());
-        let across = basis.u * (viewport.width / self.size.x);
-        let down = basis.v * (-viewport.height / self.size.y);
-        let corner = -0.5 * viewport.width * basis.u + 0.5 * viewport.height * basis.v
-            - viewport.distance * basis.w;
-        PixelRays { eye: self.observer.eye(), across, down, corner }
-    }
 }
 
 /// Returns the length in the world that covers `points` points on the screen at the point `at`; 0 if
@@ -227,15 +216,6 @@ pub(crate) struct CutLine {
     pub(crate) to: Spot,
     /// True if `to` is the line's own end, false if the line was clipped there.
     pub(crate) whole_to: bool,
-}
-
-/// The observer's rays; see [`Screen::pixel_rays`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PixelRays {
-    pub(crate) eye: DVec3,
-    pub(crate) across: DVec3,
-    pub(crate) down: DVec3,
-    pub(crate) corner: DVec3,
 }
 
 /// Returns `v / |v|`; `None` if `v` is zero or not finite. Neither overflows nor underflows for lengths

@@ -9,7 +9,7 @@ use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH};
 use crate::model::{Concept, Inspection, Item, OverlayItems};
 use crate::view::overlay::{
     BOLD_POINT, FINE, Head, LineStyle, MARK, MEDIUM, POINT, Sketch, SphereFigure, THICK, THIN,
-    VECTOR, circle, equals, mix, silhouette, unit,
+    VECTOR, equals, mix, silhouette, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a
@@ -352,25 +352,12 @@ pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
 }
 
 impl Sketch<'_> {
-    /// Draws the rim of a sphere that is cut away for a viewer, and what is left of three great circles on
-    /// it, which are orthogonal to x, y and z.
-    pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb, viewer: DVec3) {
+    /// Draws the rim of a sphere that is cut away for the observer.
+    pub(crate) fn cut_away(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
         let pen =
-            LineStyle::new(Item::Frustum, color, FINE).about(Concept::Object(index)).without_halo();
-        for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
-            let at = |p: DVec2| sphere.center + sphere.radius * (p.x * a + p.y * b);
-            let ring: Vec<DVec3> = circle(72).map(at).collect();
-            let is_left = |p: DVec3| {
-                let out = p - sphere.center;
-                out.dot(viewer - sphere.center) <= sphere.radius * sphere.radius
-            };
-            for ends in ring.windows(2).filter(|ends| is_left(ends[0].midpoint(ends[1]))) {
-                self.line(ends[0], ends[1], pen);
-            }
-        }
-        let rim = silhouette(sphere, viewer).unwrap_or_default();
-        let pen = LineStyle { width: THIN, ..pen };
+            LineStyle::new(Item::Frustum, color, THIN).about(Concept::Object(index)).without_halo();
+        let rim = silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
         rim.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
     }
 }

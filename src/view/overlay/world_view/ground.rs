@@ -4,14 +4,13 @@
 //! dragged.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Plane, Rgb, Scene, Sphere};
+use pinhole_core::{DVec2, DVec3, PixelRays, Plane, Rgb};
 
-use super::ASKED_SPHERES;
 use crate::model::Item;
 use crate::model::observer::{Bound, Surroundings};
 use crate::view::overlay::{
-    ColoredScene, FINE, Flat, Grid, LineStyle, PixelRays, PlanePatch, Sketch, THIN, WorldView,
-    corners, mix, tangents, unit,
+    ColoredScene, FINE, Flat, Grid, LineStyle, PlanePatch, Sketch, THIN, WorldView, corners, mix,
+    tangents, unit,
 };
 
 /// Maximum extent of a pane on each side of the scene's middle, as a multiple of the sum of two lengths: the
@@ -85,7 +84,6 @@ impl Pane {
             grid_color,
             opacity: OPACITY,
             grid: Grid::new(self.step / size, DVec2::splat(-0.5), line_width),
-            cut: Vec::new(),
         })
     }
 }
@@ -137,7 +135,6 @@ impl WorldView {
     pub(crate) fn ground_layers(
         &self,
         ground: &Ground<'_>,
-        scene: &Scene,
         rays: &PixelRays,
     ) -> (Vec<PlanePatch>, Option<PlanePatch>) {
         let colors = self.style.colors();
@@ -148,12 +145,7 @@ impl WorldView {
             let grid = mix(color, colors.ink, 0.1);
             let patch = pane.patch(rays, [mix(color, colors.background, 0.6), grid], self.scale)?;
             let opacity = if between { OPACITY_BETWEEN } else { OPACITY };
-            let is_cut = |(_, sphere): &(u32, &Sphere)| {
-                (pane.normal.dot(sphere.center) - pane.height).abs() < sphere.radius
-            };
-            let spheres = (0..).zip(scene.spheres()).take(ASKED_SPHERES);
-            let cut = spheres.filter(is_cut).map(|(index, _)| index).collect();
-            Some(PlanePatch { opacity, cut, ..patch })
+            Some(PlanePatch { opacity, ..patch })
         };
         let lines = [Color32::TRANSPARENT, colors.ink];
         let floor = ground.floor.filter(|_| ground.is_bare);

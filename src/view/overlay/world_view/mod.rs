@@ -150,7 +150,7 @@ fn viewport_layer<'a>(
     behind: Color32,
 ) -> Option<ViewportLayer<'a>> {
     let (basis, viewport) = (resolved.basis(), resolved.viewport());
-    let rays = Screen::new(observer, 1.0, 1.0).pixel_rays();
+    let rays = observer.pixel_rays();
     let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
     let flat = Flat::new(&rays, resolved.viewport_point(DVec2::ZERO), u, v)?;
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
@@ -195,12 +195,12 @@ impl WorldView {
             true => Color32::TRANSPARENT,
             false => self.style.colors().background,
         };
-        let rays = self.screen().pixel_rays();
+        let rays = self.frame.camera().pixel_rays();
         let around = self.enclosing.iter().filter_map(|index| {
             let sphere = *scene.scene.spheres().get(*index as usize)?;
             Some(Bowl { sphere, color: scene.color_of(*index), rays })
         });
-        let (patches, floor) = self.ground_layers(&self.ground(scene), scene.scene, &rays);
+        let (patches, floor) = self.ground_layers(&self.ground(scene), &rays);
         Backdrop { background, patches, floor, bowls: around.collect() }
     }
 
@@ -239,7 +239,7 @@ impl WorldView {
         sketch.ground(scene);
         for index in &*self.enclosing {
             if let Some(sphere) = scene.scene.spheres().get(*index as usize) {
-                sketch.cut_away(*index, sphere, scene.color_of(*index), screen.pixel_rays().eye);
+                sketch.cut_away(*index, sphere, scene.color_of(*index));
             }
         }
         if let Some(ghost) = &self.ghost {

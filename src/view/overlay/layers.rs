@@ -2,15 +2,15 @@
 //! that stand for planes, the floor's grid, and the viewport with the camera's picture on it. Nearer layers
 //! cover farther ones. Whether a sphere covers a layer is decided by comparing t.
 
-mod cuts;
-
 use std::ops::Range;
 
 use egui::Color32;
-use pinhole_core::{DVec2, EdgeBlend, Frame, ImageSize, NO_OBJECT, Rgb, Sphere, lambert};
+use pinhole_core::{
+    DVec2, EdgeBlend, Frame, ImageSize, NO_OBJECT, PixelRays, Rgb, Sphere, lambert,
+};
 use rayon::prelude::*;
 
-use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, PixelRays, StretchedPicture};
+use crate::view::overlay::{Flat, FlatRow, FlatSpot, Grid, StretchedPicture};
 
 /// The layers between the observer's traced picture and the camera: the spheres around the camera, which
 /// are cut away, the panes that stand for planes, and the floor. They seldom change while only the camera
@@ -26,7 +26,7 @@ pub struct Backdrop {
 
 impl Backdrop {
     /// Paints the layers over the observer's traced and shaded picture, and smooths the borders of its
-    /// objects, and those where panes cut into them.
+    /// objects.
     pub fn paint(&self, frame: &Frame<f32>, edges: &[EdgeBlend], dots: &mut [Color32]) {
         let layers = Layers::new(frame, self);
         let bands = dots.par_chunks_mut(BAND * layers.width.max(1)).enumerate();
@@ -35,7 +35,6 @@ impl Backdrop {
         });
         if layers.is_traced() && dots.len() == frame.t.len() {
             smooth(edges.iter(), dots);
-            smooth(layers.cuts().iter(), dots);
         }
     }
 }
@@ -108,8 +107,6 @@ pub(crate) struct PlanePatch {
     /// Opacity, 0 to 1.
     pub(crate) opacity: f32,
     pub(crate) grid: Grid,
-    /// Indices of the spheres that the plane cuts, in ascending order.
-    pub(crate) cut: Vec<u32>,
 }
 
 /// Relative margin by which an object must be nearer than a point to hide it. Without it, a surface would
