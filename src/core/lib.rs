@@ -230,7 +230,7 @@ pub use exact::double_double::DoubleDouble;
 pub use exact::scale::{shortest, triple};
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
-pub use render::edges::{EdgeBlend, edge_blends};
+pub use render::edges::{EdgeBlend, Ellipse, edge_blends};
 pub use render::frame::{Counts, Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::shade_rows::HitShader;

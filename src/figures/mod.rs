@@ -8,12 +8,14 @@
 //!
 //! - this file: a figure and its formats;
 //! - `order`: the request for a figure, and how the figure is made from it;
+//! - `spheres`: curved edges of spheres;
 //! - `animation`: GIF files with one figure per frame;
 //! - `vector`: SVG and PDF, only with the feature `figures`.
 
 use egui::{Color32, ColorImage, Context, Painter, Vec2};
 use pinhole_exchange::images::png;
 
+use crate::figures::spheres::SphereEdges;
 use crate::view::headless::UiPass;
 use crate::view::overlay::{Path, paint_paths};
 use crate::view::typesetting::theme;
@@ -23,6 +25,7 @@ pub use crate::figures::order::{Content, FigureSubject, MARGIN, Order, derivatio
 
 mod animation;
 mod order;
+mod spheres;
 #[cfg(feature = "figures")]
 mod vector;
 
@@ -50,7 +53,9 @@ pub struct Figure {
     /// The raster image below everything else, which fills the figure; `None` if there is none. It has the
     /// figure's size or, for a vector format, may be [finer](Order::refine).
     picture: Option<ColorImage>,
-    /// Paths drawn over the picture, in dots.
+    /// The spheres drawn over the picture.
+    spheres: SphereEdges,
+    /// Paths drawn over them, in dots.
     paths: Vec<Path>,
     /// Shapes and text drawn over the paths.
     drawn: UiPass,
@@ -64,7 +69,8 @@ impl Figure {
         let size = [size.x, size.y].map(|points| (points * scale).ceil() as usize);
         let drawn = UiPass::draw(&ctx, size, scale, |ui| draw(ui.painter()));
         let (title, ground) = (title.to_owned(), Some(Color32::WHITE));
-        Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
+        let (spheres, paths) = (SphereEdges::default(), Vec::new());
+        Figure { title, size, ground, picture: None, spheres, paths, drawn }
     }
 
     /// Paints the figure exactly as the window would. Returns the pixels, row by row from the top, with

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage, Context, Pos2, Rect, Theme, vec2};
 use pinhole_exchange::document::Document;
 
-use super::{Figure, FigureFormat};
+use super::{Figure, FigureFormat, SphereEdges};
 use crate::model::{Fault, Session, ViewLayout};
 use crate::view::derivation::{Derivation, DerivedSection, Markup};
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
@@ -169,7 +169,11 @@ impl Order {
         let finer = FINE.min(LARGEST / longer).max(1.0);
         let size = self.size.map(|dots| (dots as f32 * finer).round() as u32);
         let fine = Order { size, scale: self.scale * finer, ..*self };
-        figure.picture = fine.view(document, session).map_err(|fault| fault.to_string())?.picture;
+        let fine = fine.view(document, session).map_err(|fault| fault.to_string())?;
+        (figure.picture, figure.spheres) = (fine.picture, fine.spheres);
+        if let Some(picture) = &mut figure.picture {
+            figure.spheres.cut_out_of(picture, self.size);
+        }
         Ok(())
     }
 
@@ -194,6 +198,7 @@ impl Order {
             scale,
             marks: shown.marks.to_vec(),
             labels: shown.labels.to_vec(),
+            ..Drawing::default()
         });
         let ctx = Context::default();
         theme::install_base(&ctx);
@@ -204,7 +209,9 @@ impl Order {
         });
         let has_dots =
             |image: &ColorImage| image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT);
+        let outlines = shown.as_ref().map_or_else(Vec::new, |shown| shown.spheres.to_vec());
         Ok(Figure {
+            spheres: SphereEdges { outlines, ..SphereEdges::default() },
             picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
             paths: drawing.paths().collect(),
             ..self.with_background(self.dots(), style.colors().background, drawn)
@@ -247,7 +254,8 @@ impl Order {
     fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
         let title = self.subject.title().to_owned();
         let ground = (!self.transparent).then_some(background);
-        Figure { title, size, ground, picture: None, paths: Vec::new(), drawn }
+        let (spheres, paths) = (SphereEdges::default(), Vec::new());
+        Figure { title, size, ground, picture: None, spheres, paths, drawn }
     }
 }
 

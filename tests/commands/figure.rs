@@ -102,6 +102,62 @@ fn a_printed_world_view_has_300_pixels_an_inch() {
     assert_eq!(size("--view camera --width 1200"), (800, 800));
 }
 
+/// The numbers of the ellipses in an SVG: centre, semi-axes, and the angle of the first one.
+fn ellipses(svg: &str) -> Vec<[f64; 5]> {
+    let of = |element: &str| {
+        let number = |name: &str| {
+            let (_, rest) = element.split_once(name).unwrap();
+            rest.split(['"', ' ']).next().unwrap().parse::<f64>().unwrap()
+        };
+        ["cx=\"", "cy=\"", "rx=\"", "ry=\"", "rotate("].map(number)
+    };
+    svg.split("<ellipse ").skip(1).map(of).collect()
+}
+
+#[test]
+fn the_edge_of_a_ball_is_the_curve_at_which_its_pixels_end() {
+    let folder = tempfile::tempdir().unwrap();
+    // This scene has balls alone, so that no line crosses their edges.
+    figure(folder.path(), "tiny-far --view world -o out.svg --width 480").done();
+    let svg = fs::read_to_string(folder.path().join("out.svg")).unwrap();
+    let found = ellipses(&svg);
+    assert!(!found.is_empty(), "balls that nothing covers");
+    assert!(svg.contains("<clipPath id=\"spheres\">") && svg.contains("url(#spheres)"));
+    run_in(
+        folder.path(),
+        &[
+            "render", "tiny-far", "--view", "world", "--width", "1920", "--height", "1080", "-o",
+            "4.png",
+        ],
+    )
+    .done();
+    let (width, height, pixels, _) = decode(&folder.path().join("4.png"));
+    assert_eq!((width, height), (1920, 1080));
+    let is_colourful = |[r, g, b, _]: [u8; 4]| r.max(g).max(b) - r.min(g).min(b) > 40;
+    for [x, y, a, b, angle] in found {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let (mut inside, mut outside) = (0, 0);
+        for row in 0..height {
+            for column in 0..width {
+                let (dx, dy) =
+                    ((f64::from(column) + 0.5) / 4.0 - x, (f64::from(row) + 0.5) / 4.0 - y);
+                let share = ((dx * cos + dy * sin) / a).hypot((dy * cos - dx * sin) / b);
+                // In pixels of the finer picture, whose edges are smooth.
+                let distance = 4.0 * a.min(b) * (share - 1.0);
+                let colourful = is_colourful(pixels[(row * width + column) as usize]);
+                if (-3.0..-1.0).contains(&distance) {
+                    inside += 1;
+                    assert!(colourful, "row {row}, column {column}");
+                } else if (1.0..3.0).contains(&distance) {
+                    outside += 1;
+                    assert!(!colourful, "row {row}, column {column}");
+                }
+            }
+        }
+        assert!(inside > 100 && outside > 100);
+    }
+}
+
 #[test]
 fn strokes_are_strokes_and_text_is_text() {
     let folder = tempfile::tempdir().unwrap();
@@ -118,7 +174,7 @@ fn strokes_are_strokes_and_text_is_text() {
         let ink = format!("stroke=\"#{r:02x}{g:02x}{b:02x}\"");
         assert!(svg.lines().any(|line| line.starts_with(stroke) && line.contains(&ink)), "{ink}");
     }
-    assert_eq!(svg.matches("<image ").count(), 1);
+    assert_eq!(svg.matches("<image").count(), 2, "the ground, and the balls");
     assert!(svg.contains("@font-face{font-family:\"Noto Sans\";font-weight:bold;"));
     figure(folder.path(), "look-at --view world -o plain.svg --width 900").done();
     let plain = fs::read_to_string(folder.path().join("plain.svg")).unwrap();

@@ -5,12 +5,13 @@
 //! the discriminant divided by its gradient is the distance to it. So the covered fraction of a pixel needs
 //! no further rays, and only pixels with a neighbour that shows another object are examined.
 
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DMat2, DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::camera::resolved::PixelRays;
+use crate::camera::resolved::{PixelRays, ResolvedCamera};
 use crate::render::frame::{Frame, NO_OBJECT};
 use crate::scene::Scene;
 use crate::scene::sphere::Sphere;
@@ -95,6 +96,75 @@ impl Ball {
             2.0 * (along * step.dot(self.to_center) - direction.dot(step) * self.tangent)
         };
         covered(self.discriminant(direction), [slope(rays.across), slope(rays.down)])
+    }
+}
+
+/// The outline of a sphere in a camera's picture. Positions are in pixels from the picture's top left corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipse {
+    /// The centre, which is not the projection of the sphere's centre.
+    pub center: DVec2,
+    /// The semi-axes, which are orthogonal to each other.
+    pub axes: [DVec2; 2],
+}
+
+impl Ellipse {
+    /// Returns the outline of a sphere; `None` unless all of the sphere is in front of the eye, where the
+    /// outline is an ellipse.
+    ///
+    /// Inside it, the discriminant of the sphere's quadratic is positive: a quadratic form M of (x, y, 1).
+    pub fn outline_of(camera: &ResolvedCamera, sphere: &Sphere) -> Option<Ellipse> {
+        let (rays, ball) = (camera.pixel_rays(), Ball::new(camera.eye(), sphere));
+        if ball.is_inside() || -ball.to_center.dot(camera.basis().w) <= 1.0 {
+            return None;
+        }
+        let m = |a: DVec3, b: DVec3| {
+            a.dot(ball.to_center) * b.dot(ball.to_center) - ball.tangent * a.dot(b)
+        };
+        let PixelRays { across, down, corner, .. } = rays;
+        let slopes = DVec2::new(m(across, corner), m(down, corner));
+        let [xx, xy, yy] = [m(across, across), m(across, down), m(down, down)];
+        let form = DMat2::from_cols(DVec2::new(xx, xy), DVec2::new(xy, yy));
+        let center = -(form.inverse() * slopes);
+        let most = m(corner, corner) + slopes.dot(center);
+        // The eigenvalues of M, and the angle of the first one's eigenvector.
+        let (middle, apart) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        let angle = 0.5 * (2.0 * xy).atan2(xx - yy);
+        let axis = |value: f64, angle: f64| (-most / value).sqrt() * DVec2::from_angle(angle);
+        let axes = [axis(middle + apart, angle), axis(middle - apart, angle + FRAC_PI_2)];
+        let ellipse = Ellipse { center, axes };
+        (center.is_finite() && axes.iter().all(|axis| axis.is_finite())).then_some(ellipse)
+    }
+
+    /// Returns the indices and centres of the pixels of a picture of this size that are at most `margin`
+    /// pixels outside the rectangle around the outline.
+    pub fn pixels(
+        &self,
+        [width, height]: [usize; 2],
+        margin: f64,
+    ) -> impl Iterator<Item = (usize, DVec2)> + use<> {
+        let [a, b] = self.axes.map(|axis| axis * axis);
+        let half = DVec2::new((a.x + b.x).sqrt(), (a.y + b.y).sqrt()) + margin;
+        let (least, most) = (self.center - half, (self.center + half).ceil());
+        let columns = (least.x as usize)..(most.x as usize).min(width);
+        let rows = (least.y as usize)..(most.y as usize).min(height);
+        let center = |k: usize| k as f64 + 0.5;
+        rows.flat_map(move |row| {
+            let pixel =
+                move |column| (row * width + column, DVec2::new(center(column), center(row)));
+            columns.clone().map(pixel)
+        })
+    }
+
+    /// Returns, near the outline, the distance of a point from it, negative inside, and the direction
+    /// outwards.
+    pub fn distance(&self, at: DVec2) -> (f64, DVec2) {
+        let from_center = at - self.center;
+        let scaled = self.axes.map(|axis| axis / axis.length_squared());
+        let along = scaled.map(|axis| axis.dot(from_center));
+        let reach = along[0].hypot(along[1]);
+        let slope = (along[0] * scaled[0] + along[1] * scaled[1]) / reach;
+        ((reach - 1.0) / slope.length(), slope.normalize_or_zero())
     }
 }
 
@@ -300,6 +370,35 @@ mod tests {
             assert!(before[0] > 0.1, "{spheres:?}: {before:?}");
             assert!(after[0] < 0.05 * before[0], "{spheres:?}: {before:?} {after:?}");
             assert!(after[1] < 0.5 * before[1], "{spheres:?}: {before:?} {after:?}");
+        }
+    }
+
+    #[test]
+    fn an_outline_is_where_the_pixels_of_a_finer_picture_end() {
+        let (size, times) = (4 * SIZE as usize, 4.0);
+        for (center, radius) in [([0.3, 0.2, -5.0], 1.1), ([1.3, 1.4, -4.6], 0.5)] {
+            let ball = Sphere::new(center, radius).expect("a sphere");
+            let scene = Scene::new(vec![ball], vec![]).expect("a scene");
+            let outline = Ellipse::outline_of(traced(&scene, SIZE).camera(), &ball);
+            let outline = outline.expect("a ball ahead");
+            let [a, b] = outline.axes.map(|axis| times * axis);
+            let outline = Ellipse { center: times * outline.center, axes: [a, b] };
+            assert!(a.dot(b).abs() < 1e-9 * a.length_squared());
+            let fine = traced(&scene, 4 * SIZE);
+            let mut count = 0;
+            for (pixel, at) in outline.pixels([size, size], 3.0) {
+                let (distance, _) = outline.distance(at);
+                count += usize::from(fine.object[pixel] == 0);
+                let is_told = (fine.object[pixel] == 0) == (distance < 0.0);
+                assert!(is_told || distance.abs() < 1e-6, "{at} {distance}");
+            }
+            let all = fine.object.iter().filter(|object| **object == 0).count();
+            assert_eq!(count, all, "none is outside the rectangle around it");
+        }
+        let camera = Camera::CANONICAL.resolve().expect("a camera");
+        for center in [[0.0, 0.0, 0.5], [0.0, 0.0, 4.0], [3.0, 0.0, -0.5]] {
+            let ball = Sphere::new(center, 1.0).expect("a sphere");
+            assert_eq!(Ellipse::outline_of(&camera, &ball), None, "{center:?}");
         }
     }
 

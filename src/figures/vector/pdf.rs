@@ -19,12 +19,13 @@ use krilla::page::PageSettings;
 use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
+use pinhole_core::Ellipse;
 use tiny_skia::PathSegment;
 
 use super::FontName;
 use super::{CasedText, LetterRun};
 use super::{Primitive, compacted, primitives};
-use crate::figures::Figure;
+use crate::figures::{Figure, SphereEdges};
 use crate::view::overlay::{Ink, Path, PathOutline};
 
 /// Number of PDF points per dot of the figure. An inch has 72 points and, as in CSS, 96 dots.
@@ -48,9 +49,15 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
         writer.path(&Path { outline, color, ink: Ink::Fill });
     }
     if let Some(picture) = &figure.picture {
-        let ColorImage { size: [columns, rows], pixels, .. } = compacted(picture);
-        let bytes = pixels.iter().flat_map(Color32::to_srgba_unmultiplied).collect();
-        writer.surface.draw_image(Image::from_rgba8(bytes, columns as u32, rows as u32), size);
+        writer.surface.draw_image(image(&compacted(picture)), size);
+    }
+    if let SphereEdges { outlines, picture: Some(picture) } = &figure.spheres {
+        let image = image(picture);
+        for outline in outlines.iter().filter_map(ellipse) {
+            writer.surface.push_clip_path(&outline, &FillRule::NonZero);
+            writer.surface.draw_image(image.clone(), size);
+            writer.surface.pop();
+        }
     }
     for primitive in primitives(figure) {
         match primitive {
@@ -71,7 +78,7 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     fn path(&mut self, Path { outline, color, ink }: &Path) {
-        let Some(outline) = built(outline) else { return };
+        let Some(outline) = outline.to_path().as_ref().and_then(built) else { return };
         let (fill, stroke) = match *ink {
             Ink::Fill => (Some(fill(*color)), None),
             Ink::Stroke { width, round, dash } => {
@@ -135,9 +142,20 @@ fn stroke(color: Color32, width: f32) -> Stroke {
     Stroke { paint: color.into(), opacity, width, line_join: LineJoin::Round, ..Stroke::default() }
 }
 
-fn built(outline: &PathOutline) -> Option<krilla::geom::Path> {
+fn image(ColorImage { size: [columns, rows], pixels, .. }: &ColorImage) -> Image {
+    let bytes = pixels.iter().flat_map(Color32::to_srgba_unmultiplied).collect();
+    Image::from_rgba8(bytes, *columns as u32, *rows as u32)
+}
+
+fn ellipse(Ellipse { center, axes: [a, b] }: &Ellipse) -> Option<krilla::geom::Path> {
+    let [[ax, ay], [bx, by], [x, y]] = [a, b, center].map(|at| at.as_vec2().to_array());
+    let placed = tiny_skia::Transform::from_row(ax, ay, bx, by, x, y);
+    built(&tiny_skia::PathBuilder::from_circle(0.0, 0.0, 1.0)?.transform(placed)?)
+}
+
+fn built(outline: &tiny_skia::Path) -> Option<krilla::geom::Path> {
     let mut path = PathBuilder::new();
-    for segment in outline.to_path()?.segments() {
+    for segment in outline.segments() {
         match segment {
             PathSegment::MoveTo(to) => path.move_to(to.x, to.y),
             PathSegment::LineTo(to) => path.line_to(to.x, to.y),

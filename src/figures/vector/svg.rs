@@ -6,13 +6,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::{Color32, ColorImage};
+use pinhole_core::Ellipse;
 use pinhole_exchange::images;
 use pinhole_exchange::is_hidden;
 
 use super::{CasedText, LetterRun};
 use super::{FontName, SANS};
 use super::{Primitive, compacted, primitives};
-use crate::figures::{Figure, to_png};
+use crate::figures::{Figure, SphereEdges, to_png};
 use crate::view::overlay::{Ink, Path, PathOutline};
 
 /// Writes the whole file.
@@ -30,7 +31,12 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
         out += &format!("<rect width=\"{width}\" height=\"{height}\"{fill}/>\n");
     }
     if let Some(picture) = &figure.picture {
-        out += &image(&compacted(picture), figure.size)?;
+        out += &image(&compacted(picture), figure.size, "")?;
+    }
+    if let SphereEdges { outlines, picture: Some(picture) } = &figure.spheres {
+        let outlines: String = outlines.iter().map(ellipse).collect();
+        out += &format!("<clipPath id=\"spheres\">{outlines}</clipPath>\n");
+        out += &image(picture, figure.size, " clip-path=\"url(#spheres)\"")?;
     }
     for (k, primitive) in primitives.iter().enumerate() {
         out += &match primitive {
@@ -63,15 +69,23 @@ fn style(primitives: &[Primitive]) -> Result<String, String> {
 }
 
 /// Writes an `image` element with the picture as PNG, and the request to display its pixels without
-/// smoothing.
-fn image(picture: &ColorImage, [width, height]: [usize; 2]) -> Result<String, String> {
+/// smoothing. `clip` is an attribute that clips it.
+fn image(picture: &ColorImage, [width, height]: [usize; 2], clip: &str) -> Result<String, String> {
     let transparent = picture.pixels.iter().any(|pixel| pixel.a() < 255);
     let bytes = STANDARD.encode(to_png(picture.size, &picture.pixels, transparent)?);
     Ok(format!(
-        "<image width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
+        "<image{clip} width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\" \
          image-rendering=\"optimizeSpeed\" style=\"image-rendering:pixelated\" \
          xlink:href=\"data:image/png;base64,{bytes}\"/>\n"
     ))
+}
+
+fn ellipse(Ellipse { center, axes: [a, b] }: &Ellipse) -> String {
+    let [x, y, rx, ry] = [center.x, center.y, a.length(), b.length()].map(|x| short(x as f32));
+    let angle = a.y.atan2(a.x).to_degrees();
+    format!(
+        "<ellipse cx=\"{x}\" cy=\"{y}\" rx=\"{rx}\" ry=\"{ry}\" transform=\"rotate({angle:.3} {x} {y})\"/>"
+    )
 }
 
 fn element(Path { outline, color, ink }: &Path) -> String {

@@ -92,6 +92,7 @@ impl SpareImages {
                 image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
                 labels: Arc::new(drawing.labels),
                 marks: Arc::new(drawing.marks),
+                spheres: Arc::new(drawing.spheres),
             };
             if self.0.len() == MOST {
                 self.0.remove(0);

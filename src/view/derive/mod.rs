@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
-use pinhole_core::{Counts, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
+use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
@@ -264,4 +264,6 @@ pub struct Shown {
     /// The marks, which are painted into the image or, for a figure, drawn separately. Those with a concept
     /// react to the pointer.
     pub marks: Arc<Vec<Mark>>,
+    /// See [`Drawing::spheres`](crate::view::overlay::Drawing).
+    pub spheres: Arc<Vec<Ellipse>>,
 }

@@ -3,7 +3,7 @@
 //! strokes, for painting pixels as well as for writing files.
 
 use egui::Color32;
-use pinhole_core::DVec2;
+use pinhole_core::{DVec2, Ellipse};
 use pinhole_lecture::numbers::equated;
 use tiny_skia::PathBuilder;
 
@@ -82,6 +82,8 @@ pub struct Drawing {
     pub marks: Vec<Mark>,
     /// The labels. They do not overlap.
     pub labels: Vec<Label>,
+    /// In the world view of a figure, the outlines of the spheres that nothing covers or cuts.
+    pub spheres: Vec<Ellipse>,
 }
 
 /// Returns the concept of the mark nearest to a position, or `None` if no such mark lies within the

@@ -188,22 +188,17 @@ impl<'a> Layers<'a> {
     /// Returns true if something hides from the observer the point at `t` on the ray through a screen
     /// position. If `on_viewport` is true, the point lies on the viewport, which then does not hide it.
     pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
-        let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
-        if covers(self.traced_t(dot)) {
-            return true;
-        }
-        let picture = self.viewport.as_ref().filter(|v| !on_viewport && v.picture.is_some());
-        if picture.and_then(|layer| layer.spot(dot)).is_some_and(|spot| covers(spot.t)) {
-            return true;
-        }
-        self.is_behind_pane(dot, covers)
+        self.traced_t(dot) * (1.0 + TOLERANCE) < t || self.is_behind_layer(dot, t, on_viewport)
     }
 
-    /// Returns true if a pane is opaque enough to hide what is behind it, and its t at a screen position
-    /// `covers` it.
-    fn is_behind_pane(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
+    /// Returns true if the camera's picture, or a pane that is opaque enough, hides the point at `t` on the ray
+    /// through a screen position. See [`Layers::hides`].
+    pub(crate) fn is_behind_layer(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
+        let covers = |spot: FlatSpot| spot.t * (1.0 + TOLERANCE) < t;
+        let picture = self.viewport.as_ref().filter(|v| !on_viewport && v.picture.is_some());
         let mut panes = self.backdrop.patches.iter().filter(|patch| patch.opacity > SEEN_THROUGH);
-        panes.any(|patch| patch.flat.at(dot, HALF).is_some_and(|spot| covers(spot.t)))
+        picture.and_then(|layer| layer.spot(dot)).is_some_and(covers)
+            || panes.any(|patch| patch.flat.at(dot, HALF).is_some_and(covers))
     }
 
     /// Paints all layers over the `traced` picture in the pixels that the viewport covers, in a band of rows
@@ -339,19 +334,15 @@ impl<'a> Layers<'a> {
         traced: &[f32],
         dots: &mut [Color32],
     ) {
-        let picture = self.viewport.as_ref().filter(|viewport| viewport.picture.is_some());
         for (column, (t, [.., line])) in floor.span.clone().zip(floor.spots(floor.span.clone())) {
             if line == 0.0 || !is_nearer(t, traced[column]) {
                 continue;
             }
             let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-            let covers = |nearer: f64| nearer < f64::from(t);
-            let is_behind_picture =
-                picture.and_then(|layer| layer.spot(at)).is_some_and(|spot| covers(spot.t));
-            if is_behind_picture || self.is_behind_pane(at, covers) {
-                continue;
+            // Where a pane meets the floor, the pane has precedence.
+            if !self.is_behind_layer(at, f64::from(t) * (1.0 + TOLERANCE), false) {
+                dots[column] = mix(dots[column], patch.grid_color, line * patch.opacity);
             }
-            dots[column] = mix(dots[column], patch.grid_color, line * patch.opacity);
         }
     }
 

@@ -9,6 +9,7 @@ pub(super) mod highlighted;
 pub(super) mod labels;
 pub(super) mod sketch;
 pub(super) mod sphere_figure;
+mod uncovered;
 pub(super) mod whiteboard;
 
 use std::sync::Arc;
@@ -101,8 +102,11 @@ pub fn world(
     dots: &mut [Color32],
 ) -> Drawing {
     let layers = view.layers(backdrop);
-    let drawing = view.sketch(scene, &layers);
+    let mut drawing = view.sketch(scene, &layers);
     let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
+    if view.without_marks {
+        drawing.spheres = view.uncovered(scene.scene, &layers);
+    }
     view.paint(&layers, &marks, below, dots);
     drawing
 }
