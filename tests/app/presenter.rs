@@ -178,18 +178,18 @@ fn keys_of_presenting_are_typed_into_fields_and_the_next_run_does_not_present() 
 
 #[test]
 fn the_spotlight_is_a_ring_in_reduced_motion() {
-    let meshes = |harness: &Harness<'_, App>| {
-        let is_mesh =
-            |shape: &Shape| matches!(shape, Shape::Mesh(mesh) if mesh.vertices.len() > 100);
-        harness.output().shapes.iter().filter(|clipped| is_mesh(&clipped.shape)).count()
+    let dark = |harness: &Harness<'_, App>| {
+        let is_dark =
+            |shape: &Shape| matches!(shape, Shape::Circle(circle) if circle.stroke.width > 500.0);
+        harness.output().shapes.iter().filter(|clipped| is_dark(&clipped.shape)).count()
     };
     let mut harness = window("canonical");
     press(&mut harness, Key::F5);
     harness.hover_at(pos2(300.0, 200.0));
     harness.run();
-    assert_eq!(meshes(&harness), 0);
+    assert_eq!(dark(&harness), 0);
     press(&mut harness, Key::S);
-    assert_eq!(meshes(&harness), 1);
+    assert_eq!(dark(&harness), 1);
     let settings = Settings { reduced_motion: true, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut harness = window_with("canonical", remembered, None);
@@ -203,7 +203,7 @@ fn the_spotlight_is_a_ring_in_reduced_motion() {
     };
     let before = circles(&harness);
     press(&mut harness, Key::S);
-    assert_eq!(meshes(&harness), 0);
+    assert_eq!(dark(&harness), 0);
     assert_eq!(circles(&harness), before + 2);
 }
 

@@ -9,8 +9,6 @@ pub struct Presenting {
     /// The layout that fills the window because the presenter chose it by a key, and the layout that it
     /// replaced.
     pub replaced: Option<(ViewLayout, ViewLayout)>,
-    /// True if the spotlight was on when presenter mode began.
-    pub spotlight_before: bool,
     /// The window's theme meanwhile.
     pub theme: ThemeName,
     /// True while the screen is black.
@@ -19,8 +17,8 @@ pub struct Presenting {
 
 impl Presenting {
     /// Begins presenting. The theme is light, since a dark ground is hard to see in a bright hall.
-    pub fn begin(spotlight_before: bool) -> Presenting {
-        Presenting { spotlight_before, theme: ThemeName::Light, ..Presenting::default() }
+    pub fn begin() -> Presenting {
+        Presenting { theme: ThemeName::Light, ..Presenting::default() }
     }
 
     /// Fills the window with the views of the layout `full`. For the camera view, which swaps places with the

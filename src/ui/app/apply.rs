@@ -370,7 +370,7 @@ fn change_look(session: &mut Session, action: LookAction) {
         }
         LookAction::Present => present_or_end(session),
         LookAction::Fill(full) => {
-            let presenting = session.presenting.get_or_insert(Presenting::begin(session.spotlight));
+            let presenting = session.presenting.get_or_insert(Presenting::begin());
             presenting.fill(full, &mut settings.layout);
         }
     }
@@ -391,15 +391,14 @@ fn zoom_by(session: &mut Session, by: i32) {
 fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
         None => {
-            session.presenting = Some(Presenting::begin(session.spotlight));
+            session.presenting = Some(Presenting::begin());
             // The derivation answers the open question, so it is revealed line by line.
             let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
             session.revealed_lines = (session.is_asking && derives).then_some(0);
         }
         Some(presenting) => {
             session.settings.layout = presenting.before(session.settings.layout);
-            session.spotlight = presenting.spotlight_before;
-            session.pen = None;
+            (session.spotlight, session.pen) = (false, None);
             session.revealed_lines = None;
         }
     }

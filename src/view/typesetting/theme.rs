@@ -8,8 +8,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, LayerId, Mesh, Order,
-    Pos2, Rect, Shape, Stroke, StrokeKind, TextStyle, Theme, Ui, Vec2, Visuals,
+    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, LayerId, Order, Stroke,
+    StrokeKind, TextStyle, Theme, Ui, Visuals,
 };
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
@@ -168,8 +168,6 @@ pub(crate) fn focus_ring(ui: &Ui) {
 
 /// Radius of the spotlight, as a fraction of the window's height.
 const BRIGHT: f32 = 0.17;
-/// Number of corners of the polygon that approximates the spotlight's circle.
-const CORNERS: usize = 72;
 
 /// Dims everything except a circle around the pointer. With reduced motion, draws a large ring around
 /// the pointer instead.
@@ -184,30 +182,11 @@ pub(crate) fn spotlight(ctx: &Context) {
         painter.circle_stroke(at, 0.6 * radius, Stroke::new(1.8 * width, Color32::BLACK));
         painter.circle_stroke(at, 0.6 * radius, Stroke::new(width, Color32::YELLOW));
     } else {
-        painter.add(Shape::mesh(hole(window, at, radius)));
+        // A stroke that extends beyond the window.
+        let width = window.size().length() + window.distance_to_pos(at);
+        let stroke = Stroke::new(width, Color32::from_black_alpha(170));
+        painter.circle_stroke(at, radius + 0.5 * width, stroke);
     }
-}
-
-/// Returns the dark mesh of the spotlight: it covers the window except for a circle.
-fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
-    let dim = Color32::from_black_alpha(170);
-    let far = window.size().length() + window.distance_to_pos(at) + radius;
-    let mut mesh = Mesh::default();
-    for corner in 0..=CORNERS {
-        let direction = Vec2::angled(corner as f32 / CORNERS as f32 * std::f32::consts::TAU);
-        // The edge of the circle is soft, and the dark area extends beyond the window.
-        mesh.colored_vertex(at + radius * direction, Color32::TRANSPARENT);
-        mesh.colored_vertex(at + 1.06 * radius * direction, dim);
-        mesh.colored_vertex(at + far * direction, dim);
-        if corner > 0 {
-            let k = 3 * corner as u32;
-            for [a, b] in [[k - 3, k - 2], [k - 2, k - 1]] {
-                mesh.add_triangle(a, b, a + 3);
-                mesh.add_triangle(b, a + 3, b + 3);
-            }
-        }
-    }
-    mesh
 }
 
 /// Returns the colour of errors, legible on the theme's background.
