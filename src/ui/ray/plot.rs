@@ -2,17 +2,13 @@
 //! is below both views, and has a curve for each object on a common t axis, and a point that the user moves
 //! along the ray. On its right there is a text for each curve.
 
-use std::sync::Arc;
-
 use egui::accesskit::Role;
-use egui::text::{LayoutJob, TextFormat};
 use egui::{
-    Align2, Color32, Context, FontId, Galley, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea,
-    Sense, Slider, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Align2, Color32, Context, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider,
+    Stroke, Ui, Vec2, pos2, vec2,
 };
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
-use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, HoverSource, Hovered, Inspection, Session};
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
@@ -20,7 +16,7 @@ use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
-use crate::view::typesetting::notation::{self, formula, plain, unbroken};
+use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme;
 
 /// Size of the text, in points; it is legible from the back row of a classroom.
@@ -51,9 +47,6 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
     draw(ui, left, plot, first, ray_point_t);
     inside(ui, right, |ui| {
-        if theme::installed(ui.ctx()).presenting {
-            return brief(ui, plot, inspection, digits);
-        }
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.ray_point_t {
@@ -477,83 +470,4 @@ fn closely(chain: &[Pos2]) -> impl Iterator<Item = Pos2> {
         let count = (ends[0].distance(ends[1]) / 4.0).ceil().max(1.0) as usize;
         (0..=count).map(move |k| ends[0].lerp(ends[1], k as f32 / count as f32))
     })
-}
-
-/// Sizes of the text, in points, from the largest.
-const SIZES: [f32; 3] = [TEXT, 13.5, WRITTEN];
-/// Length of a curve's line sample, in points.
-const SAMPLE: f32 = 34.0;
-/// Distance between two paragraphs, in points.
-const GAP: f32 = 3.0;
-
-/// A paragraph of text about a curve, beginning with the curve's name, or about the point on the ray.
-struct Paragraph<'a> {
-    curve: Option<&'a Curve>,
-    text: String,
-}
-
-/// Shows the shorter text of presenter mode: a paragraph for each curve, at the largest size that fits.
-fn brief(ui: &mut Ui, plot: &Plot, inspection: &Inspection, digits: usize) {
-    let first = inspection.first_hit();
-    let walked = plot.ray_point_t.iter().map(|(t, values)| Paragraph {
-        curve: None,
-        text: format!("{}: {}", point(inspection, *t, digits), objects_at(plot, values)),
-    });
-    let curves = plot.curves.iter().map(|curve| {
-        let is_hit = first.is_some_and(|hit| hit.object == curve.named.object);
-        let hit = if is_hit { "the first hit; " } else { "" };
-        Paragraph { curve: Some(curve), text: format!(": {hit}{}", curve.description(digits)) }
-    });
-    let paragraphs: Vec<Paragraph> = walked.chain(curves).collect();
-    let fits = |size: &f32| {
-        let heights = paragraphs.iter().map(|one| one.laid_out(ui, *size).size().y + GAP);
-        heights.sum::<f32>() <= ui.available_height()
-    };
-    let size = SIZES.into_iter().find(fits).unwrap_or(WRITTEN);
-    ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = GAP;
-        paragraphs.iter().for_each(|one| one.ui(ui, size));
-    });
-}
-
-impl Paragraph<'_> {
-    fn name(&self) -> &str {
-        self.curve.map_or("", |curve| &curve.named.name)
-    }
-
-    fn indent(&self) -> f32 {
-        if self.curve.is_some() { SAMPLE + 8.0 } else { 0.0 }
-    }
-
-    fn laid_out(&self, ui: &Ui, size: f32) -> Arc<Galley> {
-        let (bold, strong) = (FontId::new(size, theme::bold()), ui.visuals().strong_text_color());
-        let mut job = LayoutJob::default();
-        job.append(self.name(), 0.0, TextFormat::simple(bold, strong));
-        let rest = formula(&unbroken(&self.text), size, ui.visuals().text_color());
-        for part in rest.sections {
-            let text = &rest.text[part.byte_range.start.0..part.byte_range.end.0];
-            job.append(text, part.leading_space, part.format);
-        }
-        job.wrap.max_width = ui.available_width() - self.indent();
-        ui.painter().layout_job(job)
-    }
-
-    fn ui(&self, ui: &mut Ui, size: f32) {
-        let galley = self.laid_out(ui, size);
-        let row = vec2(ui.available_width(), galley.size().y);
-        let (rect, _) = ui.allocate_exact_size(row, Sense::hover());
-        let spoken = format!("{}{}", self.name(), plain(&self.text));
-        let id = match self.curve {
-            Some(curve) => curve_text_id(curve.named.object),
-            None => Id::unique("position on the ray"),
-        };
-        let response = ui.interact(rect, id, Sense::hover());
-        response.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &spoken));
-        if let Some(curve) = self.curve {
-            let line = vec2(SAMPLE, 1.2 * size);
-            line_sample(ui, Rect::from_min_size(rect.min, line), curve);
-        }
-        let color = ui.visuals().text_color();
-        ui.painter().galley(rect.min + vec2(self.indent(), 0.0), galley, color);
-    }
 }
