@@ -10,11 +10,14 @@ use super::view_rects::strip_above;
 use super::views;
 use crate::model::{Ghost, Inspection, NumberStyle, Session};
 use crate::ui::action::GhostAction;
-use crate::ui::widgets::{ResponseExt as _, vector_color};
+use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
+
+/// Width of a character of a number, in points.
+const LETTER: f32 = 8.2;
 
 /// Maximum number of significant digits.
 const DIGITS: usize = 4;
@@ -69,22 +72,26 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
             ui.add_space(8.0);
             ui.strong(share_that_differs(against));
             ui.add_space(8.0);
-            turns(ui, against, style);
+            let by = &against.difference;
+            let roll = by.roll.map(|roll| format!(", rolled by {}", degrees(roll, style)));
+            let turn = degrees(by.turn, style);
+            ui.strong(format!("turned by {turn}{}", roll.unwrap_or_default()));
         }
     });
     let all = (against, ghost, &derived.resolved);
     let (Some(against), Some(ghost), Some(now)) = all else { return };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            vectors(ui, "turned", &turned(now, against, style), style);
-            ui.separator();
-            vectors(ui, "moved", &moved(&document.camera, ghost, against, style), style);
+            let moved = moved(&document.camera, ghost, against, style);
+            let vectors = [turned(now, against, style), moved].concat();
+            // As wide as the widest numbers, so that nothing moves sideways while they change.
+            let digits = style.digits as f32;
+            table(ui, "vectors", &vectors, 3.0 * (digits + 2.8));
             ui.separator();
             let here = derived.inspection.as_deref();
             let mut lines = numbers(document, ghost, against, style);
             lines.extend(hits(here, &against.inspection, document, style));
-            scalars(ui, &lines, style);
+            table(ui, "scalars", &lines, digits + 2.6);
         });
     });
 }
@@ -112,49 +119,19 @@ fn name_of(ui: &mut Ui, (name, ghost, now, between): &ComparedLine) {
     ui.label(RichText::new(*name).strong().color(color)).spoken(spoken);
 }
 
-fn heads<const N: usize>(ui: &mut Ui, heads: [&str; N]) {
-    heads.into_iter().for_each(|head| drop(ui.weak(head)));
-    ui.end_row();
-}
-
-/// Shows a text and pads it to a width in characters, so that nothing moves sideways while the numbers
-/// change.
-fn wide(ui: &mut Ui, characters: f32, text: RichText) {
-    ui.horizontal(|ui| {
-        let response = ui.label(text);
-        ui.add_space((8.2 * characters - response.rect.width()).max(0.0));
-    });
-}
-
-/// Shows a table of vectors. Each has two rows: the current camera's vector with its difference from the
-/// ghost's, and the ghost's vector.
-fn vectors(ui: &mut Ui, name: &str, lines: &[ComparedLine], style: NumberStyle) {
-    let characters = 3.0 * (style.digits as f32 + 2.8);
-    Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
-        heads(ui, ["", "now", "apart"]);
-        for line in lines {
-            let (name, ghost, now, between) = line;
-            name_of(ui, line);
-            wide(ui, characters, RichText::new(now));
-            wide(ui, 7.5, RichText::new(between).strong());
-            ui.end_row();
-            ui.weak(format!("{name}′"));
-            ui.weak(ghost);
-            ui.end_row();
+/// Shows quantities of both cameras, one per line. The values have columns of this many characters.
+fn table(ui: &mut Ui, name: &str, lines: &[ComparedLine], characters: f32) {
+    Grid::new(name).num_columns(4).spacing([10.0, 2.0]).min_col_width(0.0).show(ui, |ui| {
+        for head in ["", "ghost", "now", "difference"] {
+            ui.weak(head);
         }
-    });
-}
-
-/// Shows numbers of both cameras, side by side.
-fn scalars(ui: &mut Ui, lines: &[ComparedLine], style: NumberStyle) {
-    let characters = style.digits as f32 + 2.6;
-    Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
-        heads(ui, ["", "ghost", "now", "difference"]);
+        ui.end_row();
         for line in lines {
             let (_, ghost, now, between) = line;
             name_of(ui, line);
-            wide(ui, characters, RichText::new(ghost));
-            wide(ui, characters, RichText::new(now));
+            for value in [ghost, now] {
+                cell(ui, LETTER * characters, |ui| ui.label(value));
+            }
             ui.strong(between);
             ui.end_row();
         }
@@ -204,13 +181,6 @@ fn moved(
         ("at", at(then), at(now), by.at.map(way).unwrap_or_default()),
         ("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
     ]
-}
-
-/// Shows the angles by which the camera is turned and rolled relative to the ghost.
-fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
-    let by = &against.difference;
-    let roll = by.roll.map(|roll| format!(", rolled by {}", degrees(roll, style)));
-    ui.strong(format!("turned by {}{}", degrees(by.turn, style), roll.unwrap_or_default()));
 }
 
 /// Returns the lines of the viewport.
