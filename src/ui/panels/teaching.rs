@@ -6,15 +6,14 @@ use std::f32::consts::PI;
 
 use egui::epaint::PathStroke;
 use egui::{
-    Align2, CollapsingHeader, Color32, Context, FontId, Id, Label, Pos2, RichText, Sense, Shape,
-    Slider, Stroke, Ui, pos2, vec2,
+    Align2, CollapsingHeader, Context, FontId, Id, Label, Pos2, RichText, Sense, Shape, Slider,
+    Stroke, Ui, pos2, vec2,
 };
 use pinhole_core::{BasisError, Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
 use crate::model::session::Settings;
 use crate::ui::widgets::{NumberField, ResponseExt as _};
-use crate::view::typesetting::theme::error_color;
 
 /// Shows the experiments, folded unless the settings say otherwise.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
@@ -199,7 +198,8 @@ fn face(ui: &mut Ui, conditioning: f64) {
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
     let hub = pos2(rect.center().x, rect.bottom() - 6.0);
     let text = ui.visuals().strong_text_color();
-    arcs(ui, hub);
+    let arc = (0..=72).map(|k| at(hub, PI * k as f32 / 72.0, RADIUS)).collect();
+    ui.painter().add(Shape::line(arc, PathStroke::new(3.0, ui.visuals().weak_text_color())));
     for decade in 0..=DECADES as usize {
         let angle = angle_of(decade as f32);
         let (inner, outer) = (at(hub, angle, RADIUS - 5.0), at(hub, angle, RADIUS + 4.0));
@@ -212,26 +212,6 @@ fn face(ui: &mut Ui, conditioning: f64) {
     let tip = at(hub, angle_of(decade), RADIUS - 12.0);
     ui.painter().line_segment([hub, tip], Stroke::new(3.0, text));
     ui.painter().circle_filled(hub, 5.0, text);
-}
-
-/// Draws the dial's zones (calm, sensitive and very sensitive), which differ both in width and in colour.
-fn arcs(ui: &Ui, hub: Pos2) {
-    let quiet = ui.visuals().weak_text_color();
-    let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);
-    let zones = [
-        (0.0, SENSITIVE.log10() as f32, quiet, 3.0),
-        (SENSITIVE.log10() as f32, VERY_SENSITIVE.log10() as f32, amber, 5.0),
-        (VERY_SENSITIVE.log10() as f32, DECADES, error_color(ui), 8.0),
-    ];
-    for (from, to, color, width) in zones {
-        let steps = 1 + ((to - from) * 12.0) as usize;
-        let point = |k: usize| {
-            let share = k as f32 / steps as f32;
-            at(hub, angle_of(from + share * (to - from)), RADIUS)
-        };
-        let points = (0..=steps).map(point).collect();
-        ui.painter().add(Shape::line(points, PathStroke::new(width, color)));
-    }
 }
 
 /// Returns the angle on the dial, in radians, of the number with this decimal logarithm. The scale runs from
