@@ -15,7 +15,7 @@ use pinhole_exchange::document::Document;
 use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session};
 use crate::ui::action::{Action, request};
 use crate::ui::widgets::{NumberField, ResponseExt as _};
-use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, Markup, left_out};
+use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
 use crate::view::formula::GivenBox;
 use crate::view::typesetting::derivation::{
     BEFORE_SECTION, BETWEEN_LINES, Inks, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
@@ -289,8 +289,8 @@ impl DerivationPanel {
     }
 }
 
-/// Shows the derivation's title, the choice of how numbers are written, a checkbox for each section, and
-/// buttons that copy the derivation. Shows nothing in presenter mode.
+/// Shows the derivation's title, the choice of how numbers are written, a checkbox for each section, and a
+/// button that copies the derivation. Shows nothing in presenter mode.
 pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
     if theme::installed(ui.ctx()).presenting {
         return;
@@ -311,14 +311,6 @@ pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) 
         if ui.button("Copy").named("Copy the derivation").clicked() {
             ui.ctx().copy_text(derivation.to_string());
         }
-        let menu = ui.menu_button("Copy as", |ui| {
-            for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
-                if ui.button(name).clicked() {
-                    ui.ctx().copy_text(derivation.written_in(markup));
-                }
-            }
-        });
-        menu.response.named("Copy the derivation as");
     });
     ui.horizontal_wrapped(|ui| {
         for section in DerivationSection::ALL {

@@ -155,12 +155,12 @@ fn the_layouts_figure_is_copied_as_a_picture() {
 
 #[test]
 fn the_derivation_is_copied_as_latex_and_as_markdown() {
-    let mut window = window("canonical");
-    show(&mut window, ViewLayout::Derivation);
     for (name, part) in [("LaTeX", r"\begin{align*}"), ("Markdown", "### Basis")] {
-        window.get_by_label("Copy the derivation as").click();
+        let mut window = window("canonical");
+        show(&mut window, ViewLayout::Derivation);
+        window.get_by_label("File").click();
         window.run();
-        window.get_by_label(name).click();
+        window.get_by_label_contains(&format!("Copy the derivation as {name}")).click();
         let copied = copied_text(&mut window);
         assert!(copied.contains(part) && copied.contains(r"\mathbf{w}"), "{name}: {copied}");
     }
