@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     )?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
-    let progress = Progress::new("drawing", None);
+    let _progress = Progress::new("drawing", None);
     let bytes = match content {
         Content::Text(markup) => {
             figures::derivation_of(&document, &session).written_in(markup).into_bytes()
@@ -64,7 +64,6 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }
     };
-    progress.go_on("writing");
     match output {
         Some(output) => Ok(atomic::write(output, |file| file.write_all(&bytes))?),
         None => to_stdout(|out| out.write_all(&bytes)),

@@ -1,11 +1,13 @@
 //! Shows the progress of long work on a terminal.
 
 use std::io::{self, IsTerminal, Write as _};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
+
+use crate::model::recovery::in_words;
 
 /// A progress line on standard error. The line appears if standard error is a terminal and the work
 /// takes longer than [`PATIENCE`].
@@ -26,15 +28,10 @@ struct ProgressState {
     done: AtomicUsize,
     /// The unit that is counted, such as `row`, with the total number of units. If the total is unknown, the
     /// name of the work instead of the unit, with `None`.
-    what: Mutex<(&'static str, Option<usize>)>,
+    what: (&'static str, Option<usize>),
 }
 
 impl Progress {
-    /// Shows other work from now on, the amount of which is unknown.
-    pub(super) fn go_on(&self, work: &'static str) {
-        *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = (work, None);
-    }
-
     /// Adds `count` finished units.
     pub(super) fn add(&self, count: usize) {
         self.work.done.fetch_add(count, Ordering::Relaxed);
@@ -44,7 +41,7 @@ impl Progress {
     /// unit, such as `row`; otherwise `what` is the name of the work. A separate thread watches the
     /// clock, because the work may report nothing for a long time.
     pub(super) fn new(what: &'static str, all: Option<usize>) -> Progress {
-        let what = Mutex::new((what, all));
+        let what = (what, all);
         let work =
             Arc::new(ProgressState { since: Instant::now(), done: AtomicUsize::new(0), what });
         if !io::stderr().is_terminal() {
@@ -69,8 +66,9 @@ impl Progress {
 impl ProgressState {
     fn line(&self) -> String {
         let (done, elapsed) = (self.done.load(Ordering::Relaxed), self.since.elapsed());
-        match *self.what.lock().unwrap_or_else(PoisonError::into_inner) {
+        match self.what {
             (work, None) => format!("{work}, {}", in_words(elapsed)),
+            (_, Some(all)) if done == all => "writing".to_owned(),
             (what, Some(all)) if done == 0 => format!("{what} 0 of {all}"),
             (what, Some(all)) => {
                 let to_come = all.saturating_sub(done) as f64 / done as f64;
@@ -78,14 +76,6 @@ impl ProgressState {
                 format!("{what} {done} of {all}, {left} left")
             }
         }
-    }
-}
-
-/// Formats a time as `7 s` or `2 min 5 s`.
-fn in_words(time: Duration) -> String {
-    match time.as_secs() {
-        seconds @ 0..60 => format!("{seconds} s"),
-        seconds => format!("{} min {} s", seconds / 60, seconds % 60),
     }
 }
 
@@ -115,9 +105,8 @@ mod tests {
         let progress = Progress::new("row", Some(200));
         assert_eq!(progress.work.line(), "row 0 of 200");
         progress.add(50);
-        assert_eq!(progress.work.line(), "row 50 of 200, 0 s left");
-        progress.go_on("writing");
-        assert_eq!(progress.work.line(), "writing, 0 s");
-        assert_eq!(in_words(Duration::from_secs(125)), "2 min 5 s");
+        assert_eq!(progress.work.line(), "row 50 of 200, 0 seconds left");
+        progress.add(150);
+        assert_eq!(progress.work.line(), "writing");
     }
 }

@@ -59,7 +59,6 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     };
     let rendering = render_view(&document, arguments, image, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;
-    progress.go_on("writing");
     let mut batch = Batch::default();
     let size = [image.width(), image.height()];
     let encode = |out: &mut dyn Write| png::encode(out, size, &rendering.pixels, false);
