@@ -41,16 +41,6 @@ pub(crate) const LEGEND: f32 = 44.0;
 /// Maximum width of the table, in points; the plot gets the rest of the width.
 const TABLE: f32 = 560.0;
 
-/// Shows a drop-down list of the methods; `name` is the list's name for screen readers.
-fn method(ui: &mut Ui, name: &str, chosen: &mut Method) {
-    combo(ui, name, 150.0, chosen.name(), |ui| {
-        for method in Method::of_frames() {
-            let choice = ui.selectable_value(chosen, method, method.name());
-            choice.on_hover_text(hint(method));
-        }
-    });
-}
-
 /// Returns a method's description and, on the next line, its source.
 fn hint(method: Method) -> String {
     format!("{}\n{}", method.about(), method.source())
@@ -61,7 +51,13 @@ fn hint(method: Method) -> String {
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
         ui.label(MAP);
-        method(ui, "error map of", &mut settings.compared);
+        let chosen = &mut settings.compared;
+        combo(ui, "error map of", 150.0, chosen.name(), |ui| {
+            for method in Method::of_frames() {
+                let choice = ui.selectable_value(chosen, method, method.name());
+                choice.on_hover_text(hint(method));
+            }
+        });
     });
 }
 
