@@ -52,9 +52,6 @@ pub(crate) struct Page {
     pub(crate) second: Option<SecondPicture>,
     /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Shows the content that replaces `rest` while the question of a lesson's step is open, so that `rest`
-    /// does not reveal the answer.
-    pub(crate) asked: fn(&mut Ui, &PageContext<'_>),
     /// Returns the concept (such as a vector or an object) that is under the pointer, or has the keyboard
     /// focus, in `rest`.
     pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
@@ -93,15 +90,14 @@ impl Page {
         areas: |divider| divider.figure_and_column(),
         second: None,
         rest: |_, _| (),
-        asked: |ui, _| hidden(ui),
         hovered: |_, _, _| None,
         figure: FigureSubject::World,
     };
 }
 
-/// Shows a message that the answer is hidden, and the key that reveals it, if there is room. Shows nothing
+/// Shows, in place of a page, a message that the answer is hidden, and the key that reveals it, if there is room. Shows nothing
 /// while presenting, when a dot tells the lecturer.
-fn hidden(ui: &mut Ui) {
+pub(crate) fn hidden(ui: &mut Ui) {
     if theme::installed(ui.ctx()).presenting {
         return;
     }
@@ -206,7 +202,7 @@ pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 const DERIVATION: Page = Page {
     follows_pointer: true,
-    areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
+    areas: |divider| divider.stack_beside(),
     rest: derived_lines,
     hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
     figure: FigureSubject::Derivation,
@@ -234,13 +230,12 @@ const LINES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
     rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
-    asked: |ui, context| lines::asked(ui, &context.session.lines),
     figure: FigureSubject::Lines,
     ..Page::VIEWS
 };
 
 const TRANSLATOR: Page = Page {
-    areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
+    areas: |divider| divider.stack_beside(),
     rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
     ..Page::VIEWS
 };

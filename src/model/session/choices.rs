@@ -242,9 +242,9 @@ const TABLE: [(Split, f32, RangeInclusive<f32>); 10] = [
     (Split::Readouts, 200.0, HEIGHT),
     (Split::Accuracy, 370.0, HEIGHT),
     (Split::Plot, 300.0, HEIGHT),
-    (Split::Mistakes, 330.0, HEIGHT),
+    (Split::Mistakes, 480.0, HEIGHT),
     (Split::Compare, 230.0, HEIGHT),
-    (Split::Answers, 230.0, HEIGHT),
+    (Split::Answers, 480.0, HEIGHT),
 ];
 
 /// The positions of all boundaries, each within its range.

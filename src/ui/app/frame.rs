@@ -379,11 +379,7 @@ impl App {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }
             (Some(stage), Some(step)) => stage.show(ui, rects.rest, &step, &mut context),
-            // Answers stay hidden while the class thinks.
-            _ => clipped(ui, rects.rest, |ui| match context.session.is_asking {
-                false => (page.rest)(ui, &mut context),
-                true => (page.asked)(ui, &context),
-            }),
+            _ => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
         files::notice(ui.ctx(), &mut self.scene);
     }

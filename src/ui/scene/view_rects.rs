@@ -129,8 +129,8 @@ impl Divider<'_> {
     }
 
     /// Stacks both views, with the rest to their right.
-    pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
-        let (views, rest) = self.across(self.whole, split, name);
+    pub(crate) fn stack_beside(&mut self) -> Areas {
+        let (views, rest) = self.across(self.whole, Split::Derivation, "derivation handle");
         let (top, bottom) = self.down(views, Split::Stack);
         Areas { world: Some(top), camera: Some(bottom), second: None, rest: rest.shrink(MARGIN) }
     }

@@ -13,7 +13,7 @@ use crate::model::ViewLayout;
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
-use crate::ui::workspaces::{PageContext, foot, page};
+use crate::ui::workspaces::{PageContext, foot, hidden, page};
 use crate::view::typesetting::theme;
 
 pub(crate) mod column;
@@ -128,7 +128,7 @@ impl Stage {
             ViewLayout::Plot | ViewLayout::Mistakes => {}
             _ if is_composed && is_asking => {}
             _ if is_composed => foot(ui, context),
-            _ if is_asking => (page(layout).asked)(ui, context),
+            _ if is_asking => hidden(ui),
             _ => (page(layout).rest)(ui, context),
         });
         column::show(ui, self, step, context);
