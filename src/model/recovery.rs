@@ -58,21 +58,63 @@ struct ChangedScene {
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
+    /// Invalid numbers of the document, which a scene file may not contain.
+    faults: Faults,
 }
 
-/// Replaces the numbers of an edited document that no scene file may contain, so that they are no reason to
-/// lose the others.
-fn make_valid(document: &mut Document) {
-    let viewport = &mut document.camera.viewport;
-    for length in [&mut viewport.width, &mut viewport.height, &mut viewport.distance] {
-        *length = if *length > 0.0 { *length } else { 1.0 };
+/// The invalid numbers of an edited document. The user may be about to correct them, so they are recorded,
+/// too.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Faults {
+    /// Width, height and distance of the viewport, if any of them is invalid.
+    viewport: Option<[f64; 3]>,
+    /// Indices and radii of the spheres with invalid radii.
+    radii: Vec<(usize, f64)>,
+    /// Indices of planes whose normal is zero.
+    normals: Vec<usize>,
+}
+
+impl Faults {
+    /// Moves the invalid numbers out of a document, and replaces them there by valid ones.
+    fn take(document: &mut Document) -> Faults {
+        let mut faults = Faults::default();
+        let viewport = &mut document.camera.viewport;
+        let numbers = [viewport.width, viewport.height, viewport.distance];
+        if numbers.iter().any(|number| *number <= 0.0) {
+            faults.viewport = Some(numbers);
+            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
+        }
+        let spheres = document.spheres.iter().enumerate();
+        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
+        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
+        for (index, _) in &faults.radii {
+            document.spheres[*index].shape.radius = 1.0;
+        }
+        let planes = document.planes.iter().enumerate();
+        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
+        faults.normals = normals.map(|(index, _)| index).collect();
+        for index in &faults.normals {
+            document.planes[*index].shape.normal = DVec3::Y;
+        }
+        faults
     }
-    // Spheres and planes are shared with the open document, and copied only if one of them changes.
-    while let Some(k) = document.spheres.iter().position(|sphere| sphere.shape.radius <= 0.0) {
-        document.spheres[k].shape.radius = 1.0;
-    }
-    while let Some(k) = document.planes.iter().position(|plane| plane.shape.normal == DVec3::ZERO) {
-        document.planes[k].shape.normal = DVec3::Y;
+
+    /// Puts the invalid numbers back into the document.
+    fn put_into(&self, document: &mut Document) {
+        if let Some([width, height, distance]) = self.viewport {
+            let viewport = &mut document.camera.viewport;
+            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
+        }
+        for (index, radius) in &self.radii {
+            if let Some(sphere) = document.spheres.get_mut(*index) {
+                sphere.shape.radius = *radius;
+            }
+        }
+        for index in &self.normals {
+            if let Some(plane) = document.planes.get_mut(*index) {
+                plane.shape.normal = DVec3::ZERO;
+            }
+        }
     }
 }
 
@@ -85,8 +127,8 @@ impl Unsaved {
             title: title_of(origin),
             argument: argument_of(origin),
             stamp: open.stamp(),
+            faults: Faults::take(&mut document),
         };
-        make_valid(&mut document);
         Unsaved { document, source }
     }
 
@@ -179,8 +221,9 @@ impl Found {
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
-        let document = document.map_err(|error| error.to_string())?;
-        let ChangedScene { title, argument, stamp } = self.source;
+        let mut document = document.map_err(|error| error.to_string())?;
+        let ChangedScene { title, argument, stamp, faults } = self.source;
+        faults.put_into(&mut document);
         let open = if as_new {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {
