@@ -284,24 +284,16 @@ fn over_the_top(camera: &Camera, turn: f64) -> Result<Camera, SteerError> {
 }
 
 /// Returns how far ahead of the camera, along view, the object is that it looks at: the first hit in the
-/// middle of its picture or, without a hit, the mean depth of the spheres ahead. Returns `None` if nothing
-/// is ahead, and for a camera given by at, which already is the point that it looks at.
+/// middle of its picture. Returns `None` if nothing is there, and for a camera given by at, which already is
+/// the point that it looks at.
 fn distance_ahead(camera: &Camera, scene: &Scene) -> Option<f64> {
-    const ASKED_SPHERES: usize = 4096;
     if camera.orientation.has_at() {
         return None;
     }
     let resolved = camera.resolve().ok()?;
     let middle = resolved.exact_ray_at(DVec2::ZERO).ok()?;
-    let hit = scene.first_hit_of(&middle).map(|hit| hit.t * camera.viewport.distance);
-    let spheres = || {
-        let depths = scene.spheres().iter().take(ASKED_SPHERES);
-        let depths = depths.map(|sphere| resolved.project(sphere.center).depth);
-        let ahead: Vec<f64> = depths.filter(|depth| *depth > 0.0).collect();
-        ahead.iter().sum::<f64>() / ahead.len() as f64
-    };
-    let distance = hit.unwrap_or_else(spheres);
-    (distance.is_finite() && distance > 0.0).then_some(distance)
+    let distance = scene.first_hit_of(&middle)?.t * camera.viewport.distance;
+    distance.is_finite().then_some(distance)
 }
 
 /// Returns the t at which a walk along a ray ends: that of its first hit, or `WALK_TO` if it hits nothing.
