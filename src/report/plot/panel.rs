@@ -185,7 +185,7 @@ fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
 /// Draws the panel of error against the family's knob: for each method, a line through its largest
 /// error at each setting.
 pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Summary) {
-    let (places, is_to_scale) = places(rect, summary);
+    let places = places(rect, summary.cases.len());
     let case_name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
     let name = if case_name.is_empty() { "knob" } else { case_name };
     let tick = |(case, at): (&&Case, &f32)| {
@@ -193,12 +193,8 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
         Tick { value, at: *at, text: short_plain(value) }
     };
     let ticks: Vec<Tick> = summary.cases.iter().zip(&places).map(tick).collect();
-    if is_to_scale {
-        across(painter, rect, &ticks, GRID, name);
-    } else {
-        let ink = GridInk { size: 11.0, ..GRID };
-        across(painter, rect, &ticks, ink, &format!("{name} (not to scale)"));
-    }
+    let ink = GridInk { size: 11.0, ..GRID };
+    across(painter, rect, &ticks, ink, &format!("{name}, side by side"));
     errors.draw(painter, rect, false);
     let condition_at =
         |(case, x): (&&Case, &f32)| Some(pos2(*x, errors.scale.position(condition(case)?)));
@@ -232,19 +228,11 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     }
 }
 
-/// Returns the horizontal position of each setting of the knob, and whether the positions are true to
-/// scale. They are if the marks then do not overlap; otherwise, they are equally spaced.
-fn places(rect: Rect, summary: &Summary) -> (Vec<f32>, bool) {
-    let knobs: Vec<f64> = summary.cases.iter().map(|case| case.knob.unwrap_or(0.0)).collect();
-    let (low, high) = (knobs[0], knobs[knobs.len() - 1]);
-    let scale = Scale::even([low, high], [rect.left() + EDGE, rect.right() - EDGE]);
-    let places: Vec<f32> = knobs.iter().map(|knob| scale.position(*knob)).collect();
-    if places.windows(2).all(|pair| pair[1] - pair[0] >= 0.05 * rect.width()) {
-        return (places, true);
-    }
-    let step = (rect.width() - 0.5 * EDGE) / knobs.len() as f32;
+/// Returns the horizontal positions of this many settings of the knob, which are equally spaced.
+fn places(rect: Rect, count: usize) -> Vec<f32> {
+    let step = (rect.width() - 0.5 * EDGE) / count as f32;
     let place = |k: usize| rect.left() + 0.25 * EDGE + (k as f32 + 0.5) * step;
-    ((0..knobs.len()).map(place).collect(), false)
+    (0..count).map(place).collect()
 }
 
 /// Splits the points at each `None` into runs without gaps. Runs of a single point are dropped.
