@@ -64,15 +64,6 @@ pub(crate) fn marker_of(formula: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// Returns the colour, lightened for a dark background: it becomes at least as light as a medium grey.
-pub(crate) fn lightened(color: Color32) -> Color32 {
-    let [r, g, b, _] = color.to_array().map(f32::from);
-    let luma = 0.299 * r + 0.587 * g + 0.114 * b;
-    let part = ((130.0 - luma) / (255.0 - luma)).max(0.0);
-    let [r, g, b] = [r, g, b].map(|c| (c + part * (255.0 - c)).round() as u8);
-    Color32::from_rgb(r, g, b)
-}
-
 /// Draws the sign for wrong decisions: one ring around all these adjacent marks. Draws nothing if there
 /// are none.
 pub(crate) fn ring_around(painter: &Painter, centers: impl IntoIterator<Item = Pos2>) {

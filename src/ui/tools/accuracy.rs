@@ -19,7 +19,7 @@ use pinhole_lecture::numbers::{grouped, short, written_whole};
 
 use crate::model::session::{Session, Settings};
 use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
-use crate::report::plot::marker::{lightened, marker_of};
+use crate::report::plot::marker::marker_of;
 use crate::report::plot::panels;
 use crate::report::summary::Summary;
 use crate::ui::scene::readouts;
@@ -217,46 +217,26 @@ fn plot(ui: &mut Ui, case: &Case) {
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
     response.named("Every method's error against its time");
     let summary = Summary::new(vec![case]);
-    in_window_colors(ui, |painter| panels(painter, rect, &summary));
+    on_paper(ui, rect, |painter| panels(painter, rect.shrink(4.0), &summary));
 }
 
-/// Runs a function that draws in colours chosen for white paper, and converts the colours of what it has
-/// drawn to the window's.
-fn in_window_colors(ui: &Ui, draw: impl FnOnce(&Painter)) {
-    let (painter, style, ground) = (ui.painter(), theme::style(ui), ui.visuals().panel_fill);
+/// Runs a function that draws on white paper, which fills `rect`, and converts the colours of what it has
+/// drawn to the window's scheme.
+fn on_paper(ui: &Ui, rect: Rect, draw: impl FnOnce(&Painter)) {
+    let (painter, style) = (ui.painter(), theme::style(ui));
     let next_shape =
         || ui.ctx().graphics_mut(|graphics| graphics.entry(painter.layer_id()).next_idx().0);
+    painter.rect_filled(rect, 2.0, Color32::WHITE);
     let first = next_shape();
     draw(painter);
     let drawn = first..next_shape();
-    let recolor = move |color: &mut Color32| {
-        let mut dots = [if style.is_dark() { on_dark(*color, ground) } else { *color }];
-        style.finish(&mut dots);
-        *color = dots[0];
-    };
+    let recolor = move |color: &mut Color32| style.finish(std::slice::from_mut(color));
     ui.ctx().graphics_mut(|graphics| {
         let list = graphics.entry(painter.layer_id());
         for k in drawn {
             list.mutate_shape(ShapeIdx(k), |clipped| adjust_colors(&mut clipped.shape, recolor));
         }
     });
-}
-
-/// Converts a colour chosen for white paper to one for a dark background: mirrors the brightness of greys and
-/// pale colours, and lightens other colours.
-fn on_dark(color: Color32, ground: Color32) -> Color32 {
-    let [r, g, b, a] = color.to_array().map(f32::from);
-    let (least, most) = (r.min(g).min(b), r.max(g).max(b));
-    if a == 0.0 {
-        return color;
-    }
-    if most - least > 64.0 {
-        return lightened(color);
-    }
-    let middle = 0.5 * (least + most);
-    let mirrored = 255.0 - middle / 255.0 * (255.0 - f32::from(ground.g()));
-    let [r, g, b] = [r, g, b].map(|part| (part - middle + mirrored) as u8);
-    Color32::from_rgb(r, g, b)
 }
 
 /// Shows one row per method. Clicking a row shows its method in the error map.
@@ -287,7 +267,7 @@ fn table(ui: &mut Ui, case: &Case, compared: &mut Method) {
 fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
     ui.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(vec2(20.0, 12.0), Sense::hover());
-        in_window_colors(ui, |painter| {
+        on_paper(ui, mark, |painter| {
             marker_of(row.formula()).draw(painter, mark.center(), row.digits());
         });
         match Method::from_name(&row.name) {
