@@ -220,7 +220,11 @@ fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
 
 const PLOT: Page = Page {
     follows_pointer: true,
-    areas: |divider| divider.both_above(Split::Plot),
+    areas: |divider| {
+        let (views, rest) = divider.above(Split::Plot);
+        let (left, right) = divider.across(views, Split::Views, "views handle");
+        Areas { world: Some(left), camera: Some(right), second: None, rest }
+    },
     rest: |ui, context| plot::ui(ui, context.session, context.derived),
     hovered: |ctx, _, derived| plot::hovered(ctx, derived),
     ..Page::VIEWS

@@ -113,13 +113,6 @@ impl Divider<'_> {
         self.whole.split_top_bottom_at_y(boundary)
     }
 
-    /// Puts both views side by side, above the rest.
-    pub(crate) fn both_above(&mut self, split: Split) -> Areas {
-        let (views, rest) = self.above(split);
-        let (left, right) = self.across(views, Split::Views, "views handle");
-        Areas { world: Some(left), camera: Some(right), second: None, rest }
-    }
-
     /// Puts the world view, the camera view and a second picture side by side, above the rest.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         let (views, rest) = self.above(split);
