@@ -5,7 +5,7 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Ray, ResolvedCamera};
 use pinhole_lecture::mistakes::WrongCamera;
 
-use crate::model::{AnswerMark, Item, MarkShape};
+use crate::model::{AnswerMark, Item, MarkShape, OverlayItems};
 use crate::view::overlay::{
     BASIS, BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, POINT, Shape, Sketch, THIN,
     VECTOR, corners, unit,
@@ -63,9 +63,10 @@ impl GhostCamera {
         }
     }
 
-    /// Returns the eye and the ends of the frustum's edges.
-    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> {
-        let ends = self.corners.map(|corner| self.eye + FRUSTUM * corner);
+    /// Returns the eye, and the ends of the frustum's edges or else the viewport's corners.
+    pub(crate) fn points(&self, items: OverlayItems) -> impl Iterator<Item = DVec3> {
+        let reach = if items.shows(Item::Frustum) { FRUSTUM } else { 1.0 };
+        let ends = self.corners.map(|corner| self.eye + reach * corner);
         ends.into_iter().chain([self.eye])
     }
 

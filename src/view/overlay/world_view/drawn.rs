@@ -37,7 +37,7 @@ pub fn drawn(
         }
     }
     if let Some(ghost) = ghost {
-        drawn.points.extend(ghost.points());
+        drawn.points.extend(ghost.points(items));
         drawn.arrows.extend(ghost.arrows());
     }
     drawn.points.retain(|point| point.is_finite());
