@@ -186,22 +186,23 @@ fn cell(painter: &Painter, rect: Rect, summary: &Summary) {
     painter.text(right, Align2::RIGHT_CENTER, coverage, plain(SMALL), WEAK);
     let about = if case.about.is_empty() { 0.0 } else { 18.0 };
     painter.text(top + vec2(0.0, 20.0), Align2::LEFT_CENTER, &case.about, plain(SMALL), WEAK);
-    panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary);
+    panels(painter, rect.with_min_y(rect.top() + 15.0 + about), summary, true);
 }
 
-/// Draws the panels of a scene or a family, with all labels.
-pub(crate) fn panels(painter: &Painter, rect: Rect, summary: &Summary) {
+/// Draws the panels of a scene or a family, with all labels. If `joins` is true, a line connects a formula's
+/// precisions, which needs the words of the page: there is no method between two of them.
+pub(crate) fn panels(painter: &Painter, rect: Rect, summary: &Summary, joins: bool) {
     let what = "largest error in t, ulps of f64";
     painter.text(rect.min, Align2::LEFT_TOP, what, plain(SMALL), TEXT);
     let frame = Rect::from_min_max(rect.min + vec2(NUMBERS, 21.0), rect.max - vec2(NAMES, 48.0));
     let errors = Errors::new(summary, frame.y_range());
     errors.name_ulps(painter, frame.right());
     if !summary.has_knob() {
-        return panel::time(painter, frame, &errors, summary);
+        return panel::time(painter, frame, &errors, summary, joins);
     }
     let (left, right) = frame.split_left_right_at_fraction(0.5);
     panel::knob(painter, right.with_min_x(right.left() + 8.0), &errors, summary);
-    panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary);
+    panel::time(painter, left.with_max_x(left.right() - 8.0), &errors, summary, joins);
 }
 
 /// Writes a text with line breaks. Returns the position of its lower edge.

@@ -124,10 +124,16 @@ impl PlotMark<'_> {
     }
 }
 
-/// Draws the panel of error against time: for each formula, a curve that connects its precisions; for
-/// each method, a mark, and a horizontal bar from its shortest to its longest time; and the Pareto
-/// front behind the curves.
-pub(super) fn time<'a>(painter: &Painter, rect: Rect, errors: &Errors, summary: &'a Summary) {
+/// Draws the panel of error against time: for each formula, if `joins` is true, a curve that connects its
+/// precisions; for each method, a mark, and a horizontal bar from its shortest to its longest time; and the
+/// Pareto front behind the curves.
+pub(super) fn time<'a>(
+    painter: &Painter,
+    rect: Rect,
+    errors: &Errors,
+    summary: &'a Summary,
+    joins: bool,
+) {
     let times = summary.methods.iter().filter_map(|method| method.time);
     let spreads = summary.methods.iter().filter_map(|method| method.times).flatten();
     let scale = Scale::close(times.chain(spreads), [rect.left(), rect.right()]);
@@ -147,7 +153,8 @@ pub(super) fn time<'a>(painter: &Painter, rect: Rect, errors: &Errors, summary: 
     }
     let mut sorted = marks.clone();
     sorted.sort_by_key(|mark| (mark.method.formula, mark.method.digits));
-    for curve in sorted.chunk_by(|a, b| a.method.formula == b.method.formula) {
+    let curves = sorted.chunk_by(|a, b| a.method.formula == b.method.formula);
+    for curve in curves.filter(|_| joins) {
         let points: Vec<Pos2> = curve.iter().map(|mark| mark.center).collect();
         line(painter, &points, (2.0, marker_of(curve[0].method.formula).color), SOLID);
     }

@@ -217,7 +217,7 @@ fn plot(ui: &mut Ui, case: &Case) {
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
     response.named("Every method's error against its time");
     let summary = Summary::new(vec![case]);
-    on_paper(ui, rect, |painter| panels(painter, rect.shrink(4.0), &summary));
+    on_paper(ui, rect, |painter| panels(painter, rect.shrink(4.0), &summary, false));
 }
 
 /// Runs a function that draws on white paper, which fills `rect`, and converts the colours of what it has

@@ -1,6 +1,7 @@
 //! The accuracy view: the error map, who draws the picture, and measuring in slices.
 
 use egui::accesskit::Role;
+use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::{Settings, Split, Splits, ViewLayout};
@@ -187,6 +188,12 @@ fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
     assert_says(&window, &format!("Nothing is measured: {why}"));
 }
 
+/// The number of lines that join marks of the plot.
+fn lines_between_marks(window: &Harness<'_, App>) -> usize {
+    let is_line = |shape: &Shape| matches!(shape, Shape::Path(path) if !path.closed && path.stroke.width == 2.0);
+    window.output().shapes.iter().filter(|clipped| is_line(&clipped.shape)).count()
+}
+
 #[test]
 fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     let mut window = window("canonical");
@@ -206,6 +213,7 @@ fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     until_done(&mut window);
     assert!(texts_with(&window, "ladder").len() > 1);
     assert_says(&window, "error map of lagrange-f64");
+    assert_eq!(lines_between_marks(&window), 0, "no method is between two others");
     // At rest, nothing is asked for.
     window.run();
     window.get_by_role_and_label(Role::SpinButton, "eye z").click();
