@@ -20,6 +20,8 @@ pub struct LinesLab {
     pub trail: Trail,
     /// True if drags snap to [`LinesLab::GRID`].
     pub snap: bool,
+    /// The lines that are drawn.
+    pub shown: ShownLines,
     /// The visible part of the plane.
     pub window: Window,
     /// The point of the implicit line that carries its handle for moving; the line turns about it.
@@ -48,6 +50,17 @@ pub struct Window {
     pub center: DVec2,
     /// Distance from the middle of the drawing to each of its two nearer edges.
     pub half_extent: f64,
+}
+
+/// The lines that are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShownLines {
+    /// Both lines, and where they meet.
+    Both,
+    /// The implicit line alone.
+    Implicit,
+    /// The parametric line alone.
+    Parametric,
 }
 
 /// A handle in the lab.
@@ -116,6 +129,7 @@ impl LinesLab {
             t,
             trail: Trail { step: 0.5, first: t, last: t },
             snap: false,
+            shown: ShownLines::Both,
             window: Window { center: DVec2::ZERO, half_extent: 4.0 },
             grip: DVec2::ZERO,
             reach: 1.0,
@@ -155,8 +169,12 @@ impl LinesLab {
         (self.trail.first, self.trail.last) = (self.t, self.t);
     }
 
-    /// Returns the position of a handle; `None` if its line is invalid.
+    /// Returns the position of a handle; `None` if its line is invalid or not drawn.
     pub fn position_of(&self, handle: LineHandle) -> Option<DVec2> {
+        let hidden = match handle {
+            LineHandle::Move | LineHandle::Turn => ShownLines::Parametric,
+            LineHandle::P | LineHandle::Tip | LineHandle::T => ShownLines::Implicit,
+        };
         let of_line = || self.line.check().ok().map(|()| self.grip);
         let position = match handle {
             LineHandle::Move => of_line()?,
@@ -165,7 +183,7 @@ impl LinesLab {
             LineHandle::Tip => self.ray.p + self.ray.d,
             LineHandle::T => self.ray.at(self.t),
         };
-        position.is_finite().then_some(position)
+        (position.is_finite() && self.shown != hidden).then_some(position)
     }
 
     /// Moves a handle by a number of steps to the right and upwards, rounded as in [`LinesLab::drag`]. The

@@ -5,15 +5,15 @@
 use std::cmp::Ordering;
 
 use egui::{
-    Align2, Color32, FontId, Painter, Pos2, Rect, RichText, Shape, Stroke, StrokeKind, Ui,
-    UiBuilder, Vec2, pos2, vec2,
+    Align2, Color32, FontId, FontSelection, Painter, Pos2, Rect, RichText, Shape, Stroke,
+    StrokeKind, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
 use pinhole_lecture::Rounding;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::{equated, sum, written as number};
 
-use crate::model::lines::{LineHandle, LinesLab, Window};
+use crate::model::lines::{LineHandle, LinesLab, ShownLines, Window};
 use crate::model::symbols::typeset_message;
 use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
@@ -28,9 +28,13 @@ pub(crate) const TEXT: f32 = 16.5;
 /// total width.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
-/// Writes a line of text, with its formulas typeset.
+/// Writes a line of text of the font's size, with its formulas typeset.
 pub(crate) fn text(ui: &mut Ui, text: &str) {
-    notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
+    notation::label(ui, text, text_size(ui), ui.visuals().text_color());
+}
+
+fn text_size(ui: &Ui) -> f32 {
+    FontSelection::Default.resolve(ui.style()).size
 }
 
 /// Draws the plane with both lines, and the steps of the substitution. Draws no background and ignores
@@ -51,7 +55,7 @@ pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
 }
 
 /// Shows the steps by which the parametric line is substituted into the implicit one, the point where the
-/// lines meet, and the value of f at the current t.
+/// lines meet, and the value of f at the current t. If only one line is drawn, shows only its equation.
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
@@ -61,16 +65,26 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
             return;
         }
     };
-    for (what, formula) in steps(&substitution, digits) {
+    let steps = steps(&substitution, lab.shown, digits);
+    let shown = match lab.shown {
+        ShownLines::Both => &steps[..],
+        ShownLines::Implicit => &steps[..1],
+        ShownLines::Parametric => &steps[1..2],
+    };
+    for (what, formula) in shown {
         ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 0.0;
-            ui.weak(format!("{what}:  "));
-            text(ui, &formula);
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.weak(format!("{what}:"));
+            // A formula that does not fit into a row is broken between its parts.
+            formula.split("  ").for_each(|part| text(ui, part));
         });
+    }
+    if lab.shown != ShownLines::Both {
+        return;
     }
     ui.add_space(6.0);
     let verdict = verdict(&substitution, digits);
-    notation::label(ui, &verdict, TEXT + 3.0, ui.visuals().strong_text_color());
+    notation::label(ui, &verdict, text_size(ui) + 1.0, ui.visuals().strong_text_color());
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {
@@ -101,8 +115,9 @@ fn multiplied(factor: f64, text: &str) -> String {
 }
 
 /// Returns the name and the formula of each step of the substitution, with the current numbers. The
-/// formulas are in the notation of [`notation::formula`].
-fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
+/// formulas are in the notation of [`notation::formula`], with two spaces between their parts. The equation
+/// of a line that is shown alone has the letters, too.
+fn steps(s: &Substitution, shown: ShownLines, digits: usize) -> [(&'static str, String); 6] {
     let n = |x| number(x, digits);
     let is = |shown: &[f64]| Rounding::Significant(digits).relation(shown);
     let (ImplicitLine { a, b, c }, ParametricLine { p, d }) = (s.line, s.ray);
@@ -116,13 +131,19 @@ fn steps(s: &Substitution, digits: usize) -> [(&'static str, String); 6] {
     };
     let (implicit, put_in) = ([(a, " x"), (b, " y"), (c, "")], [(a, &*of_x), (b, &of_y), (c, "")]);
     let added_up = sum([(s.rate, " t"), (s.offset, "")], n);
+    let letters = |text: &'static str| if shown == ShownLines::Both { "" } else { text };
+    let [general, of_t_x, of_t_y] =
+        [" = a x + b y + c", " = p_x + t d_x", " = p_y + t d_y"].map(letters);
     [
-        ("implicit", format!("f(x, y) {} {}", is(&[a, b, c]), sum(implicit, n))),
-        ("parametric", format!("x {} {x},   y {} {y}", is(&[p.x, d.x]), is(&[p.y, d.y]))),
-        ("substituted", format!("f(p + t d) {all} {}", sum(put_in, n))),
+        ("implicit", format!("f(x, y){general} {} {}", is(&[a, b, c]), sum(implicit, n))),
+        (
+            "parametric",
+            format!("x{of_t_x} {} {x},  y{of_t_y} {} {y}", is(&[p.x, d.x]), is(&[p.y, d.y])),
+        ),
+        ("substituted", format!("f(p + t d)  {all} {}", sum(put_in, n))),
         (
             "sorted by t",
-            format!("{all} ({}) t + ({}{})", products(d), products(p), added(c, digits)),
+            format!("{all} ({}) t  + ({}{})", products(d), products(p), added(c, digits)),
         ),
         ("added up", format!("{} {added_up}", is(&[s.rate, s.offset]))),
         ("zero where", zero(s, digits)),
@@ -200,7 +221,9 @@ pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     plane.grid();
     plane.implicit(&lab.line());
     plane.parametric(&lab.ray, None);
-    plane.coordinates(&mut plane.labels());
+    let mut labels = plane.labels();
+    plane.names(lab, &mut labels, None);
+    plane.coordinates(&mut labels);
 }
 
 /// Draws the plane for an exercise: the implicit line, the point p of the parametric one, and a ring at
@@ -292,7 +315,7 @@ impl PlaneView {
         digits: usize,
     ) -> Option<String> {
         let line = lab.line();
-        let is_line = line.check().is_ok();
+        let is_line = lab.shown != ShownLines::Parametric && line.check().is_ok();
         if is_line {
             let [negative, _, positive] = self.colors.basis;
             self.half_plane(&line, 1.0, positive.gamma_multiply(0.13));
@@ -307,7 +330,7 @@ impl PlaneView {
         for position in LineHandle::ALL.into_iter().filter_map(|handle| lab.position_of(handle)) {
             labels.keep_free(Rect::from_center_size(self.to_screen(position), Vec2::splat(15.0)));
         }
-        let is_ray = lab.ray.check().is_ok();
+        let is_ray = lab.shown != ShownLines::Implicit && lab.ray.check().is_ok();
         if is_ray {
             self.parametric(&lab.ray, Some(lab));
         }
@@ -317,7 +340,7 @@ impl PlaneView {
             }
         }
         self.meeting(lab, &mut labels, digits);
-        self.names(lab, &mut labels, digits);
+        self.names(lab, &mut labels, Some(digits));
         let description = is_ray.then(|| {
             let description = self.trail(lab, &mut labels);
             self.sides(lab, &mut labels);
@@ -518,8 +541,9 @@ impl PlaneView {
 
     /// Draws a cross at the point where the two lines meet, and writes its t.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
-        let substitution = Substitution::new(lab.line(), lab.ray);
-        let Ok(Substitution { meeting: Meeting::At(crossing), .. }) = substitution else { return };
+        let both = Substitution::new(lab.line(), lab.ray);
+        let both = both.ok().filter(|_| lab.shown == ShownLines::Both);
+        let Some(Substitution { meeting: Meeting::At(crossing), .. }) = both else { return };
         let at = self.to_screen(crossing.point);
         if !self.rect.contains(at) {
             return;
@@ -561,19 +585,19 @@ impl PlaneView {
         painter.circle(at, radius, fill, Stroke::new(width, edge));
     }
 
-    /// Writes the names of p, d and t at their handles.
-    fn names(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
+    /// Writes the names of p and d at their handles, and t with this number of digits; `None` leaves t out.
+    fn names(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: Option<usize>) {
         let right = -left_of(lab.ray.d);
         let of_ray = Font { size: NAMES + 1.0, color: self.colors.ray, bold: true };
         let of_t = Font { size: NAMES, color: self.colors.ink, bold: false };
-        let t = format!("t {}", equated(lab.t, digits));
+        let t = digits.map(|digits| format!("t {}", equated(lab.t, digits))).unwrap_or_default();
         for (handle, text, font, toward) in [
             // To the left of d, and towards its tail.
             (LineHandle::P, "p", of_ray, -right.rot90() - right),
             (LineHandle::T, t.as_str(), of_t, right),
             (LineHandle::Tip, "d", of_ray, right),
         ] {
-            if let Some(position) = lab.position_of(handle) {
+            if let Some(position) = lab.position_of(handle).filter(|_| !text.is_empty()) {
                 labels.write(text, font, around(self.to_screen(position), toward, 13.0));
             }
         }
@@ -594,7 +618,7 @@ mod tests {
     fn said(example: usize) -> (Vec<String>, String) {
         let (_, lab) = &LinesLab::examples()[example];
         let s = Substitution::new(lab.line(), lab.ray).expect("two lines");
-        let lines = steps(&s, 5).into_iter().map(|(_, text)| text).collect();
+        let lines = steps(&s, lab.shown, 5).into_iter().map(|(_, text)| text).collect();
         (lines, verdict(&s, 5))
     }
 
@@ -605,9 +629,9 @@ mod tests {
             lines,
             [
                 "f(x, y) = 2 x − y + 1",
-                "x = t,   y = t",
-                "f(p + t d) = 2 t − t + 1",
-                "= (2·1 − 1·1) t + (2·0 − 1·0 + 1)",
+                "x = t,  y = t",
+                "f(p + t d)  = 2 t − t + 1",
+                "= (2·1 − 1·1) t  + (2·0 − 1·0 + 1)",
                 "= t + 1",
                 "t = −1",
             ]
@@ -620,14 +644,14 @@ mod tests {
         let ray = ParametricLine { p: DVec2::new(1.0, 0.0), d: DVec2::new(-1.0, 1.0 / 3.0) };
         let s =
             Substitution::new(ImplicitLine { a: 3.0, b: -1.0, c: 0.0 }, ray).expect("two lines");
-        let lines = steps(&s, 5).map(|(_, text)| text);
+        let lines = steps(&s, ShownLines::Both, 5).map(|(_, text)| text);
         assert_eq!(
             lines,
             [
                 "f(x, y) = 3 x − y",
-                "x = 1 − t,   y ≈ 0.33333 t",
-                "f(p + t d) ≈ 3 (1 − t) − 0.33333 t",
-                "≈ (3·(−1) − 1·0.33333) t + (3·1 − 1·0)",
+                "x = 1 − t,  y ≈ 0.33333 t",
+                "f(p + t d)  ≈ 3 (1 − t) − 0.33333 t",
+                "≈ (3·(−1) − 1·0.33333) t  + (3·1 − 1·0)",
                 "≈ −3.3333 t + 3",
                 "t ≈ −3 / (−3.3333) = 0.9",
             ]
@@ -641,7 +665,7 @@ mod tests {
         assert_eq!(lines[5], "0 t = −2: for no t");
         assert_eq!(verdict, "Parallel: f(p + t d) is 2 at every t, never 0. They never meet.");
         let (lines, verdict) = said(3);
-        assert_eq!(lines[2], "f(p + t d) = (−2 + 2 t) − 2 t + 2");
+        assert_eq!(lines[2], "f(p + t d)  = (−2 + 2 t) − 2 t + 2");
         assert_eq!(lines[4], "= 0");
         assert_eq!(verdict, "Coincident: f(p + t d) is 0 at every t. Both are the same line.");
     }

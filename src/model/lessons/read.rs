@@ -9,6 +9,7 @@ use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
 use pinhole_lecture::{Exercise, ImplicitLine, Mistake, ParametricLine};
 
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion, StepView};
+use crate::model::lines::{ShownLines, Trail};
 use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
 use crate::model::session::{DIGITS, ViewLayout};
@@ -354,19 +355,42 @@ fn concept(field: &TomlField, objects: usize) -> Result<Concept, FileError> {
 /// The name that stands for no highlighted concept.
 const NOTHING: &str = "nothing";
 
+/// Reads the lines lab's two lines, or one of them; then only that one is drawn.
 fn lines(section: &Section) -> Result<LinesLab, FileError> {
-    section.only(&["implicit", "p", "d", "t"], &[])?;
+    section.only(&["implicit", "p", "d", "t", "trail"], &[])?;
     let pair = |field: &TomlField| -> Result<DVec2, FileError> {
         Ok(DVec2::from_array(field.numbers("two numbers, such as [1.0, 1.0]")?))
     };
-    let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;
-    let [a, b, c] = field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?;
-    let line = ImplicitLine { a, b, c };
-    line.check().map_err(|error| field.fault(error))?;
-    let p = pair(&section.need("p", "p = [0.0, 0.0]")?)?;
-    let field = section.need("d", "d = [1.0, 1.0]")?;
-    let ray = ParametricLine { p, d: pair(&field)? };
-    ray.check().map_err(|error| field.fault(error))?;
+    let (implicit, example) = (section.get("implicit"), LinesLab::default());
+    let has_ray = ["p", "d"].into_iter().any(|key| section.get(key).is_some());
+    let line = if implicit.is_some() || !has_ray {
+        let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;
+        let [a, b, c] = field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?;
+        let line = ImplicitLine { a, b, c };
+        line.check().map_err(|error| field.fault(error))?;
+        line
+    } else {
+        example.line()
+    };
+    let ray = if has_ray {
+        let p = pair(&section.need("p", "p = [0.0, 0.0]")?)?;
+        let field = section.need("d", "d = [1.0, 1.0]")?;
+        let ray = ParametricLine { p, d: pair(&field)? };
+        ray.check().map_err(|error| field.fault(error))?;
+        ray
+    } else {
+        example.ray
+    };
     let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
-    Ok(LinesLab::new(line, ray, t))
+    let mut lab = LinesLab::new(line, ray, t);
+    if !has_ray {
+        lab.shown = ShownLines::Implicit;
+    } else if implicit.is_none() {
+        lab.shown = ShownLines::Parametric;
+    }
+    if let Some(trail) = section.get("trail") {
+        let [first, last] = pair(&trail)?.to_array();
+        lab.trail = Trail { step: 1.0, first, last };
+    }
+    Ok(lab)
 }

@@ -160,7 +160,8 @@ fn about(session: &Session) -> &[Concept] {
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     match (context.session.settings.layout, &context.derived.derivation) {
-        (ViewLayout::Lines, _) => 11.0 * marked_text::row_height(ui, size),
+        // Some of the steps, and the verdict, take two rows.
+        (ViewLayout::Lines, _) => 13.0 * marked_text::row_height(ui, size),
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
             let rows = mistakes::card_rows(wrong, about(context.session)) as f32;
             rows * 1.2 * marked_text::row_height(ui, size)

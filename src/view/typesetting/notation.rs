@@ -58,7 +58,8 @@ pub(crate) fn unbroken(text: &str) -> String {
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
     let is_factor = |word: &str| word.starts_with('*') && without_marks(word).chars().count() == 1;
     let is_letter = |word: &str| {
-        let plain = without_marks(word);
+        // A letter may have a subscript.
+        let plain = without_marks(word.split_once('_').map_or(word, |(letter, _)| letter));
         plain.chars().count() == 1 && plain.starts_with(|c: char| c.is_alphabetic())
     };
     let mut joined = String::new();
@@ -67,7 +68,7 @@ pub(crate) fn unbroken(text: &str) -> String {
         let word_length = without_marks(word).chars().count();
         let operates = is_operator(word) || is_operator(before);
         let is_vector = begins_tuple(word) || word.starts_with("**");
-        let are_letters = is_letter(before) && is_letter(word);
+        let are_letters = (is_letter(before) || before.ends_with(')')) && is_letter(word);
         let joins = operates || is_factor(before) && is_vector || are_letters;
         let has_room = length + 1 + word_length <= UNBROKEN || !is_operator(word);
         if is_in_tuple || joins && has_room && length > 0 {
@@ -142,5 +143,6 @@ mod tests {
             "c = 24,|D = b² − a c = −0.2 < 0:|missed"
         );
         assert_eq!(formulas("= 1 at *t*"), "= 1|at|t");
+        assert_eq!(formulas("y = p_y + t d_y, (2·1 − 1·3) t"), "y = py + t dy,|(2·1 − 1·3) t");
     }
 }

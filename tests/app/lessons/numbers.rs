@@ -204,32 +204,32 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         ],
     ),
     (10, 3, &[(SAYS, "𝐰 · view / |view| = −1 < 0"), (SAYS, "𝐰 · view / |view| = 1")]),
-    (11, 1, &[("f(x, y)", "x + 2 y − 4"), (SAYS, "at t = 0:  f = −4 < 0")]),
-    // 0.5 + 1 - 4.
-    (11, 2, &[("slide t", "(0.5, 0.5)"), (SAYS, "at t = 0.5:  f = −2.5 < 0")]),
+    (11, 1, &[("f(x, y)", "2 x + y − 2")]),
+    (11, 2, &[("slide t", "(−0.5, 1.5)"), ("y", "2 − t")]),
+    // 2 (-1 + t) + 2 - t - 2.
     (
         11,
         3,
         &[
-            (SAYS, "= 2 t − 2"),
-            ("t", "1"),
-            (SAYS, "They meet at t = 1, at (1, 1). t > 0: the ray hits."),
+            (SAYS, "= t − 2"),
+            ("t", "2"),
+            (SAYS, "They meet at t = 2, at (1, 0). t > 0: the ray hits."),
         ],
     ),
-    // 2 t - t + 1.
+    // -1 + t + 3 (2 - t) - 7.
     (
         11,
         4,
         &[
-            (SAYS, "= t + 1"),
-            (SAYS, "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses."),
+            (SAYS, "= −2 t − 2"),
+            (SAYS, "They meet at t = −1, at (−2, 3). t < 0, behind p: the ray misses."),
         ],
     ),
-    // t - t + 1.
+    // -1 + t + 2 - t + 1.
     (
         11,
         5,
-        &[(SAYS, "= 1"), (SAYS, "Parallel: f(p + t d) is 1 at every t, never 0. They never meet.")],
+        &[(SAYS, "= 2"), (SAYS, "Parallel: f(p + t d) is 2 at every t, never 0. They never meet.")],
     ),
     (11, 6, &[(SAYS, "The line x − 3y + 11 = 0 and the ray (1, 3) + t (−3, −2).")]),
     (12, 1, &[("t (𝐧 · 𝐝)", "𝐧 · (point − 𝐩)"), ("t", "6"), ("hit", "(1.2, −0.6, −6)")]),
