@@ -94,6 +94,10 @@ items! {
     W: "w alone", "w";
     /// The square of w and u, with its area.
     WCrossU: "area of w × u", "w-cross-u";
+    /// The vector d of the selected ray, from the eye to the viewport.
+    Direction: "d of the selected ray", "direction";
+    /// The points where the line of the selected ray meets objects, each with its t.
+    Roots: "every t of the ray's line", "roots";
 }
 
 impl Item {

@@ -2,6 +2,7 @@
 //! the range of t, and the unit and a description of each curve. This module is pure; the arithmetic is in
 //! [`pinhole_lecture`].
 
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
@@ -139,27 +140,41 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
     left.min(ray_point_t)..=right.max(ray_point_t)
 }
 
+impl Plot {
+    /// Describes the heights of the curves: f of each object divided by its unit.
+    pub(crate) fn height_words(&self) -> String {
+        let units: BTreeSet<&str> = self.curves.iter().map(Curve::unit_symbol).collect();
+        let text = format!("f(p + t d) / {}", Vec::from_iter(units).join(" or "));
+        text.trim_end_matches(" / ").to_owned()
+    }
+}
+
 impl Curve {
     /// Returns true if the curve is a straight line, which is the case for a plane.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()
     }
 
-    /// Returns the t of each zero of f or, if a sphere is missed, the t of the parabola's vertex.
+    /// Returns the t of each zero of f or, if a sphere is missed, a t beyond the parabola's vertex.
     fn landmarks(&self) -> Vec<f64> {
         let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
-        if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
+        let beyond = |(v, a): (ParabolaVertex, f64)| v.t + (self.unit.value / a).sqrt();
+        if zeros.is_empty() { self.vertex.map(beyond).into_iter().collect() } else { zeros }
+    }
+
+    /// Returns the symbol of the unit of f.
+    fn unit_symbol(&self) -> &'static str {
+        match self.unit.origin {
+            UnitOrigin::SquaredRadius => "r²",
+            UnitOrigin::RayOrigin => "|f(p)|",
+            UnitOrigin::OneStep => "|f(p + d)|",
+            UnitOrigin::One => "1",
+        }
     }
 
     /// Describes the unit of f in words.
     pub(crate) fn unit_words(&self, digits: usize) -> String {
-        let unit = equated(self.unit.value, digits);
-        match self.unit.origin {
-            UnitOrigin::SquaredRadius => format!("unit r² {unit}"),
-            UnitOrigin::RayOrigin => format!("unit |f(p)| {unit}"),
-            UnitOrigin::OneStep => format!("unit |f(p + d)| {unit}"),
-            UnitOrigin::One => "unit 1".to_owned(),
-        }
+        format!("unit {} {}", self.unit_symbol(), equated(self.unit.value, digits))
     }
 
     /// Returns the height in the plot at which a value of f is drawn.

@@ -6,6 +6,7 @@ mod files;
 mod leaving;
 mod numbers;
 mod questions;
+mod ray_pictures;
 mod stage;
 mod strip;
 mod walk;

@@ -26,13 +26,14 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
 
-/// Shows only the graph, as on a lesson's stage.
+/// Shows only the graph, as on a lesson's stage; only its axes while the step's question is open.
 pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    draw(ui, area.shrink(2.0), plot, first, &mut session.ray_point_t);
+    let t = (!session.is_asking).then_some(&mut session.ray_point_t);
+    draw(ui, area.shrink(2.0), plot, first, t);
 }
 
 /// Shows the plot, and the text on its right.
@@ -45,7 +46,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
-    draw(ui, left, plot, first, ray_point_t);
+    draw(ui, left, plot, first, Some(ray_point_t));
     inside(ui, right, |ui| {
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
@@ -152,10 +153,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f at the plot's upper edge, in the unit of each curve.
+/// Value of f at the plot's upper and at its lower edge, in the unit of each curve.
 const TOP: f64 = 4.4;
-/// Value of f at the plot's lower edge, in the unit of each curve: with planes, and without planes.
-const BOTTOM: (f64, f64) = (-2.4, -1.5);
+const BOTTOM: f64 = -2.4;
 
 /// Dash and gap of a curve's line, in points, by the curve's index.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
@@ -182,27 +182,35 @@ struct DrawnCurve {
     exits: Vec<(Pos2, Vec2)>,
 }
 
-/// Shows the drawing, and handles drags of t in it.
-fn draw(ui: &Ui, rect: Rect, plot: &Plot, first: Option<(u32, f64)>, ray_t: &mut Option<f64>) {
+/// Shows the drawing, and handles drags of t in it; without t, shows only the axes.
+fn draw(
+    ui: &Ui,
+    rect: Rect,
+    plot: &Plot,
+    first: Option<(u32, f64)>,
+    ray_t: Option<&mut Option<f64>>,
+) {
     let colors = theme::style(ui).colors();
     // Leaves space for the numbers of f on the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
-    let has_planes = plot.curves.iter().any(Curve::is_straight);
-    let bottom = if has_planes { BOTTOM.0 } else { BOTTOM.1 };
     let t = Scale::even([*plot.range.start(), *plot.range.end()], [inner.left(), inner.right()]);
-    let height = Scale::even([bottom, TOP], [inner.bottom(), inner.top()]);
-    input(ui, inner, &t, ray_t);
+    let height = Scale::even([BOTTOM, TOP], [inner.bottom(), inner.top()]);
     let painter = ui.painter_at(inner);
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);
     let curves: Vec<DrawnCurve> =
         plot.samples.iter().map(|samples| drawing.drawn(samples)).collect();
-    drawing.curves(&curves);
     let mut words = LabelLayout::new(ui.painter_at(inner), colors.halo, inner.shrink(2.0));
+    for x in [0.0, 1.0].map(|t| drawing.t.position(t)) {
+        words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, inner.y_range()));
+    }
+    let Some(ray_t) = ray_t else { return drawing.captions(&curves, &mut words) };
+    input(ui, inner, &drawing.t, ray_t);
+    drawing.curves(&curves);
     drawing.roots(&mut words);
     drawing.ray_point(&mut words);
-    drawing.captions(&curves, &mut words);
     drawing.numbers(&mut words);
+    drawing.captions(&curves, &mut words);
     drawing.names(&curves, &mut words);
 }
 
@@ -270,7 +278,7 @@ impl PlotDrawing<'_> {
             let value = f64::from(value);
             Tick { value, at: self.height.position(value), text: number(value, 3) }
         };
-        let ticks: Vec<Tick> = (-2..=4).map(row).filter(|tick| tick.at < rect.bottom()).collect();
+        let ticks: Vec<Tick> = (-2..=4).map(row).collect();
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);
@@ -279,7 +287,7 @@ impl PlotDrawing<'_> {
         last.for_each(|tick| tick.text.clear());
         chart::columns(around, rect, &ticks, grid);
         for (text, size, at) in [
-            ("f(p + t d) / unit", DRAWN_TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
+            (self.plot.height_words().as_str(), DRAWN_TEXT + 0.5, outer.min + vec2(6.0, 2.0)),
             ("t", DRAWN_TEXT + 2.0, rect.right_bottom() + vec2(-14.0, 2.0)),
         ] {
             around.galley(at, around.layout_job(formula(text, size, ink)), ink);
@@ -377,9 +385,6 @@ impl PlotDrawing<'_> {
     /// through the words.
     fn captions(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let [eye, viewport] = [0.0, 1.0].map(|t| self.t.position(t));
-        for x in [eye, viewport] {
-            words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, self.rect.y_range()));
-        }
         let (top, bottom) = (self.rect.top() + 24.0, self.rect.bottom() - 4.0);
         let count = ((bottom - top) / ROW).max(0.0) as usize + 1;
         let rows = |x: f32, align: Align2| {
@@ -428,7 +433,8 @@ impl PlotDrawing<'_> {
             words.write(&format!("t {}", equated(*t, 5)), font, rows);
         }
         // Objects that are hit at the same t share its number.
-        let mut written: Vec<String> = Vec::new();
+        let mut written: Vec<String> =
+            self.first_hit().map(|(_, t)| number(t, 4)).into_iter().collect();
         for (_, t) in self.zeros() {
             let (at, text) = (self.at(t, 0.0), number(t, 4));
             if written.contains(&text) {

@@ -69,8 +69,8 @@ impl Stage {
 
     /// Returns the areas of the layout's views; `None` if the layout's page arranges the main figure itself.
     pub(crate) fn areas(&self, image: ImageSize) -> Option<Areas> {
-        let Stage { main, band, layout, .. } = *self;
-        let (main, foot) = main.split_top_bottom_at_y(main.bottom() - band);
+        let Stage { main: whole, band, layout, .. } = *self;
+        let (main, foot) = whole.split_top_bottom_at_y(whole.bottom() - band);
         let foot = foot.shrink2(vec2(MARGIN, 0.0));
         let picture = vec2(image.width() as f32, image.height() as f32);
         let areas = |world, camera, rest| Some(Areas { world, camera, second: None, rest });
@@ -86,7 +86,7 @@ impl Stage {
             }
             ViewLayout::Plot => {
                 let (world, graph) =
-                    main.split_top_bottom_at_y(main.top() + ABOVE_GRAPH * main.height());
+                    whole.split_top_bottom_at_y(whole.top() + ABOVE_GRAPH * whole.height());
                 areas(Some(world), None, graph)
             }
             ViewLayout::Mistakes => {
@@ -96,7 +96,7 @@ impl Stage {
                 let (camera, second) = (Some(camera), Some(second));
                 Some(Areas { world, camera, second, rest: main.with_min_y(main.bottom()) })
             }
-            ViewLayout::Lines => areas(None, None, main),
+            ViewLayout::Lines => areas(None, None, whole),
             _ => None,
         }
     }
@@ -120,12 +120,12 @@ impl Stage {
         let (layout, is_asking) = (self.layout, context.session.is_asking);
         let is_composed = self.areas(context.open.document.camera.image).is_some();
         clipped(ui, rest, |ui| match layout {
-            ViewLayout::Plot if !is_asking => plot::graph(ui, context.session, context.derived),
+            ViewLayout::Plot => plot::graph(ui, context.session, context.derived),
             ViewLayout::Lines if is_asking => lines::asked(ui, &context.session.lines),
             ViewLayout::Lines => {
                 lines::figure(ui, &mut context.session.lines, context.style.digits)
             }
-            ViewLayout::Plot | ViewLayout::Mistakes => {}
+            ViewLayout::Mistakes => {}
             _ if is_composed && is_asking => {}
             _ if is_composed => foot(ui, context),
             _ if is_asking => hidden(ui),

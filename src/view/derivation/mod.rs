@@ -129,14 +129,23 @@ impl fmt::Display for DerivedLine {
 }
 
 impl Derivation {
-    /// Keeps only the lines about these concepts, and those that say why the derivation fails.
+    /// Keeps only the lines about these concepts, and those that say why the derivation fails. If there are
+    /// several objects, the first line about each names it.
     #[must_use]
     pub fn reduced_to(mut self, concepts: &[Concept]) -> Derivation {
+        let are_objects =
+            self.sections.iter().filter(|section| section.object.is_some()).count() > 1;
         let is_kept = |line: &DerivedLine| {
             line.is_fault || line.concept.is_some_and(|concept| concepts.contains(&concept))
         };
         self.sections.iter_mut().for_each(|section| section.lines.retain(is_kept));
         self.sections.retain(|section| !section.lines.is_empty());
+        for DerivedSection { object, title, lines, .. } in &mut self.sections {
+            if are_objects && object.is_some() {
+                let note = format!("{title}: {}", lines[0].note);
+                lines[0].note = note.trim_end_matches(": ").to_owned();
+            }
+        }
         self.left_out = 0;
         self
     }

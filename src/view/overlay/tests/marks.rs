@@ -61,8 +61,8 @@ fn a_ray_is_solid_up_to_its_hit_and_dashed_behind_it() {
         .into_iter()
         .filter(|(_, from, to)| to - from > 20)
         .collect();
-    // The dashed part leaves the ball at z = -8 and ends one radius beyond.
-    let [eye, hit, end] = [0.0, -6.0, -9.0].map(to_screen);
+    // The dashed part leaves the ball at z = -8 and ends half a radius beyond.
+    let [eye, hit, end] = [0.0, -6.0, -8.5].map(to_screen);
     assert_eq!(ray, [('-', eye, hit), ('.', hit, end)]);
 }
 

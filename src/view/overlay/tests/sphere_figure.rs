@@ -45,8 +45,15 @@ fn a_hit_sphere_shows_roots_foot_radius_and_half_chord() {
     // d = (0, 0, -1) passes the centre at a distance of 0.6: D = 0.64.
     let stage = stage(vec![sphere(0.0, 0.6, -5.0, 1.0)], (0.0, 0.0));
     let drawing = small_drawing(&stage);
-    let expected =
-        ["c", "d", "r = 1", "t < 0", "t = 4.2, first hit", "t = 5.8", "t = −b/a = 5", "√D/a = 0.8"];
+    let expected = [
+        "centre",
+        "foot: t = −b/a = 5",
+        "r = 1",
+        "t < 0",
+        "t = 4.2, first hit",
+        "t = 5.8",
+        "√D/a = 0.8",
+    ];
     assert_eq!(texts(&drawing), expected);
     let at = |z: f64| DVec3::new(0.0, 0.0, z);
     let center = DVec3::new(0.0, 0.6, -5.0);
@@ -71,14 +78,15 @@ fn a_hit_sphere_shows_roots_foot_radius_and_half_chord() {
 #[test]
 fn a_missed_sphere_shows_its_distance_against_its_radius() {
     // The first sphere is behind the eye, so the second one is closer to the ray.
-    let spheres = vec![sphere(0.0, 0.0, 4.0, 1.0), sphere(0.0, 1.5, -5.0, 1.0)];
+    let spheres = vec![sphere(0.0, 0.0, 1.0, 0.5), sphere(0.0, 1.25, -5.0, 1.0)];
     let stage = stage(spheres, (0.0, 0.0));
     let drawing = small_drawing(&stage);
-    let expected = ["c", "d", "distance = 1.5 > r", "r = 1", "t < 0", "t = −b/a = 5"];
-    assert_eq!(texts(&drawing), expected);
-    let (center, rim) = (DVec3::new(0.0, 1.5, -5.0), DVec3::new(0.0, 0.5, -5.0));
-    assert!(has_line(&stage, &drawing, [center, rim]));
-    assert!(has_line(&stage, &drawing, [DVec3::new(0.0, 0.0, -5.0), rim]));
+    let of_figure = ["centre", "distance = 1.25 > r", "foot: t = −b/a = 5", "r = 1"];
+    let of_roots = ["t < 0", "t = −0.5", "t = −1.5"];
+    assert_eq!(texts(&drawing), [&of_figure[..], &of_roots].concat());
+    let (center, rim) = (DVec3::new(0.0, 1.25, -5.0), DVec3::new(0.0, 1.25, -4.0));
+    assert!(has_line(&stage, &drawing, [center, rim]), "r keeps off the perpendicular");
+    assert!(has_line(&stage, &drawing, [DVec3::new(0.0, 0.0, -5.0), center]));
     assert!(drawing.marks.iter().all(|mark| !mark.hidden), "nothing ends the ray");
 }
 
@@ -88,8 +96,20 @@ fn a_touched_sphere_has_one_root_and_a_sphere_around_the_eye_one_behind_it() {
     assert!(texts(&touched).contains(&"t = 5, first hit"), "{:?}", texts(&touched));
     assert!(!texts(&touched).iter().any(|text| text.contains("distance")));
     let around = small_drawing(&stage(vec![sphere(0.0, 0.0, -1.0, 2.0)], (0.0, 0.0)));
-    for text in ["t = −1", "t = 3, first hit", "t = −b/a = 1", "√D/a = 2"] {
+    for text in ["t = −1", "t = 3, first hit", "foot: t = −b/a = 1", "√D/a = 2"] {
         assert!(texts(&around).contains(&text), "{text}: {:?}", texts(&around));
+    }
+}
+
+#[test]
+fn roots_of_all_objects_are_marked_behind_the_eye_too() {
+    let spheres = vec![sphere(0.0, 0.0, 1.0, 0.5), sphere(0.0, 0.0, -5.0, 1.0)];
+    let mut stage = stage(spheres, (0.0, 0.0));
+    stage.items = OverlayItems::NONE.with(Item::Roots, true).with(Item::Labels, true);
+    let drawing = small_drawing(&stage);
+    assert_eq!(texts(&drawing), ["t < 0", "t = 4, first hit", "t = 6", "t = −0.5", "t = −1.5"]);
+    for z in [1.5, 0.5, -4.0, -6.0] {
+        assert!(has_disc(&stage, &drawing, DVec3::new(0.0, 0.0, z)), "{z}");
     }
 }
 

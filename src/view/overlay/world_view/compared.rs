@@ -199,16 +199,12 @@ impl Sketch<'_> {
         if hit.is_some() {
             self.ring_or_disc(mark, end, 5.0, pen);
         }
-        if let Some(spot) = self.screen.spot(ray.at(1.0)) {
-            self.label(pen, &mark.label, [spot.at, DVec2::new(0.3, -1.0)], BOLD_POINT);
-        }
+        self.label_at(ray.at(1.0), pen, &mark.label, DVec2::new(0.3, -1.0), BOLD_POINT);
     }
 
     fn mark_point(&mut self, mark: &AnswerMark, at: DVec3, pen: LineStyle) {
         self.ring_or_disc(mark, at, 5.5, pen);
-        if let Some(spot) = self.screen.spot(at) {
-            self.label(pen, &mark.label, [spot.at, DVec2::new(0.5, 1.0)], BOLD_POINT);
-        }
+        self.label_at(at, pen, &mark.label, DVec2::new(0.5, 1.0), BOLD_POINT);
     }
 
     /// Draws a point of an answer: as a ring for a student's answer, as a disc for the right one.

@@ -30,7 +30,8 @@ pub fn drawn(
         if items.shows(Item::Measures) {
             drawn.points.extend(measured_points(&resolved));
         }
-        if items.shows(Item::Ray) || items.shows(Item::SphereFigure) {
+        let of_ray = [Item::Ray, Item::SphereFigure, Item::Direction, Item::Roots];
+        if of_ray.into_iter().any(|item| items.shows(item)) {
             let inspection = Inspection::new(&resolved, scene, selection);
             ray(&mut drawn, &inspection, scene);
             drawn.points.extend(t.map(|t| inspection.ray.at(t)));
@@ -51,7 +52,12 @@ fn ray(drawn: &mut Drawn, inspection: &Inspection, scene: &Scene) {
     drawn.points.push(ray.at(1.0));
     let shows_planes = [Item::Planes, Item::Hit].into_iter().any(|item| drawn.items.shows(item));
     let is_drawn = |object: u32| shows_planes || (object as usize) < scene.spheres().len();
-    let from = if inspection.first_hit().is_some_and(|hit| is_drawn(hit.object)) {
+    let marks_roots =
+        [Item::SphereFigure, Item::Roots].into_iter().any(|item| drawn.items.shows(item));
+    let from = if marks_roots {
+        drawn.arrows.extend(unit(-ray.direction).map(|back| (back, BEHIND)));
+        0
+    } else if inspection.first_hit().is_some_and(|hit| is_drawn(hit.object)) {
         inspection.first.unwrap_or(inspection.roots.len())
     } else {
         inspection.roots.len()
@@ -61,7 +67,6 @@ fn ray(drawn: &mut Drawn, inspection: &Inspection, scene: &Scene) {
     if drawn.items.shows(Item::SphereFigure)
         && let Some(figure) = SphereFigure::new(inspection, scene.spheres())
     {
-        drawn.points.extend(figure.points());
-        drawn.arrows.extend(unit(-ray.direction).map(|back| (back, BEHIND)));
+        drawn.points.push(figure.foot());
     }
 }

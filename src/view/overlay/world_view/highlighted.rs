@@ -158,9 +158,7 @@ impl Sketch<'_> {
     }
 
     pub(crate) fn label_middle(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str) {
-        if let Some(spot) = self.screen.spot(ends[0].midpoint(ends[1])) {
-            self.label(pen, text, [spot.at, DVec2::new(0.0, 1.0)], POINT);
-        }
+        self.label_at(ends[0].midpoint(ends[1]), pen, text, DVec2::Y, POINT);
     }
 
     /// Highlights a value that the user gives for the camera, such as the eye. These values exist even if
@@ -312,9 +310,7 @@ impl Sketch<'_> {
             let width = if pen.concept == Some(concept) { STRONG } else { ACCOMPANYING };
             let pen = LineStyle { color, width, ..pen }.about(concept);
             self.arrow([from, from + vector], Head::Filled, pen);
-            if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
-                self.label(pen, text, [spot.at, DVec2::new(0.0, 1.0)], POINT);
-            }
+            self.label_at(from + 0.5 * vector, pen, text, DVec2::Y, POINT);
             from += vector;
         }
         let ray = LineStyle { color: self.colors.ray, width: 2.0, concept: None, ..pen };

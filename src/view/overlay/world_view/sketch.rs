@@ -291,6 +291,21 @@ impl Sketch<'_> {
         }
     }
 
+    /// Requests a label for a point in the world. `toward` is the preferred direction from there, on the
+    /// screen.
+    pub(crate) fn label_at(
+        &mut self,
+        at: DVec3,
+        pen: LineStyle,
+        text: &str,
+        toward: DVec2,
+        font: LabelFont,
+    ) {
+        if let Some(spot) = self.screen.spot(at) {
+            self.label(pen, text, [spot.at, toward], font);
+        }
+    }
+
     fn is_hidden(&self, spot: Spot, pen: LineStyle) -> bool {
         !pen.on_top && self.layers.hides(spot.at, 1.0 / spot.inverse_t, pen.on_viewport)
     }

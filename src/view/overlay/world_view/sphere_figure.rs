@@ -4,13 +4,14 @@
 //! sphere. Its roots are `t = (-b -+ sqrt(D)) / a`. They lie symmetrically around `t = -b / a`, the foot of
 //! the perpendicular from the centre to the ray, at half a chord from it, which is `sqrt(D) / a` in t.
 
-use pinhole_core::{DVec2, DVec3, ExactRay, Ray, Sphere, SphereQuadratic};
+use pinhole_core::{DVec2, DVec3, ExactRay, Ray, Root, Sphere, SphereQuadratic};
 
 use super::ASKED_SPHERES;
+use super::whiteboard::APART;
 use crate::model::inspection::ObjectTerms;
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
-    BOLD_POINT, Head, LineStyle, MARK, POINT, Shape, Sketch, VECTOR, dot, equals, silhouette, unit,
+    BOLD_POINT, LineStyle, MARK, POINT, Shape, Sketch, dot, equals, silhouette, unit,
 };
 
 /// Dash and gap of the ray's line behind its origin, in points.
@@ -35,8 +36,6 @@ pub(crate) struct SphereFigure {
     foot: f64,
     /// The t of the points where the ray's line meets the sphere, in ascending order.
     roots: Vec<f64>,
-    /// The t of the ray's first hit, if the hit is on this sphere.
-    first: Option<f64>,
 }
 
 impl SphereFigure {
@@ -55,19 +54,13 @@ impl SphereFigure {
         let foot = -terms.b / terms.a;
         let own = inspection.roots.iter().filter(|root| root.object == index);
         let roots: Vec<f64> = own.map(|root| root.t).filter(|t| t.is_finite()).collect();
-        let first = inspection.first_hit().filter(|hit| hit.object == index).map(|hit| hit.t);
         let is_finite = foot.is_finite() && ray.at(foot).is_finite();
-        is_finite.then_some(SphereFigure { index, sphere, ray, terms, foot, roots, first })
+        is_finite.then_some(SphereFigure { index, sphere, ray, terms, foot, roots })
     }
 
-    /// Returns the foot of the perpendicular and the points where the ray's line meets the sphere.
-    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> {
-        self.roots.iter().chain([&self.foot]).map(|t| self.ray.at(*t))
-    }
-
-    /// Returns true if the figure labels the point at this t with its t.
-    pub(crate) fn names(&self, t: f64) -> bool {
-        self.roots.contains(&t)
+    /// Returns the foot of the perpendicular.
+    pub(crate) fn foot(&self) -> DVec3 {
+        self.ray.at(self.foot)
     }
 
     /// Returns the unit vector from the foot of the perpendicular to the centre, and the distance between
@@ -93,7 +86,7 @@ fn closest(ray: &Ray, spheres: &[Sphere]) -> Option<u32> {
 
 impl Sketch<'_> {
     /// Draws the selected ray: up to its first hit, and dashed from there to the farthest object on its line.
-    /// If that object is a sphere, the line ends one radius beyond it; a ray that hits nothing has no end.
+    /// If that object is a sphere, the line ends half a radius beyond it; a ray that hits nothing has no end.
     pub(crate) fn ray_line(&mut self, inspection: &Inspection, pen: LineStyle) {
         let ray = &inspection.ray;
         let Some(hit) = self.drawn_hit(inspection) else {
@@ -105,7 +98,7 @@ impl Sketch<'_> {
         let mut drawn = inspection.roots.iter().rev().filter(|root| self.is_drawn(root));
         let Some(last) = drawn.find(|root| root.t.is_finite()) else { return };
         let sphere = self.scene.spheres().get(last.object as usize);
-        let beyond = sphere.map_or(0.0, |sphere| sphere.radius / ray.direction.length());
+        let beyond = sphere.map_or(0.0, |sphere| 0.5 * sphere.radius / ray.direction.length());
         let end = ray.at(last.t + beyond);
         if beyond > 0.0 || last.t > hit.t {
             let width = 0.6 * pen.width;
@@ -123,25 +116,33 @@ impl Sketch<'_> {
             let pen = ink.about(Concept::Object(figure.index)).without_halo();
             self.line(ends[0], ends[1], pen);
         }
-        self.behind_the_eye(figure, ray);
         if !self.items.shows(Item::Ray) {
             self.ray_line(inspection, LineStyle { width: 2.8, ..ray }.about(Concept::Ray));
         }
-        let strong = LineStyle { width: 3.6, ..ray }.about(Concept::Direction);
-        let ends = [figure.ray.origin, figure.ray.at(1.0)];
-        self.named_arrow(ends, Head::Filled, strong, "d", VECTOR);
-        self.roots(inspection, figure, ray);
+        if !self.items.shows(Item::Roots) {
+            self.roots(inspection, figure.foot, ray);
+        }
         self.center_and_foot(figure, ink);
         self.chord(figure, ray);
     }
 
-    /// Draws the points where the ray's line meets the sphere: the first hit as a disc, others as rings.
-    fn roots(&mut self, inspection: &Inspection, figure: &SphereFigure, pen: LineStyle) {
-        for &t in &figure.roots {
-            let at = figure.ray.at(t);
-            let is_first = figure.first == Some(t);
-            let own = inspection.roots.iter().find(|r| r.object == figure.index && r.t == t);
-            let pen = own.map_or(pen, |root| pen.about(inspection.concept_of(root)));
+    /// Draws the points where the ray's line meets objects, each with its t: the first hit as a disc, others
+    /// as rings; and, dotted, the line behind the eye as far as the last of them there, or to `marked`.
+    pub(crate) fn roots(&mut self, inspection: &Inspection, marked: f64, pen: LineStyle) {
+        let ray = &inspection.ray;
+        let mut roots: Vec<&Root> = inspection
+            .roots
+            .iter()
+            .filter(|root| root.t.is_finite() && self.is_drawn(root))
+            .collect();
+        // Objects that the line meets at one point share its label.
+        roots.dedup_by_key(|root| root.t);
+        self.behind_the_eye(ray, roots.iter().fold(marked, |t, root| t.min(root.t)), pen);
+        let first = inspection.first_hit();
+        for root in roots {
+            let (at, t) = (root.point, root.t);
+            let is_first = first.is_some_and(|hit| hit.t == t);
+            let pen = pen.about(inspection.concept_of(root));
             let text = format!("t {}{}", equals(t), if is_first { ", first hit" } else { "" });
             let Some(spot) = self.point(at, 6.0, pen) else { continue };
             if !is_first {
@@ -150,9 +151,9 @@ impl Sketch<'_> {
                 let pen = LineStyle { color: self.colors.halo, ..pen }.without_halo();
                 self.drawing.marks.push(pen.mark(hole, self.colors.halo));
             }
-            let outward = self.on_screen(at, at - figure.sphere.center);
-            let along = self.on_screen(at, (t - figure.foot) * figure.ray.direction);
-            self.label(pen, &text, [spot.at, along + 0.5 * outward], BOLD_POINT);
+            let along = self.on_screen(at, root.normal.dot(ray.direction) * ray.direction);
+            let toward = along + 0.5 * self.on_screen(at, root.normal);
+            self.label(pen, &text, [spot.at, toward], BOLD_POINT);
         }
     }
 
@@ -167,83 +168,63 @@ impl Sketch<'_> {
 
     /// Draws the centre, the radius, and the perpendicular from the centre to the ray with its right angle.
     fn center_and_foot(&mut self, figure: &SphereFigure, pen: LineStyle) {
-        let SphereFigure { sphere, ray, terms, foot, ref roots, .. } = *figure;
+        let SphereFigure { sphere, ray, foot, ref roots, .. } = *figure;
         let (center, radius, at) = (sphere.center, sphere.radius, ray.at(foot));
+        let Some(forward) = unit(ray.direction) else { return };
         let perpendicular = figure.perpendicular();
-        let out = perpendicular.map_or(DVec3::ZERO, |(out, _)| out);
-        let to_center = self.on_screen(at, out);
-        self.mark_point_at(center, 4.0, pen, ("c", BOLD_POINT), to_center);
-        let text = format!("t = −b/a {}", equals(foot));
-        self.mark_point_at(at, 4.5, pen, (&text, POINT), -to_center);
-        // From inside the sphere and from outside, the radius goes to the first root in front of the eye; if
-        // the ray misses the sphere, it goes to the surface straight towards the ray.
-        let rim = match roots.iter().find(|t| **t > 0.0).or(roots.first()) {
-            Some(t) => ray.at(*t),
-            None => center - radius * out,
-        };
-        let middle = self.screen.spot(center.midpoint(rim));
-        self.line(center, rim, pen);
-        if let Some(spot) = middle {
-            let text = format!("r {}", equals(radius));
-            self.label(pen, &text, [spot.at, to_center], POINT);
+        let to_center = perpendicular.map_or(DVec2::ZERO, |(out, _)| self.on_screen(at, out));
+        let back = -self.on_screen(at, forward);
+        self.point(center, 4.0, pen);
+        self.label_at(center, pen, "centre", to_center, POINT);
+        self.point(at, 4.5, pen);
+        // Where the line touches the sphere, the root has a label of its own.
+        if roots.len() != 1 {
+            let text = format!("foot: t = −b/a {}", equals(foot));
+            self.label_at(at, pen, &text, back - to_center, POINT);
         }
+        // From inside the sphere and from outside, the radius goes to the first root in front of the eye; if
+        // the ray misses the sphere, it keeps off the perpendicular.
+        let ahead = roots.iter().find(|t| **t > 0.0).or(roots.first());
+        let rim = ahead.map_or(center - radius * forward, |t| ray.at(*t));
+        self.line(center, rim, pen);
+        let text = format!("r {}", equals(radius));
+        self.label_at(center.midpoint(rim), pen, &text, back + to_center, POINT);
         let Some((out, distance)) = perpendicular else { return };
         let thin = LineStyle { width: 1.4, ..pen };
-        self.line(at, if roots.is_empty() { rim } else { center }, thin);
+        self.line(at, center, thin);
         let side = RIGHT_ANGLE * distance.min(radius);
-        if let Some(forward) = unit(ray.direction) {
-            let back = at - side * forward;
-            self.line(back, back + side * out, thin);
-            self.line(back + side * out, at + side * out, thin);
-        }
-        if roots.is_empty()
-            && let Some(spot) = self.screen.spot(at + 0.5 * (distance - radius) * out)
-        {
-            // The exact sign of D decides the comparison, not the rounded distance.
-            let sign = if terms.discriminant < 0.0 { '>' } else { '=' };
-            let text = format!("distance {} {sign} r", equals(distance));
-            self.label(pen, &text, [spot.at, -to_center], POINT);
+        let corner = at - side * forward;
+        self.line(corner, corner + side * out, thin);
+        self.line(corner + side * out, at + side * out, thin);
+        if roots.is_empty() {
+            let text = format!("distance {} > r", equals(distance));
+            self.label_at(at.midpoint(center), pen, &text, -back, POINT);
         }
     }
 
-    fn mark_point_at(
-        &mut self,
-        at: DVec3,
-        radius: f32,
-        pen: LineStyle,
-        (text, font): (&str, (f32, bool)),
-        toward: DVec2,
-    ) {
-        if let Some(spot) = self.point(at, radius, pen) {
-            self.label(pen, text, [spot.at, toward], font);
-        }
-    }
-
-    /// Labels the half chord, from the foot of the perpendicular to the last root.
+    /// Draws a dimension line beside the half chord from the foot of the perpendicular to the last root.
     fn chord(&mut self, figure: &SphereFigure, pen: LineStyle) {
         let Some(last) = figure.roots.last().filter(|t| **t > figure.foot) else { return };
-        let middle = figure.ray.at(0.5 * (figure.foot + last));
+        let ends = [figure.foot, *last].map(|t| figure.ray.at(t));
         let half = figure.terms.discriminant.sqrt() / figure.terms.a;
-        if let Some(spot) = self.screen.spot(middle) {
-            let out = figure.perpendicular().map_or(DVec3::ZERO, |(out, _)| out);
-            let toward = -self.on_screen(middle, out);
-            self.label(pen, &format!("√D/a {}", equals(half)), [spot.at, toward], POINT);
-        }
+        let middle = ends[0].midpoint(ends[1]);
+        let sight = middle - self.view.frame.camera().eye();
+        let Some(across) = unit(figure.ray.direction.cross(sight)) else { return };
+        let out = figure.perpendicular().map_or(DVec3::ZERO, |(out, _)| out);
+        let below = if out.dot(across) > 0.0 { -across } else { across };
+        let apart = self.screen.length_of_points(middle, (APART, APART)) * below;
+        let text = format!("√D/a {}", equals(half));
+        self.dimension(ends.map(|end| end + apart), pen, &text, below);
     }
 
-    /// Draws, dotted, the ray's line behind its origin: to what the figure marks there, or a short piece.
-    fn behind_the_eye(&mut self, figure: &SphereFigure, pen: LineStyle) {
-        let ray = &figure.ray;
+    /// Draws, dotted, the ray's line behind its origin: a short piece, or as far as the point at `marked`.
+    fn behind_the_eye(&mut self, ray: &Ray, marked: f64, pen: LineStyle) {
         let shortest = self.screen.arrow_length(ray.origin) / ray.direction.length();
-        let marked = figure.roots.iter().copied().chain([figure.foot]).fold(0.0, f64::min);
-        let end = ray.at(marked - 0.8 * shortest);
+        let end = ray.at(marked.min(-0.8 * shortest));
         if !end.is_finite() {
             return;
         }
         self.line(ray.origin, end, pen.patterned(Some(DOTS)));
-        if let Some(spot) = self.screen.spot(end) {
-            let toward = self.on_screen(end, -ray.direction);
-            self.label(pen, "t < 0", [spot.at, toward], MARK);
-        }
+        self.label_at(end, pen, "t < 0", self.on_screen(end, -ray.direction), MARK);
     }
 }

@@ -27,8 +27,8 @@ const BESIDE: f64 = 0.14;
 /// Distance between the viewport and the numbers of its rows and columns, in points.
 const NUMBER_GAP: f64 = 2.0;
 
-/// Distance between the arrows of view and -view, in points.
-const APART: f64 = 14.0;
+/// Distance between the arrows of view and -view, and between a line and its dimension line, in points.
+pub(crate) const APART: f64 = 14.0;
 
 impl Sketch<'_> {
     /// Draws the areas of both cross products from which u and v come, except of the highlighted one, which
@@ -69,21 +69,19 @@ impl Sketch<'_> {
         self.polygon(&corners, fill);
         self.sides(corners, LineStyle { width: 1.6, ..pen });
         let (angle, sine) = cross.angle.zip(cross.sine)?;
-        if let Some(spot) = self.screen.spot(corners[2]) {
-            let number = |x: f64| highlighted.number(x);
-            let sine_of = format!("sin({}°)", number(angle.to_degrees()));
-            let length = cross.first.length;
-            let is = highlighted.relation(&[cross.area]);
-            let substituted = highlighted.relation(&[length, angle.to_degrees(), cross.area]);
-            let factor = match number(length) {
-                one if one == number(1.0) => String::new(),
-                other => format!("{other} · "),
-            };
-            let (of, area) = (format!("|{} × {}|", names[0], names[1]), number(cross.area));
-            let text = format!("{of} {is} {area} {substituted} {factor}{sine_of}");
-            let outward = self.on_screen(corners[2], a + b);
-            self.label(pen, &text, [spot.at, outward], POINT);
-        }
+        let number = |x: f64| highlighted.number(x);
+        let sine_of = format!("sin({}°)", number(angle.to_degrees()));
+        let length = cross.first.length;
+        let is = highlighted.relation(&[cross.area]);
+        let substituted = highlighted.relation(&[length, angle.to_degrees(), cross.area]);
+        let factor = match number(length) {
+            one if one == number(1.0) => String::new(),
+            other => format!("{other} · "),
+        };
+        let (of, area) = (format!("|{} × {}|", names[0], names[1]), number(cross.area));
+        let text = format!("{of} {is} {area} {substituted} {factor}{sine_of}");
+        let outward = self.on_screen(corners[2], a + b);
+        self.label_at(corners[2], pen, &text, outward, POINT);
         Some(([a, b], side * sine))
     }
 
@@ -124,9 +122,7 @@ impl Sketch<'_> {
                 let apart = self.screen.length_of_points(middle, (APART, APART)) * beside;
                 self.arrow([at + apart, eye + apart], Head::Filled, back);
                 let middle = middle + apart;
-                if let Some(spot) = self.screen.spot(middle) {
-                    self.label(back, "−view", [spot.at, self.on_screen(middle, beside)], POINT);
-                }
+                self.label_at(middle, back, "−view", self.on_screen(middle, beside), POINT);
             }
             Orientation::View { .. } => {
                 let tip = eye - arrow * VIEW_LENGTH * forward;
@@ -189,22 +185,18 @@ impl Sketch<'_> {
             let fixed = |(text, at)| Request::fixed(pen, text, at, NUMBER, self.colors.halo);
             self.requests.extend(placed.into_iter().map(fixed).collect::<Vec<_>>());
             let middle = at(-out * half);
-            if let Some(spot) = self.screen.spot(middle) {
-                let outward = self.on_screen(middle, -outward);
-                self.label(pen, &format!("{name} = {count}"), [spot.at, outward], POINT);
-            }
+            let outward = self.on_screen(middle, -outward);
+            self.label_at(middle, pen, &format!("{name} = {count}"), outward, POINT);
         }
     }
 
     /// Draws a line with an arrowhead at each end, and a label at its middle.
-    fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str, outward: DVec3) {
+    pub(crate) fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle, text: &str, out: DVec3) {
         let middle = ends[0].midpoint(ends[1]);
         for end in ends {
             self.arrow([middle, end], Head::Filled, pen);
         }
-        if let Some(spot) = self.screen.spot(middle) {
-            self.label(pen, text, [spot.at, self.on_screen(middle, outward)], POINT);
-        }
+        self.label_at(middle, pen, text, self.on_screen(middle, out), POINT);
     }
 
     /// Draws the selected point's u and v on the viewport, as two legs from its middle to the point.
@@ -215,10 +207,8 @@ impl Sketch<'_> {
             let [from, to] = ends.map(at);
             self.line(from, to, pen);
             let middle = from.midpoint(to);
-            if let Some(spot) = self.screen.spot(middle) {
-                let outward = self.on_screen(middle, at(outward) - at(DVec2::ZERO));
-                self.label(pen, &text, [spot.at, outward], POINT);
-            }
+            let outward = self.on_screen(middle, at(outward) - at(DVec2::ZERO));
+            self.label_at(middle, pen, &text, outward, POINT);
         }
     }
 }

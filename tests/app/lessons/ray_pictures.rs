@@ -1,0 +1,90 @@
+//! The pictures of the lessons on lines, on the ray and a sphere, and on many rays: what is drawn and named
+//! before and after the answer.
+
+use egui::Key;
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::lessons::{StepId, Which};
+use pinhole_core::DVec3;
+
+use super::{Window, at_step, key};
+use crate::harness::{texts_with, window};
+
+/// A window on a lesson's step, both counted from 1, with its question open.
+fn asked(lesson: usize, step: usize) -> Window {
+    let mut window = window("canonical");
+    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
+    window.state_mut().open_lesson(id, None);
+    window.run();
+    window
+}
+
+/// The labels in the world view.
+fn labels(window: &Window) -> Vec<String> {
+    let view = window.state().derived().world_view.clone().unwrap();
+    view.labels.iter().map(|label| label.text.clone()).collect()
+}
+
+#[test]
+fn the_ray_that_misses_the_ball_is_seen_beside_it() {
+    let window = at_step(12, 6);
+    let derived = window.state().derived();
+    let observer = derived.world_frame.clone().unwrap().camera().eye();
+    let ray = derived.inspection.clone().unwrap().ray;
+    let center = DVec3::new(0.0, 0.0, -5.0);
+    for k in 0..=70 {
+        let sight = (ray.at(0.1 * f64::from(k)) - observer).normalize();
+        let distance = sight.cross(center - observer).length();
+        assert!(distance > 1.02, "t = 0.{k}: {distance}");
+    }
+    let labels = labels(&window);
+    for text in ["r = 1", "distance ≈ 1.091 > r", "foot: t = −b/a ≈ 4.762"] {
+        assert!(labels.iter().any(|label| label == text), "{text}: {labels:?}");
+    }
+}
+
+#[test]
+fn the_given_ray_is_there_before_the_answer_and_no_t_of_it() {
+    for (lesson, step) in [(12, 1), (12, 3), (12, 6), (12, 7), (12, 8), (13, 1), (13, 2)] {
+        let mut window = asked(lesson, step);
+        let before = labels(&window);
+        assert!(before.iter().any(|text| text == "d"), "{lesson}.{step}: {before:?}");
+        assert!(!before.iter().any(|text| text.contains('=')), "{lesson}.{step}: {before:?}");
+        key(&mut window, Key::PageDown);
+        assert!(labels(&window).iter().any(|text| text.contains('=')), "{lesson}.{step}");
+    }
+}
+
+#[test]
+fn the_discriminant_is_not_named_before_it_is_introduced() {
+    let named = |step| labels(&at_step(12, step)).iter().any(|text| text.contains("D/a"));
+    assert_eq!([2, 3, 4, 5].map(named), [false, false, true, true]);
+}
+
+#[test]
+fn the_wrong_hit_behind_the_eye_is_marked_and_each_root_says_whose_it_is() {
+    let window = at_step(13, 2);
+    assert!(labels(&window).contains(&"t = −6".to_owned()), "{:?}", labels(&window));
+    for text in ["sphere 1 “near”: first hit", "sphere 2 “rear”: behind the eye"] {
+        assert!(!texts_with(&window, text).is_empty(), "{text}");
+    }
+}
+
+#[test]
+fn each_line_is_shown_alone_before_one_is_put_into_the_other() {
+    let points = |window: &Window| {
+        let plane = window.get_by_role_and_label(Role::Image, "Plane with both lines");
+        plane.accesskit_node().description()
+    };
+    let implicit = asked(11, 1);
+    assert!(!texts_with(&implicit, "f(x, y) = a x + b y + c = 2 x + y − 2").is_empty());
+    assert_eq!(points(&implicit), None);
+    let parametric = asked(11, 2);
+    assert!(!texts_with(&parametric, "x = px + t dx = −1 + t").is_empty());
+    assert_eq!(points(&parametric).as_deref(), Some("points from t = −1 to t = 3"));
+    for window in [implicit, parametric] {
+        for text in ["substituted", "They meet"] {
+            assert!(texts_with(&window, text).is_empty(), "{text}");
+        }
+    }
+}
