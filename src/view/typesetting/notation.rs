@@ -4,6 +4,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Response, Ui};
 
+use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols;
 
 /// The letters that denote vectors when they are not part of a word.
@@ -14,7 +15,7 @@ const VECTORS: &str = "pdn";
 pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let full = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
-    let small = FontId::proportional(0.72 * size);
+    let small = FontId::proportional((0.72 * size).max(WRITTEN.min(size)));
     let small = TextFormat { font_id: small, valign: Align::BOTTOM, ..full.clone() };
     let mut run = String::new();
     let chars: Vec<char> = text.chars().collect();
