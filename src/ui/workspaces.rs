@@ -177,13 +177,14 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
 /// Shows the numbers at the foot of the main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
+    let items = context.session.settings.items;
     let area = ui.available_rect_before_wrap();
     let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
     let ui = &mut ui.new_child(inner);
     let all = context.session.settings.unfolded.numbers && area.height() > readouts::BAND;
     let mut switched = false;
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
-        readouts::band(ui, derived, document, style);
+        readouts::band(ui, derived, document, items, style);
     } else if all {
         switched = ui.small_button("Fewer numbers").clicked();
         readouts::ui(ui, derived, document, style);
@@ -191,7 +192,7 @@ pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             switched = ui.small_button("All numbers").clicked();
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                readouts::band(ui, derived, document, style);
+                readouts::band(ui, derived, document, items, style);
             });
         });
     }

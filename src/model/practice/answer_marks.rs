@@ -136,7 +136,10 @@ impl Exercises {
         let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));
         let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
         if asked.peek().is_none() {
-            return items;
+            // The camera is given by its viewport; the question is about a ray.
+            return [At, ViewAndUp, Basis]
+                .into_iter()
+                .fold(items, |items, item| items.with(item, false));
         }
         // Frustum and viewport show all three vectors.
         let is_secret = asked.any(|asked| self.answered(asked).right.is_none());

@@ -17,6 +17,7 @@ use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::symbols::{SymbolKind, meaning};
+use crate::model::{Item, OverlayItems};
 use crate::ui::widgets::{ResponseExt as _, vector_color};
 use crate::view::derive::Derived;
 use crate::view::typesetting::notation::{self, formula};
@@ -312,13 +313,28 @@ pub(crate) const BAND: f32 = 26.0;
 /// Minimum width of the area with a choice between one line of numbers and all of them, in points.
 pub(crate) const LEAST: f32 = 420.0;
 
-/// Shows the selected ray and its first hit in one line, as far as there is room for them.
-pub(crate) fn band(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+/// Shows the selected ray and its first hit in one line, as far as they are drawn and there is room for
+/// them.
+pub(crate) fn band(
+    ui: &mut Ui,
+    derived: &Derived,
+    document: &Document,
+    items: OverlayItems,
+    style: NumberStyle,
+) {
     let shown = derived.resolved.as_ref().zip(derived.inspection.as_ref());
     let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
     let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
-    let hit = inspection.hit_readings(|object| document.title_of(object));
-    let mut row: Vec<Reading> = [uv, d].into_iter().chain(hit).collect();
+    let mut row: Vec<Reading> = Vec::new();
+    if [Item::Ray, Item::Direction].into_iter().any(|item| items.shows(item)) {
+        row.extend([uv, d]);
+    }
+    if [Item::Hit, Item::Roots, Item::SphereFigure].into_iter().any(|item| items.shows(item)) {
+        row.extend(inspection.hit_readings(|object| document.title_of(object)));
+    }
+    if row.is_empty() {
+        return;
+    }
     let smallest = (FEWEST.min(style.digits), WRITTEN);
     while row.len() > 1 && row_width(ui, &row, smallest, style) > ui.available_width() {
         row.pop();

@@ -93,7 +93,7 @@ fn the_canonical_camera() {
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (0, 0, 5) = −5
               c = |𝐩 − centre|² − r² = |(0, 0, 5)|² − 1² = 24
               1.05 t² − 10 t + 24 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c = (−5)² − 1.05 · 24 = −0.2; D < 0: the line passes by
 
             sphere 1 “marble”
@@ -109,7 +109,7 @@ fn the_canonical_camera() {
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (1.2, −0.9, 4) = −3.67
               c = |𝐩 − centre|² − r² = |(1.2, −0.9, 4)|² − 0.5² = 18
               1.05 t² − 7.34 t + 18 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c = (−3.67)² − 1.05 · 18 = −5.4311; D < 0: the line passes by
 
             plane 2 “back wall”
@@ -173,7 +173,7 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (21, 4, 15) ≈ −√682
               c = |𝐩 − centre|² − r² = |(21, 4, 15)|² − 3² = 673
               1.0631 t² − 2 √682 t + 673 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c ≈ (−√682)² − 1.0631 · 673 ≈ −33.485; D < 0: the line passes by
 
             sphere 1 “left”
@@ -189,7 +189,7 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (29, 5, 7) ≈ −27.944
               c = |𝐩 − centre|² − r² = |(29, 5, 7)|² − 2² = 911
               1.0631 t² − 55.887 t + 911 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c ≈ (−27.944)² − 1.0631 · 911 ≈ −187.67; D < 0: the line passes by
 
             sphere 2 “right”
@@ -205,7 +205,7 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (16, 5.5, 22) ≈ −25.962
               c = |𝐩 − centre|² − r² = |(16, 5.5, 22)|² − 1.5² = 768
               1.0631 t² − 51.923 t + 768 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c ≈ (−25.962)² − 1.0631 · 768 ≈ −142.47; D < 0: the line passes by
 
             sphere 3 “near”
@@ -221,7 +221,7 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (11, 6, 7) ≈ −12.797
               c = |𝐩 − centre|² − r² = |(11, 6, 7)|² − 1² = 205
               1.0631 t² − 25.595 t + 205 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c ≈ (−12.797)² − 1.0631 · 205 ≈ −54.17; D < 0: the line passes by
 
             plane 4 “floor”
@@ -276,7 +276,7 @@ fn the_lectures_forty_five_degrees() {
               b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4, 0, 4) = −4 √2
               c = |𝐩 − centre|² − r² = |(4, 0, 4)|² − 1² = 31
               1.05 t² − 8 √2 t + 31 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c = (−4 √2)² − 1.05 · 31 = −0.55; D < 0: the line passes by
 
             sphere 1 “marble”
@@ -292,7 +292,7 @@ fn the_lectures_forty_five_degrees() {
               b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4.5, −0.9, 2) ≈ −4.1526
               c = |𝐩 − centre|² − r² = |(4.5, −0.9, 2)|² − 0.5² = 24.81
               1.05 t² − 8.3053 t + 24.81 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, so b is half of the school's
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
               D = b² − a c ≈ (−4.1526)² − 1.05 · 24.81 ≈ −8.8061; D < 0: the line passes by
 
             plane 2 “back wall”

@@ -139,11 +139,17 @@ impl Sketch<'_> {
         roots.dedup_by_key(|root| root.t);
         self.behind_the_eye(ray, roots.iter().fold(marked, |t, root| t.min(root.t)), pen);
         let first = inspection.first_hit();
+        let is_alone = roots.iter().all(|root| root.object == roots[0].object);
         for root in roots {
             let (at, t) = (root.point, root.t);
             let is_first = first.is_some_and(|hit| hit.t == t);
             let pen = pen.about(inspection.concept_of(root));
-            let text = format!("t {}{}", equals(t), if is_first { ", first hit" } else { "" });
+            // Where the line meets several objects, there is room for the numbers alone.
+            let text = match (is_first, is_alone) {
+                (true, _) => format!("t {}, first hit", equals(t)),
+                (false, true) => format!("t {}", equals(t)),
+                (false, false) => equals(t).trim_start_matches("= ").to_owned(),
+            };
             let Some(spot) = self.point(at, 6.0, pen) else { continue };
             if !is_first {
                 let radius = 3.6 * self.drawing.scale;
@@ -152,7 +158,10 @@ impl Sketch<'_> {
                 self.drawing.marks.push(pen.mark(hole, self.colors.halo));
             }
             let along = self.on_screen(at, root.normal.dot(ray.direction) * ray.direction);
-            let toward = along + 0.5 * self.on_screen(at, root.normal);
+            let toward = match is_alone {
+                true => along + 0.5 * self.on_screen(at, root.normal),
+                false => -DVec2::Y,
+            };
             self.label(pen, &text, [spot.at, toward], BOLD_POINT);
         }
     }
