@@ -40,15 +40,21 @@ impl SphereEdges {
                 if distance.abs() < EDGE || (-REACH..0.0).contains(&distance) {
                     picture.pixels[pixel] = color(PURE);
                 }
-                if distance < -EDGE {
-                    spheres.pixels[pixel] = whole[pixel];
-                } else if distance < REACH {
+                if (-EDGE..REACH).contains(&distance) {
                     spheres.pixels[pixel] = color(-PURE);
                 }
             }
             let scale = f64::from(dots[0]) / size[0] as f64;
             outline.center *= scale;
             outline.axes = outline.axes.map(|axis| axis * scale);
+        }
+        // Last, so that the colour beyond one sphere's edge covers nothing of its neighbour.
+        for outline in &self.outlines {
+            for (pixel, at) in outline.pixels(size, 0.0) {
+                if outline.distance(at).0 < -EDGE {
+                    spheres.pixels[pixel] = whole[pixel];
+                }
+            }
         }
         self.picture = Some(spheres).filter(|_| !self.outlines.is_empty());
     }

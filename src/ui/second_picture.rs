@@ -48,7 +48,7 @@ pub(crate) fn show(
                 None => mistakes::strip(ui, area, mistakes_view),
             }
             if let Some(wrong) = derived.wrong_camera.as_deref() {
-                spoken = Some(mistakes::spoken(wrong, mistakes_view));
+                spoken = Some(mistakes::spoken(wrong, mistakes_view, session.is_asking));
                 why_not = mistakes::why_not(wrong, mistakes_view);
             }
         }

@@ -214,13 +214,17 @@ pub(crate) struct PlaneView {
     colors: &'static Colors,
 }
 
-/// Draws both lines, but nothing that shows where they meet: the trail of points may end there.
+/// Draws the lines, but nothing that shows where they meet: the trail of points may end there.
 pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
     let plane = PlaneView::new(ui, rect, lab.window);
     plane.background();
     plane.grid();
-    plane.implicit(&lab.line());
-    plane.parametric(&lab.ray, None);
+    if lab.shown != ShownLines::Parametric {
+        plane.implicit(&lab.line());
+    }
+    if lab.shown != ShownLines::Implicit {
+        plane.parametric(&lab.ray, None);
+    }
     let mut labels = plane.labels();
     plane.names(lab, &mut labels, None);
     plane.coordinates(&mut labels);

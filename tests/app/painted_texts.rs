@@ -39,6 +39,7 @@ pub(crate) fn texts(window: &Harness<'_, App>) -> Vec<Run> {
     for clipped in &window.output().shapes {
         texts.add(&clipped.shape, clipped.clip_rect);
     }
+    assert!(!texts.runs.is_empty(), "no text is painted");
     texts.runs
 }
 

@@ -37,7 +37,7 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
 fn a_family_has_a_curve_a_method() {
     let report = sample::report();
     let svg = svg_of(&report);
-    assert_eq!(count(&svg, ">radius / distance, side by side</tspan></text>"), 1);
+    assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
     let is_curve = |line: &&str| {
         let is_long = line.starts_with("<polyline") && line.matches(',').count() >= 5;
         is_long && !line.contains(FRONT) && !line.contains(CONDITION)
@@ -99,7 +99,7 @@ fn what_was_left_out_is_told_without_end() {
     let mut report = sample::report();
     report.left_out = (0..100).map(|k| format!("the rays of case {k}")).collect();
     let svg = svg_of(&report);
-    assert!(svg.contains("Left out, as the table lists: 100</tspan></text>"));
+    assert!(svg.contains("Left out: 100 measurements, listed by the table</tspan></text>"));
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn settings_side_by_side_are_all_named_and_said_to_be_so() {
     for knob in knobs {
         assert_eq!(count(&svg, &format!(">{knob}</tspan></text>")), 1, "{knob}");
     }
-    assert_eq!(count(&svg, ">radius / distance, side by side</tspan></text>"), 1);
+    assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
 }
 
 #[test]

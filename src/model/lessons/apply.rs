@@ -102,6 +102,7 @@ pub fn restore(before: &Session, session: &mut Session) {
     session.highlighted = before.highlighted;
     session.spoken = before.spoken.clone();
     session.ray_point_t = before.ray_point_t;
+    session.ghost = before.ghost;
     session.lines = before.lines.clone();
     session.mistakes_view = before.mistakes_view.clone();
     // The answers typed in a step's exercise are kept.
@@ -127,17 +128,20 @@ pub fn differs(
     let mut as_step = session.clone();
     set_view(step, seen_from, &mut as_step);
     clear_answers(step, &mut as_step);
+    // A camera that is frozen for comparison changes nothing of the step.
+    as_step.ghost = session.ghost;
     step.document != *document || as_step != *session
 }
 
 /// Returns which of the viewport's concepts (such as the distance) and the normal the step's title or text
 /// names.
 fn spoken_of(step: &Step) -> Vec<Concept> {
-    const NAMES: [(&str, Concept); 4] = [
+    const NAMES: [(&str, Concept); 5] = [
         ("width", Concept::Viewport),
         ("height", Concept::Viewport),
         ("distance", Concept::Distance),
         ("the normal", Concept::Normal),
+        ("**n**", Concept::Normal),
     ];
     let text = format!("{} {}", step.title, step.text).to_lowercase();
     let named = NAMES.into_iter().filter(|(name, _)| text.contains(name));

@@ -75,7 +75,9 @@ const LONGEST_ANSWER: usize = 300;
 
 /// Reads a text field and joins its lines. The text must not be empty or longer than `longest` characters.
 fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
-    let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
+    let words = field.text()?.split([' ', '\n', '\t', '\r']).filter(|word| !word.is_empty());
+    // A no-break space stays: it keeps a formula in one line.
+    let text = words.collect::<Vec<_>>().join(" ");
     match text.chars().count() {
         0 => Err(field.error("it must say something")),
         letters if letters > longest => Err(field.fault(format!(
@@ -291,7 +293,11 @@ fn choice<T>(
 fn items(field: &TomlField) -> Result<OverlayItems, FileError> {
     let elements = elements(field, "[\"eye\", \"basis\", \"ray\"]")?;
     elements.iter().try_fold(OverlayItems::NONE, |shown, element| {
-        Ok(shown.with(choice(element, Item::ALL.map(|item| (item.name(), item)))?, true))
+        // Both areas had one name once.
+        let areas: &[Item] = &[Item::UpCrossW, Item::WCrossU];
+        let items = Item::ALL.iter().map(|item| (item.name(), std::slice::from_ref(item)));
+        let chosen = choice(element, items.chain([("areas", areas)]))?;
+        Ok(chosen.iter().fold(shown, |shown, item| shown.with(*item, true)))
     })
 }
 
@@ -381,6 +387,11 @@ fn lines(section: &Section) -> Result<LinesLab, FileError> {
     } else {
         example.ray
     };
+    if let Some(field) =
+        ["t", "trail"].into_iter().find_map(|key| section.get(key)).filter(|_| !has_ray)
+    {
+        return Err(field.error("it needs p and d, whose points it is about"));
+    }
     let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
     let mut lab = LinesLab::new(line, ray, t);
     if !has_ray {
@@ -390,6 +401,9 @@ fn lines(section: &Section) -> Result<LinesLab, FileError> {
     }
     if let Some(trail) = section.get("trail") {
         let [first, last] = pair(&trail)?.to_array();
+        if first > last {
+            return Err(trail.error("its first t must not be above its last, as in [-1.0, 3.0]"));
+        }
         lab.trail = Trail { step: 1.0, first, last };
     }
     Ok(lab)

@@ -227,7 +227,7 @@ fn foot(painter: &Painter, mut y: f32, report: &Report) {
         }
     }
     if !report.left_out.is_empty() {
-        let text = format!("Left out, as the table lists: {}", report.left_out.len());
+        let text = format!("Left out: {} measurements, listed by the table", report.left_out.len());
         paragraph(painter, y, &text);
     }
 }

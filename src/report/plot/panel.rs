@@ -201,7 +201,7 @@ pub(super) fn knob(painter: &Painter, rect: Rect, errors: &Errors, summary: &Sum
     };
     let ticks: Vec<Tick> = summary.cases.iter().zip(&places).map(tick).collect();
     let ink = GridInk { size: 11.0, ..GRID };
-    across(painter, rect, &ticks, ink, &format!("{name}, side by side"));
+    across(painter, rect, &ticks, ink, &format!("{name} (not to scale)"));
     errors.draw(painter, rect, false);
     let condition_at =
         |(case, x): (&&Case, &f32)| Some(pos2(*x, errors.scale.position(condition(case)?)));

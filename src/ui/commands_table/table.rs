@@ -109,7 +109,7 @@ fn program() -> Vec<UiCommand> {
         Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], LessonAction::Close;
         Views, "Frame all", "Moves the observer until everything is in view.",
             [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
-        Views, "Recap: w, u, v, d", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",
+        Views, "Recap: from view to the ray", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",
             [plain(Untyped, Key::W)], LookAction::Recap;
         Program, "Side panel", "Shows or hides the panel with camera and objects.",
             [key(Anywhere, CTRL, Key::B)], LookAction::Toggle(Switch::Panel);

@@ -180,7 +180,7 @@ fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available) {
 fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Present", LookAction::Present);
     entry(ui, "Vote: guess which mistake", LookAction::Vote);
-    entry(ui, "Recap: w, u, v, d", LookAction::Recap);
+    entry(ui, "Recap: from view to the ray", LookAction::Recap);
     entry(ui, "Frame all", Observe::FrameAll);
     entry(ui, "Frame the camera", Observe::FrameCamera);
     ui.separator();

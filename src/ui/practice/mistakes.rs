@@ -95,11 +95,16 @@ fn text_width(ui: &Ui, text: &str) -> f32 {
     widgets::text_width(ui, text, FontSelection::Default.resolve(ui.style()))
 }
 
-/// Returns the description of the wrong picture for screen readers.
-pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> String {
+/// Returns the description of the wrong picture for screen readers. While a question is open, it does not
+/// name the mistake.
+pub(crate) fn spoken(
+    wrong: &ComparedCamera,
+    mistakes_view: &MistakesView,
+    is_asking: bool,
+) -> String {
     match (why_not(wrong, mistakes_view), share_that_differs(wrong)) {
         (Some(why), _) => why,
-        (None, Some(share)) if mistakes_view.is_revealed() => {
+        (None, Some(share)) if mistakes_view.is_revealed() && !is_asking => {
             format!("{}: {share}", wrong.mistake.name())
         }
         (None, share) => share.unwrap_or_default(),

@@ -132,7 +132,10 @@ impl Divider<'_> {
     /// Returns both.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         let area = self.whole;
-        let most = (area.height() - SMALLEST - STRIP).max(80.0);
+        // Pictures that are compared keep two fifths of the height.
+        let compares = matches!(split, Split::Mistakes | Split::Answers);
+        let share = if compares { 0.6 } else { 1.0 };
+        let most = (share * area.height() - STRIP).min(area.height() - SMALLEST - STRIP).max(80.0);
         let height = self.splits.get(split).clamp(80.0, most);
         let boundary = area.bottom() - height;
         let handle = area.with_min_y(boundary - HANDLE).with_max_y(boundary);

@@ -127,7 +127,7 @@ fn is_noun(name: &str, before: &str, after: &str) -> bool {
     let last = before.split_whitespace().next_back().unwrap_or_default().to_lowercase();
     let is_after = before.ends_with(char::is_whitespace)
         && BEFORE_NOUN.contains(&last.as_str())
-        && !before.ends_with("line of ");
+        && !["line of ", "field of ", "angle of "].into_iter().any(|other| before.ends_with(other));
     let ends_phrase = after.is_empty()
         || after.starts_with([',', '.', ';', ':', '?'])
         || [" and ", " or "].into_iter().any(|next| after.starts_with(next));

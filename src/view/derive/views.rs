@@ -57,6 +57,7 @@ impl WorldViews {
         let observer_camera = observer.camera(size[0], size[1]).resolve().ok()?;
         let WorldViews { pictures, view, buffers } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
+        let is_highlighted = |concept| session.highlighted() == Some(concept);
         let placing = HandleInputs {
             document,
             resolved: derived.resolved.as_ref(),
@@ -87,10 +88,11 @@ impl WorldViews {
             handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
             is_clear: sizes.purpose.is_clear(),
             names_all: session.spoken.is_some() || without_marks,
-            shows_normal: session
-                .spoken
-                .as_ref()
-                .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
+            shows_normal: is_highlighted(Concept::Normal)
+                || session
+                    .spoken
+                    .as_ref()
+                    .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
             covered: sizes.covered.into_iter().flatten().collect(),
             without_marks,
         };

@@ -229,17 +229,23 @@ impl Sketch<'_> {
         let pen = LineStyle::new(Item::Ray, color, THICK).about(Concept::Ray);
         self.ray_line(inspection, pen);
         self.point(ray.at(1.0), 3.6, pen.about(Concept::Pixel).on_viewport());
-        let pen = LineStyle::new(Item::Direction, color, 3.6).about(Concept::Direction).on_top();
+        // The figure of ray and sphere has d in it.
+        let item = match self.items.shows(Item::Direction) {
+            true => Item::Direction,
+            false => Item::SphereFigure,
+        };
+        let pen = LineStyle::new(item, color, 3.6).about(Concept::Direction).on_top();
         self.named_arrow([ray.origin, ray.at(1.0)], Head::Filled, pen, "d", VECTOR);
         if self.items.shows(Item::Roots) {
             self.roots(inspection, 0.0, LineStyle::new(Item::Roots, color, 1.8).on_top());
         }
-        let figure = self.items.shows(Item::SphereFigure);
-        if figure && let Some(figure) = SphereFigure::new(inspection, self.scene.spheres()) {
-            self.sphere_figure(inspection, &figure);
+        let figure = SphereFigure::new(inspection, self.scene.spheres())
+            .filter(|_| self.items.shows(Item::SphereFigure));
+        if let Some(figure) = &figure {
+            self.sphere_figure(inspection, figure);
         }
         if let Some(t) = view.ray_point_t {
-            let has_label = figure || self.items.shows(Item::Roots);
+            let has_label = figure.is_some() || self.items.shows(Item::Roots);
             let is_root = inspection.roots.iter().any(|root| root.t == t);
             self.ray_point_t(inspection, t, !(has_label && is_root));
         }
