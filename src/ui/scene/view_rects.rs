@@ -6,6 +6,7 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
+use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -132,9 +133,10 @@ impl Divider<'_> {
     /// Returns both.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         let area = self.whole;
-        // Pictures that are compared keep two fifths of the height.
+        // In a hall, pictures that are compared keep half of the height.
+        let presenting = theme::installed(self.ui.ctx()).presenting;
         let compares = matches!(split, Split::Mistakes | Split::Answers);
-        let share = if compares { 0.6 } else { 1.0 };
+        let share = if presenting && compares { 0.5 } else { 1.0 };
         let most = (share * area.height() - STRIP).min(area.height() - SMALLEST - STRIP).max(80.0);
         let height = self.splits.get(split).clamp(80.0, most);
         let boundary = area.bottom() - height;
