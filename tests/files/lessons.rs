@@ -167,6 +167,14 @@ fn a_highlighted_object_goes_with_its_scene() {
 }
 
 #[test]
+fn the_areas_of_both_products_have_a_name_together() {
+    let text = format!("{HEAD}scene = \"canonical\"\nshow = [\"areas\"]\n");
+    let lesson = parse(&text, Path::new("lesson.toml"), None).unwrap();
+    let both = OverlayItems::NONE.with(Item::UpCrossW, true).with(Item::WCrossU, true);
+    assert_eq!(lesson.steps[0].view.items, Some(both));
+}
+
+#[test]
 fn a_lesson_is_no_scene_of_a_lesson() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.toml");
@@ -388,6 +396,14 @@ const STEPS: Cases = &[
     (
         "scene = \"canonical\"\nlines = { implicit = [1, 2, 3], p = [0, 0], d = [0, 0] }\n",
         "7:49: step 1.lines.d: d is (0, 0): every t gives the one point (0, 0)",
+    ),
+    (
+        "scene = \"canonical\"\nlines = { implicit = [1, 2, 3], t = 2 }\n",
+        "7:37: step 1.lines.t is 2: it needs p and d beside it",
+    ),
+    (
+        "scene = \"canonical\"\nlines = { p = [0, 0], d = [1, 1], trail = [3, -1] }\n",
+        "7:46: step 1.lines.trail is [3, -1]: its first t must not be above its last, as in [-1.0, 3.0]",
     ),
     (
         "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",

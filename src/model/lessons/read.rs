@@ -390,7 +390,7 @@ fn lines(section: &Section) -> Result<LinesLab, FileError> {
     if let Some(field) =
         ["t", "trail"].into_iter().find_map(|key| section.get(key)).filter(|_| !has_ray)
     {
-        return Err(field.error("it needs p and d, whose points it is about"));
+        return Err(field.error("it needs p and d beside it"));
     }
     let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
     let mut lab = LinesLab::new(line, ray, t);

@@ -47,6 +47,7 @@ fn a_hit_sphere_shows_roots_foot_radius_and_half_chord() {
     let drawing = small_drawing(&stage);
     let expected = [
         "centre",
+        "d",
         "foot: t = −b/a = 5",
         "r = 1",
         "t < 0",
@@ -81,7 +82,7 @@ fn a_missed_sphere_shows_its_distance_against_its_radius() {
     let spheres = vec![sphere(0.0, 0.0, 1.0, 0.5), sphere(0.0, 1.25, -5.0, 1.0)];
     let stage = stage(spheres, (0.0, 0.0));
     let drawing = small_drawing(&stage);
-    let of_figure = ["centre", "distance = 1.25 > r", "foot: t = −b/a = 5", "r = 1"];
+    let of_figure = ["centre", "d", "distance = 1.25 > r", "foot: t = −b/a = 5", "r = 1"];
     let of_roots = ["t < 0", "t = −0.5", "t = −1.5"];
     assert_eq!(texts(&drawing), [&of_figure[..], &of_roots].concat());
     let (center, rim) = (DVec3::new(0.0, 1.25, -5.0), DVec3::new(0.0, 1.25, -4.0));
@@ -107,7 +108,7 @@ fn roots_of_all_objects_are_marked_behind_the_eye_too() {
     let mut stage = stage(spheres, (0.0, 0.0));
     stage.items = OverlayItems::NONE.with(Item::Roots, true).with(Item::Labels, true);
     let drawing = small_drawing(&stage);
-    assert_eq!(texts(&drawing), ["t < 0", "t = 4, first hit", "t = 6", "t = −0.5", "t = −1.5"]);
+    assert_eq!(texts(&drawing), ["6", "t < 0", "t = 4, first hit", "−0.5", "−1.5"]);
     for z in [1.5, 0.5, -4.0, -6.0] {
         assert!(has_disc(&stage, &drawing, DVec3::new(0.0, 0.0, z)), "{z}");
     }
