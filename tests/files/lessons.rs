@@ -403,7 +403,7 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nlines = { p = [0, 0], d = [1, 1], trail = [3, -1] }\n",
-        "7:46: step 1.lines.trail is [3, -1]: its first t must not be above its last, as in [-1.0, 3.0]",
+        "7:43: step 1.lines.trail is [3, -1]: its first t must not be above its last, as in [-1.0, 3.0]",
     ),
     (
         "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",
