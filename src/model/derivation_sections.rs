@@ -40,11 +40,11 @@ impl DerivationSection {
 }
 
 /// Lines of the derivation that are shown in place of whole sections.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Formulas {
     /// The lines about these concepts.
     About(Arc<[Concept]>),
-    /// How w, u, v and d come about, in one line each.
+    /// How view, w, u, v, d and the ray come about, in one line each.
     Recap,
 }
 

@@ -133,13 +133,11 @@ impl Exercises {
             W,
             ViewVector,
         ];
-        let items = hidden.into_iter().fold(usual, |items, item| items.with(item, false));
+        let items = usual.without_each(&hidden);
         let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
         if asked.peek().is_none() {
             // The camera is given by its viewport; the question is about a ray.
-            return [At, ViewAndUp, Basis]
-                .into_iter()
-                .fold(items, |items, item| items.with(item, false));
+            return items.without_each(&[At, ViewAndUp, Basis]);
         }
         // Frustum and viewport show all three vectors.
         let is_secret = asked.any(|asked| self.answered(asked).right.is_none());

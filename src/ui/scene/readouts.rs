@@ -326,10 +326,10 @@ pub(crate) fn band(
     let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
     let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
     let mut row: Vec<Reading> = Vec::new();
-    if [Item::Ray, Item::Direction].into_iter().any(|item| items.shows(item)) {
+    if items.shows_any(&[Item::Ray, Item::Direction]) {
         row.extend([uv, d]);
     }
-    if [Item::Hit, Item::Roots, Item::SphereFigure].into_iter().any(|item| items.shows(item)) {
+    if items.shows_any(&[Item::Hit, Item::Roots, Item::SphereFigure]) {
         row.extend(inspection.hit_readings(|object| document.title_of(object)));
     }
     if row.is_empty() {

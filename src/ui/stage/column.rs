@@ -81,7 +81,7 @@ fn size_that_fits(
     card: Option<Rect>,
 ) -> f32 {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
-    let written = format!("{:?}", (&context.session.formulas, context.style.digits));
+    let written = (&context.session.formulas, context.style.digits);
     let step = Id::unique((&open.step().text, width, height, written));
     let slot = Id::unique("size of the column's text");
     let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);

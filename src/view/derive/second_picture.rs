@@ -111,8 +111,7 @@ impl SecondPictures {
                 // These items show positions of the right camera, which would be wrong in the wrong
                 // camera's picture.
                 let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs, Item::PixelNumbers];
-                view.items =
-                    of_right.into_iter().fold(items, |items, item| items.with(item, false));
+                view.items = items.without_each(&of_right);
                 self.wrong_camera(derived, inputs, good, world)
             }
             SecondPicture::Ghost => {

@@ -239,8 +239,8 @@ impl Sketch<'_> {
         if self.items.shows(Item::Roots) {
             self.roots(inspection, 0.0, LineStyle::new(Item::Roots, color, 1.8).on_top());
         }
-        let figure = SphereFigure::new(inspection, self.scene.spheres())
-            .filter(|_| self.items.shows(Item::SphereFigure));
+        let figure = || SphereFigure::new(inspection, self.scene.spheres());
+        let figure = self.items.shows(Item::SphereFigure).then(figure).flatten();
         if let Some(figure) = &figure {
             self.sphere_figure(inspection, figure);
         }

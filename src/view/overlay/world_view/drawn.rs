@@ -31,7 +31,7 @@ pub fn drawn(
             drawn.points.extend(measured_points(&resolved));
         }
         let of_ray = [Item::Ray, Item::SphereFigure, Item::Direction, Item::Roots];
-        if of_ray.into_iter().any(|item| items.shows(item)) {
+        if items.shows_any(&of_ray) {
             let inspection = Inspection::new(&resolved, scene, selection);
             ray(&mut drawn, &inspection, scene);
             drawn.points.extend(t.map(|t| inspection.ray.at(t)));
@@ -52,9 +52,7 @@ fn ray(drawn: &mut Drawn, inspection: &Inspection, scene: &Scene) {
     drawn.points.push(ray.at(1.0));
     let shows_planes = [Item::Planes, Item::Hit].into_iter().any(|item| drawn.items.shows(item));
     let is_drawn = |object: u32| shows_planes || (object as usize) < scene.spheres().len();
-    let marks_roots =
-        [Item::SphereFigure, Item::Roots].into_iter().any(|item| drawn.items.shows(item));
-    let from = if marks_roots {
+    let from = if drawn.items.shows_any(&[Item::SphereFigure, Item::Roots]) {
         drawn.arrows.extend(unit(-ray.direction).map(|back| (back, BEHIND)));
         0
     } else if inspection.first_hit().is_some_and(|hit| is_drawn(hit.object)) {
