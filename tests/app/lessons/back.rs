@@ -98,12 +98,11 @@ fn what_the_texts_of_the_steps_ask_for_does_what_they_say() {
     let mut window = at_step(3, 3);
     type_into(&mut window, "distance", "4");
     assert_says(&window, "t = 1.5");
-    // 7.5: up (1, 3, 0) is in one plane with w and the old up; (1, 1, 1) is not.
+    // 7.5: up (0, 1, -1) is in one plane with w and the old up; (1, 1, -1) is not.
     let mut window = at_step(7, 5);
-    type_into(&mut window, "up y", "3");
-    assert_says(&window, "u = (0, 0, 1)");
-    type_into(&mut window, "up y", "1");
-    type_into(&mut window, "up z", "1");
-    assert!(!says(&window, "u = (0, 0, 1)"));
-    assert_says(&window, "w = (0, 1, 0)");
+    type_into(&mut window, "up z", "-1");
+    assert_says(&window, "u = (1, 0, 0)");
+    type_into(&mut window, "up x", "1");
+    assert!(!says(&window, "u = (1, 0, 0)"));
+    assert_says(&window, "w = (0, 0.8, 0.6)");
 }

@@ -119,21 +119,21 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             "What are u, v and w, and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t does it meet the plane z = 4?",
         )],
     ),
-    (7, 1, &[("roll", "0°"), ("up from view", "90°"), ("d", "(0, 0, −1)")]),
-    (7, 2, &[("−view", "(0, 1, 0)"), ("𝐰", "(0, 1, 0)")]),
-    // √2 sin(45°) = 1.
-    (7, 3, &[("up × 𝐰", "(0, 0, 1)"), ("|up × 𝐰|", "1"), ("𝐮", "(0, 0, 1)")]),
-    (7, 4, &[("𝐯", "(1, 0, 0)")]),
-    // Up is (1, 1, 0), view (0, -1, 0): 135 degrees, and 1/sin(135°) = √2.
+    // View is (0, -0.2, -4), of length √16.04.
+    (7, 1, &[("roll", "0°"), ("up from view", "92.862°"), ("d", "(0, −0.049938, −0.99875)")]),
+    (7, 2, &[("−view", "(0, 4, 3)"), ("𝐰", "(0, 0.8, 0.6)")]),
+    (7, 3, &[("up × 𝐰", "(0.6, 0, 0)"), ("|up × 𝐰|", "0.6"), ("𝐮", "(1, 0, 0)")]),
+    (7, 4, &[("𝐯", "(0, 0.6, −0.8)")]),
+    // The cosine of the angle between up and view is -0.8, its sine 0.6, and 1/0.6 = 5/3.
     (
         7,
         5,
         &[
-            ("u", "(0, 0, 1)"),
-            ("v", "(1, 0, 0)"),
-            ("w", "(0, 1, 0)"),
-            ("angle(up, view)", "135°"),
-            ("sensitivity", "1.4142"),
+            ("u", "(1, 0, 0)"),
+            ("v", "(0, 0.6, −0.8)"),
+            ("w", "(0, 0.8, 0.6)"),
+            ("angle(up, view)", "143.13°"),
+            ("sensitivity", "1.6667"),
         ],
     ),
     (7, 6, &[(SAYS, "A camera looks along view = (3, 0, 0), with up = (−1, 3, 4).")]),
@@ -161,8 +161,8 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     ),
     // The eye is √52 from at, and 4 off the vertical through it: √52/4.
     (9, 1, &[("sensitivity", "1.8° of roll per 1° of up"), ("sensitivity", "1.8028")]),
-    // √(8² + 0.05²)/0.05.
-    (9, 2, &[("sensitivity", "160° of roll per 1° of up"), ("𝐮", "(1, 0, 0)")]),
+    // √(8² + 2 · 0.05²)/(0.05 √2).
+    (9, 2, &[("sensitivity", "113° of roll per 1° of up"), ("𝐮", "(1/√2, 0, −1/√2)")]),
     (
         9,
         3,
