@@ -8,7 +8,7 @@
 //! lines.
 //!
 //! ```text
-//! platform                         the window on the screen, and what draws it: wgpu or the CPU
+//! platform                         a window, drawn by wgpu or the CPU; a page of a browser
 //! ui, cli                          what is in the window; the commands, a file each
 //! figures, report                  SVG, PDF and PNG; error against run time
 //! view                             from document and session to what is shown: pure
@@ -104,10 +104,10 @@
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
-//! | what the window opens with | `platform/mod.rs` |
+//! | what the window opens with | `platform/desktop/mod.rs` |
 //! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |
 //! | unsaved changes | when they are written: `ui/app/recovery.rs`; what: `model/recovery.rs` |
-//! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/file_dialog/` |
+//! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/desktop/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name; `export` and `import` in `cli/other_programs.rs` |
 //! | the built-in scenes and lessons | `exchange/scenes/builtin/`, listed in `exchange/scenes.rs`; `assets/lessons/`, listed in `model/lessons/builtin.rs` |
 //! | tests | `tests/` for the program, `tests/` or `tests.rs` in the folder of each crate |

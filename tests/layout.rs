@@ -73,7 +73,7 @@ fn wgpu_is_known_to_one_file_only() {
         .into_iter()
         .filter_map(|(name, text)| knows(&text).then_some(name))
         .collect();
-    assert_eq!(files, ["src/platform/gpu.rs"]);
+    assert_eq!(files, ["src/platform/desktop/gpu.rs"]);
 }
 
 #[test]

@@ -7,7 +7,9 @@
 //! machine affects all of them.
 
 use std::fs;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{Camera, CameraError, Level, Scene};

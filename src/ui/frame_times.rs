@@ -1,7 +1,9 @@
 //! Measures how long the work of each frame takes.
 
 use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use crate::view::derive::WorkKind;
 

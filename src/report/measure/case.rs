@@ -3,7 +3,9 @@
 //! hit or miss) and collects the errors of its right ones.
 
 use std::f64::consts::PI;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use pinhole_core::Steps;
 use pinhole_core::methods::{Method, MethodHit, Precision};

@@ -1,7 +1,9 @@
 //! The subject of a case: the rays that the reference and the methods trace.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use web_time::Instant;
 
 use pinhole_core::methods::{Method, MethodHit, MethodKernel, frame_kernel, ray_kernel};
 use pinhole_core::{

@@ -17,7 +17,7 @@ use std::time::Duration;
 use egui::{Context, FullOutput, RawInput, Rect, Vec2, ViewportId, ViewportInfo};
 
 use crate::model::store::WindowGeometry;
-use crate::platform::surface::MAX_TEXTURE_SIDE;
+use crate::platform::desktop::surface::MAX_TEXTURE_SIDE;
 use crate::ui::app::App;
 use crate::ui::frame_times::WorkTimes;
 
@@ -143,7 +143,7 @@ mod tests {
         let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
         let settings = Settings { zoom, ..Settings::default() };
         let app = App::new(open, Remembered { settings, ..Remembered::default() }, None);
-        let ctx = crate::platform::start::context();
+        let ctx = crate::platform::desktop::start::context();
         let (app, output) = FirstPass::start(ctx.clone(), app, geometry).end();
         assert!(!output.textures_delta.set.is_empty(), "glyphs and pictures are to be uploaded");
         output.drop_without_applying_deltas();

@@ -15,12 +15,12 @@ use winit::keyboard::{Key, NamedKey};
 use winit::window::Window;
 
 use crate::cli::arguments::Renderer;
-use crate::platform::cpu::Cpu;
-use crate::platform::display::{UserEvent, lost, without_panic};
-use crate::platform::file_dialog::{self, FileDialog};
-use crate::platform::frames::{FirstPass, FrameLog, FrameTimes};
-use crate::platform::start::{OpenWindow, pace};
-use crate::platform::surface::{Textures, WindowFrame, WindowSurface};
+use crate::platform::desktop::cpu::Cpu;
+use crate::platform::desktop::display::{UserEvent, lost, without_panic};
+use crate::platform::desktop::file_dialog::{self, FileDialog};
+use crate::platform::desktop::frames::{FirstPass, FrameLog, FrameTimes};
+use crate::platform::desktop::start::{OpenWindow, pace};
+use crate::platform::desktop::surface::{Textures, WindowFrame, WindowSurface};
 use crate::ui::app::{App, complain};
 
 /// The open window.

@@ -74,7 +74,7 @@ fn size_on(screens: &[egui::Rect], wanted: egui::Vec2) -> egui::Vec2 {
 /// Returns the icon of the window; `None` if it cannot be read, in which case the window opens
 /// without an icon.
 fn icon() -> Option<egui::IconData> {
-    let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../../assets/icon.png")));
+    let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../../../assets/icon.png")));
     decoder.set_transformations(png::Transformations::ALPHA);
     let mut reader = decoder.read_info().ok()?;
     let mut rgba = vec![0; reader.output_buffer_size()?];

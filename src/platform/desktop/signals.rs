@@ -26,7 +26,7 @@ pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
 
 /// Starts a thread that waits for signals. Signals that are ignored from the start, as with `nohup`,
 /// stay ignored.
-pub fn watch() {
+pub(super) fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     let ignored = ignored();
@@ -56,7 +56,7 @@ pub fn watch() {
 
 /// If a signal closed the window, ends the program with the same signal, so that the parent process sees
 /// it.
-pub fn pass_on() {
+pub(super) fn pass_on() {
     match ENDED_BY.load(Ordering::SeqCst) {
         0 => {}
         // It does not return.

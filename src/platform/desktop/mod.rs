@@ -1,0 +1,183 @@
+//! The window on the screen, drawn by the graphics driver or, without a driver, by our own painter.
+//!
+//! [`run`] opens the window and shows the app in it. The window is drawn by:
+//!
+//! - a hardware graphics adapter, through wgpu, if there is one;
+//! - otherwise [`painter`](crate::view::painter), on the CPU. It is also used if the adapter fails to
+//!   start, or is itself software, because software drivers take many times as long for the same
+//!   picture. If the adapter fails later, the painter takes over the open window.
+//!
+//! The two renderers share one event loop (`window.rs`, `open.rs`), so everything else about the window
+//! is the same. Only `gpu.rs` uses wgpu. The user chooses files in the desktop's own dialog if there is
+//! one (`file_dialog`).
+//!
+//! eframe, egui's own framework for windows, has no renderer on the CPU and cannot hand an open window
+//! to another renderer when the adapter fails, so the event loop is our own.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::Parser as _;
+use etcetera::{BaseStrategy as _, choose_base_strategy};
+use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
+
+use crate::cli::arguments::{Arguments, WindowArguments};
+use crate::cli::{self, CommandError};
+use crate::model::{OpenDocument, Store, fault};
+use crate::platform::desktop::frames::FrameLog;
+use crate::ui::app::App;
+
+mod cpu;
+mod display;
+mod file_dialog;
+mod frames;
+#[cfg(feature = "wgpu")]
+mod gpu;
+mod open;
+#[cfg(unix)]
+mod signals;
+mod start;
+mod surface;
+mod window;
+
+/// Replaces the module `signals` on systems without signals that end a program.
+#[cfg(not(unix))]
+mod signals {
+    /// Does nothing: no signal ends the window.
+    pub(super) fn end_window_by(_end: impl FnOnce() + Send + 'static) {}
+
+    /// Does nothing: there are no signals to watch.
+    pub(super) fn watch() {}
+
+    /// Does nothing: there is no signal to pass on.
+    pub(super) fn pass_on() {}
+}
+
+/// Parses the arguments, and opens the window or runs a headless command.
+pub fn main() -> ExitCode {
+    fault::watch();
+    signals::watch();
+    let parsed = Arguments::try_parse();
+    let is_no_command = match &parsed {
+        Ok(parsed) => parsed.command.is_none(),
+        Err(asked) => asked.use_stderr(),
+    };
+    let first = std::env::args_os().nth(1).filter(|_| is_no_command);
+    if let Some(wrong) = first.and_then(|first| cli::mistyped(&first)) {
+        wrong.exit();
+    }
+    let code = cli::exit_code(match parsed {
+        Ok(Arguments { command: Some(command), .. }) => cli::run(&command),
+        Ok(Arguments { command: None, window }) => run(&window),
+        // Not an error: the user asked for the help or the version.
+        Err(asked) if !asked.use_stderr() => cli::print(&asked),
+        Err(wrong) => wrong.exit(),
+    });
+    signals::pass_on();
+    code
+}
+
+/// Opens the window with the named scene or lesson, otherwise with that of the last run, otherwise with
+/// the lecture's own scene. Returns when the window is closed.
+///
+/// # Errors
+/// Returns an error if the named scene or lesson cannot be read, or if there is no display.
+fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
+    let WindowArguments { scene, lesson, renderer } = arguments;
+    // The window's thread joins rayon's pool. Otherwise it would wait idly, for each picture, until the
+    // workers wake up. An error means that the pool exists already, which is fine.
+    let _ = rayon::ThreadPoolBuilder::new().use_current_thread().build_global();
+    let store = Store::of_user();
+    let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    if store.as_ref().is_none_or(Store::is_new) {
+        let folders = choose_base_strategy();
+        remembered.settings.reduced_motion =
+            folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
+    }
+    let lesson = match (lesson, scene) {
+        (Some(lesson), _) => Some(lesson.load()?),
+        (None, Some(_)) => None,
+        (None, None) => remembered.lesson_step().map(|id| (id, None)),
+    };
+    let load = |argument: &Path| {
+        let source = SceneSource::from_argument(argument)?;
+        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
+    };
+    let (open, trouble) = match scene {
+        Some(argument) => (load(argument)?, None),
+        None => match remembered.last.as_deref().map(load) {
+            Some(Ok(open)) => (open, None),
+            Some(Err(error)) => (canonical()?, Some(error.to_string())),
+            None => (canonical()?, None),
+        },
+    };
+    if scene.is_some() || trouble.is_some() {
+        // A ray selected in another scene has no meaning in this one.
+        remembered.selection = None;
+    }
+    let geometry = remembered.window;
+    let mut app = App::new(open, remembered, store);
+    if let Some((id, file)) = lesson {
+        app.open_lesson(id, file);
+    }
+    if let Some(trouble) = trouble {
+        app.show_message("The last scene cannot be opened again", trouble);
+    }
+    let log = FrameLog::from_environment();
+    if log.is_some() {
+        app.time_frames();
+    }
+    window::run(*renderer, geometry, app, log).map_err(CommandError::Input)
+}
+
+/// Returns the lecture's own scene.
+fn canonical() -> Result<OpenDocument, FileError> {
+    match BuiltinScene::find("canonical") {
+        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
+        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+    }
+}
+
+/// Files below the user's configuration folder, each with the key and the values that switch animations
+/// off.
+const SETTINGS: [(&str, &str, &[&str]); 3] = [
+    ("gtk-4.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("gtk-3.0/settings.ini", "gtk-enable-animations", &["false", "0"]),
+    ("kdeglobals", "AnimationDurationFactor", &["0"]),
+];
+
+/// Returns true if the desktop's settings in `folder` switch animations off; false if the settings
+/// do not mention animations.
+fn is_reduced(folder: &Path) -> bool {
+    SETTINGS.iter().any(|(file, key, off)| {
+        let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+        let mut entries = text.lines().filter_map(|line| line.split_once('='));
+        entries.any(|(name, value)| name.trim() == *key && off.contains(&value.trim()))
+    })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test that cannot write its input has failed")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn either_desktop_can_switch_motion_off() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| {
+            let path = folder.path().join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+        };
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations=true\n");
+        assert!(!is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "[Settings]\ngtk-enable-animations = 0\n");
+        assert!(is_reduced(folder.path()));
+        write("gtk-3.0/settings.ini", "");
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0.5\n");
+        assert!(!is_reduced(folder.path()));
+        write("kdeglobals", "[KDE]\nAnimationDurationFactor=0\n");
+        assert!(is_reduced(folder.path()));
+    }
+}
