@@ -82,6 +82,9 @@ pub enum Command {
     /// Read a camera from a glTF or from numbers, and write a scene file
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
+    /// Write the program as a page for a browser, with a scene or a lesson in it
+    #[command(long_about = include_str!("about/page.txt"))]
+    Page(PageArguments),
     /// Print the script with which a shell completes commands, options and scenes
     Completions {
         /// The shell
@@ -265,6 +268,26 @@ pub struct ImportArguments {
     /// The scene file to write; by default, standard output
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: Option<PathBuf>,
+}
+
+/// `pinhole page`
+#[derive(Args, Clone, Debug)]
+pub struct PageArguments {
+    /// A scene file, the name of a built-in scene, or a lesson file
+    #[arg(conflicts_with = "lesson")]
+    pub scene: Option<PathBuf>,
+    /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
+    #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::parse)]
+    pub lesson: Option<LessonArgument>,
+    /// The lesson's step to open
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
+    pub step: Option<u16>,
+    /// The page to write; - writes to standard output
+    #[arg(short, long, value_name = "OUT.html")]
+    pub output: PathBuf,
+    /// The page of the program itself; by default, pinhole.html beside the program
+    #[arg(long, value_name = "PINHOLE.html")]
+    pub page: Option<PathBuf>,
 }
 
 /// `pinhole check`

@@ -12,6 +12,7 @@ mod figure;
 mod inspect;
 mod load;
 mod other_programs;
+mod page;
 mod progress;
 pub mod render;
 #[cfg(feature = "report")]
@@ -44,6 +45,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => other_programs::export(arguments),
         Command::Import(arguments) => other_programs::import(arguments),
+        Command::Page(arguments) => page::run(arguments),
         Command::Completions { shell } => complete(*shell),
     }
 }

@@ -9,9 +9,11 @@
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, GIF and OpenEXR.
 //! - [`format`](mod@format): the scene to export, and the properties of other programs' formats.
+//! - [`page`]: the page that runs the program in a browser, with a scene or lesson in it.
 //! - [`programs`]: writes cameras and scenes for other programs by templates, and reads a camera from a
 //!   glTF or from literal numbers.
 //! - [`code`]: the current camera as a short program in six languages.
+//! - [`host`](mod@host): the operating system or browser that keeps the files.
 //!
 //! Every problem with a file is a [`FileError`], which states the location and the rule for valid
 //! values. A file is written completely or not at all ([`atomic`]), and is read only up to a maximum
@@ -26,8 +28,10 @@ mod error;
 mod export_scene;
 pub mod fields;
 pub mod format;
+pub mod host;
 pub mod images;
 pub mod limits;
+pub mod page;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;

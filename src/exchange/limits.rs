@@ -1,10 +1,10 @@
 //! Limits on the size of inputs. Larger inputs are rejected with a message that states the limit.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 use crate::FileError;
+use crate::host::host;
 
 /// Maximum size of a text in bytes: a scene, a lesson, or another program's file.
 pub const TEXT: u64 = 64 << 20;
@@ -24,27 +24,13 @@ pub const ROWS: usize = 10_000_000;
 /// Maximum nesting depth of brackets, which is far more than real files need.
 pub const NESTING: usize = 64;
 
-/// The paths of files that were opened for the program before it started, such as standard input.
-/// Unlike others, they may be pipes.
-const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
-
 /// Reads a file of at most `most` bytes.
 ///
 /// # Errors
 /// Returns an error if the system cannot read the file, or if it is larger. Also returns an error for a
 /// device, and for a pipe that was not opened for the program: reading such a source may block forever.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
-    let kind = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
-    if !(kind.is_file() || kind.is_dir() || is_inherited) {
-        let problem = "cannot be read: it is a device or a pipe, and must be a file";
-        return Err(FileError::of_file(path, problem));
-    }
-    if kind.is_file() && kind.len() > most {
-        return Err(too_large(path, most));
-    }
-    let file = File::open(path).map_err(|error| FileError::unreadable(path, &error))?;
-    read_from(file, path, most)
+    host().read(path, most)
 }
 
 /// Reads a text file of at most [`TEXT`] bytes.
@@ -72,6 +58,6 @@ pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, F
     Ok(bytes)
 }
 
-fn too_large(path: &Path, most: u64) -> FileError {
+pub(crate) fn too_large(path: &Path, most: u64) -> FileError {
     FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
 }

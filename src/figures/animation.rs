@@ -1,10 +1,10 @@
 //! Exports animations as GIF files, with one figure per frame.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+use pinhole_exchange::host::host;
 use pinhole_exchange::images::gif;
-use pinhole_exchange::{Document, FileError, atomic};
+use pinhole_exchange::{Document, FileError};
 
 use super::order::Order;
 use super::{Figure, to_srgba};
@@ -76,7 +76,7 @@ impl Recorder {
     /// # Errors
     /// Returns an error, as a sentence, if the file cannot be written.
     pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
-        atomic::check(&path).map_err(|error| error.to_string())?;
+        host().check(&path).map_err(|error| error.to_string())?;
         let Animation { order, frames, loops, .. } = &animation;
         let gif = gif::Animated::new(Vec::new(), order.size, frames.per_second, *loops)
             .map_err(|error| FileError::unwritable(&path, &error).to_string())?;
@@ -120,6 +120,6 @@ impl Recorder {
     pub fn finish(self) -> Result<(), String> {
         let bytes = self.gif.finish();
         let bytes = bytes.map_err(|error| FileError::unwritable(&self.path, &error).to_string())?;
-        atomic::write(&self.path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
+        host().write(&self.path, &bytes).map_err(|error| error.to_string())
     }
 }

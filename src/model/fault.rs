@@ -32,20 +32,24 @@ thread_local! {
     static LAST: RefCell<Option<String>> = const { RefCell::new(None) };
 }
 
-/// Installs a panic hook that prints a message about each panic to standard error and stores the panic's
-/// text for [`caught`].
-pub fn watch() {
-    std::panic::set_hook(Box::new(|panic| {
+/// Installs a panic hook that passes a message about each panic to `tell`, and stores it for [`caught`].
+pub fn watch(tell: impl Fn(&str) + Send + Sync + 'static) {
+    std::panic::set_hook(Box::new(move |panic| {
         let place = panic.location().map(|place| format!(", at {place}")).unwrap_or_default();
         let text = format!("{}{place}", text_of(panic.payload()));
-        // If standard error is closed, the message is lost.
-        let _ = writeln!(
-            std::io::stderr(),
-            "pinhole: a fault of the program itself: {text}\n\
-             Please report it, with what was done and the files that were read."
-        );
+        tell(&text);
         LAST.set(Some(text));
     }));
+}
+
+/// Prints the message of a panic to standard error.
+pub fn print(text: &str) {
+    // If standard error is closed, the message is lost.
+    let _ = writeln!(
+        std::io::stderr(),
+        "pinhole: a fault of the program itself: {text}\n\
+         Please report it, with what was done and the files that were read."
+    );
 }
 
 /// Runs a function and catches its panic, which is an internal error of the program.

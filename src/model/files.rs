@@ -1,12 +1,9 @@
 //! The open document and its origin, and how it is read and saved.
 
-use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
-use pinhole_exchange::atomic::is_same_file;
+use pinhole_exchange::host::{Stamp, host};
 use pinhole_exchange::{Document, SceneSource, limits, scene_file};
-use serde::{Deserialize, Serialize};
 
 /// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
@@ -45,32 +42,13 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The modification time and size of a file when this window read or wrote it. A later change of the file
-/// is detected by comparing stamps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Stamp {
-    modified: Option<SystemTime>,
-    length: u64,
-}
-
-impl Stamp {
-    /// Returns the stamp of the file as it is now; `None` if there is no such file.
-    fn of(path: &Path) -> Option<Stamp> {
-        let data = fs::metadata(path).ok()?;
-        // A modification time before 1970 is dropped: it could not be serialized with the unsaved
-        // changes.
-        let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
-        Some(Stamp { modified, length: data.len() })
-    }
-}
-
 /// The stamps (modification times and sizes) of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
 /// Returns the current stamp (modification time and size) of the CSV file with a document's spheres; `None`
 /// if there is no such file.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
-    document.csv_spheres.as_ref().and_then(|csv| Stamp::of(&csv.file))
+    document.csv_spheres.as_ref().and_then(|csv| host().stamp(&csv.file))
 }
 
 /// The open document, with the data needed to save it and to detect changes made here or by other programs.
@@ -96,7 +74,8 @@ pub struct OpenDocument {
 impl OpenDocument {
     /// Opens a document that was just read from `source`.
     pub fn new(document: Document, source: SceneSource) -> Self {
-        let stamps = [source.scene_file().and_then(Stamp::of), csv_stamp(&document)];
+        let stamps =
+            [source.scene_file().and_then(|path| host().stamp(path)), csv_stamp(&document)];
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
@@ -191,7 +170,7 @@ impl OpenDocument {
     /// Returns the current stamps (modification times and sizes) of the scene file and of the CSV file with
     /// its spheres.
     fn stamps_now(&self) -> Stamps {
-        [self.scene_file().and_then(Stamp::of), csv_stamp(&self.saved)]
+        [self.scene_file().and_then(|path| host().stamp(path)), csv_stamp(&self.saved)]
     }
 
     /// Returns the current stamps of the scene file and of its CSV file if either differs from the stored
@@ -239,7 +218,7 @@ impl OpenDocument {
     pub fn check_output(&self, path: &Path) -> Result<(), String> {
         let csv = self.document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
         let mut read = self.scene_file().into_iter().chain(csv);
-        if read.any(|read| is_same_file(read, path)) {
+        if read.any(|read| host().is_same_file(read, path)) {
             let path = path.display();
             return Err(format!("The scene is read from {path}: choose another name."));
         }
@@ -248,7 +227,7 @@ impl OpenDocument {
 
     /// Returns true if `path` is the file that the scene was read from.
     pub fn is_own(&self, path: &Path) -> bool {
-        self.scene_file().is_some_and(|file| is_same_file(file, path))
+        self.scene_file().is_some_and(|file| host().is_same_file(file, path))
     }
 
     /// Returns a file name to suggest when the document is saved.
@@ -278,7 +257,7 @@ impl OpenDocument {
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
-        self.stamps[0] = Stamp::of(path);
+        self.stamps[0] = host().stamp(path);
         self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
         self.forgiving = false;
         Ok(())

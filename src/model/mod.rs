@@ -17,6 +17,7 @@ pub mod lessons;
 pub mod lines;
 pub mod observer;
 pub mod overlay_items;
+pub mod page_part;
 pub mod play;
 pub mod practice;
 pub mod readings;

@@ -4,16 +4,15 @@
 //! Each window has a numbered slot in a folder. A slot consists of a scene file, whose last line names the
 //! source of the document, and a lock file. The system releases the lock however the window ends.
 
-use std::fs::{self, File, TryLockError};
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use pinhole_core::DVec3;
-use pinhole_exchange::{Document, FileError, SceneSource, atomic, limits, scene_file};
+use pinhole_exchange::host::{Lock, Stamp, host};
+use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
-use super::files::{OpenDocument, Stamp, argument_of, title_of};
+use super::files::{OpenDocument, argument_of, title_of};
 
 /// Maximum number of slots, each of which holds the unsaved changes of one window. Further windows do not
 /// record theirs.
@@ -24,15 +23,13 @@ const SLOTS: usize = 64;
 const SOURCE: &str = "\n# unsaved changes to: ";
 
 /// A window's slot: its file for unsaved changes, and a lock that is held as long as this value lives.
-#[derive(Debug)]
 pub struct Slot {
     scene: PathBuf,
     /// Keeps the lock.
-    _lock: File,
+    _lock: Lock,
 }
 
 /// Unsaved changes left in the slot of a window that ended without asking whether to save them.
-#[derive(Debug)]
 pub struct Found {
     slot: Slot,
     /// The text of the scene file.
@@ -138,11 +135,18 @@ impl Unsaved {
     /// Returns the reason if the file could not be written, or if the document could not be read back from
     /// the written text. The slot's previous content is then unchanged.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
+        let text = self.text(slot)?;
+        host().write(&slot.scene, text.as_bytes()).map_err(|error| error.to_string())
+    }
+
+    /// Returns the text that [`write`](Unsaved::write) writes into a slot.
+    ///
+    /// # Errors
+    /// Returns the reason if the document could not be read back from the text.
+    pub fn text(&self, slot: &Slot) -> Result<String, String> {
         let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
         let prepared = scene_file::prepare(&self.document, &slot.scene, None);
-        let text = prepared.map_err(|error| error.to_string())?.text + SOURCE + &source;
-        atomic::write(&slot.scene, |file| file.write_all(text.as_bytes()))
-            .map_err(|error| error.to_string())
+        Ok(prepared.map_err(|error| error.to_string())?.text + SOURCE + &source)
     }
 }
 
@@ -152,9 +156,11 @@ impl Slot {
     pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
         let (mut own, mut found, mut fault) = (None, Vec::new(), None);
         for number in 0..SLOTS {
-            let is_known = folder.join(format!("{number}.lock")).exists();
+            let is_known = host().stamp(&folder.join(format!("{number}.lock"))).is_some();
             match Slot::at(folder, number) {
-                Ok(Some(slot)) if slot.scene.exists() => found.extend(Found::of(slot)),
+                Ok(Some(slot)) if host().stamp(&slot.scene).is_some() => {
+                    found.extend(Found::of(slot))
+                }
                 Ok(slot) => own = own.or(slot),
                 Err(error) => fault = fault.or(Some(error)),
             }
@@ -170,28 +176,21 @@ impl Slot {
     fn at(folder: &Path, number: usize) -> Result<Option<Slot>, FileError> {
         let [scene, lock] =
             ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")));
-        fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;
-        let why = |error| FileError::unwritable(&lock, &error);
-        let options = File::options().create(true).write(true).truncate(false).open(&lock);
-        let file = options.map_err(why)?;
-        match file.try_lock() {
-            Ok(()) => Ok(Some(Slot { scene, _lock: file })),
-            Err(TryLockError::WouldBlock) => Ok(None),
-            Err(TryLockError::Error(error)) => Err(why(error)),
-        }
+        host().make_folder(folder)?;
+        Ok(host().lock(&lock)?.map(|lock| Slot { scene, _lock: lock }))
     }
 
     /// Deletes the recorded changes.
     pub fn clear(&self) {
-        // The file may be missing already. If it cannot be deleted, its changes are offered again.
-        let _ = fs::remove_file(&self.scene);
+        // If the file cannot be deleted, its changes are offered again.
+        host().remove(&self.scene);
     }
 }
 
 impl Found {
     fn of(slot: Slot) -> Option<Found> {
-        let written = fs::metadata(&slot.scene).and_then(|data| data.modified()).ok()?;
-        let age = SystemTime::now().duration_since(written).unwrap_or_default();
+        let written = host().stamp(&slot.scene)?.modified?;
+        let age = host().now().duration_since(written).unwrap_or_default();
         let mut text = limits::read_text(&slot.scene);
         let source = text.as_mut().ok().and_then(|text| {
             // The last line is cut off before the text is parsed: a name in it may contain characters that

@@ -1,12 +1,12 @@
 //! The state that one run of the program stores for the next one: settings, window, recent files and
 //! the last scene.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::{DVec2, Pixel, Selection};
-use pinhole_exchange::{FileError, atomic};
+use pinhole_exchange::host::host;
+use pinhole_exchange::{FileError, limits};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -135,12 +135,12 @@ impl Store {
 
     /// Returns true if this is the program's first run, which has no stored state yet.
     pub fn is_new(&self) -> bool {
-        !self.path.exists()
+        host().stamp(&self.path).is_none()
     }
 
     /// Loads the stored state, with the default for every value that is missing or cannot be read.
     pub fn load(&self) -> Remembered {
-        let text = std::fs::read_to_string(&self.path).unwrap_or_default();
+        let text = limits::read_text(&self.path).unwrap_or_default();
         serde_json::from_str(&text).unwrap_or_else(|_| readable(&text))
     }
 
@@ -150,10 +150,10 @@ impl Store {
     /// Returns an error if the file could not be written.
     pub fn save(&self, state: &Remembered) -> Result<(), FileError> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        std::fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;
-        atomic::write(&self.path, |file| {
-            file.write_all(serde_json::to_string_pretty(state)?.as_bytes())
-        })
+        host().make_folder(folder)?;
+        let text = serde_json::to_string_pretty(state)
+            .map_err(|error| FileError::unwritable(&self.path, &error.into()))?;
+        host().write(&self.path, text.as_bytes())
     }
 }
 

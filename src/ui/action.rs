@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use egui::{Context, Id};
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
+use pinhole_exchange::host::host;
 use pinhole_exchange::{Document, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
@@ -67,6 +68,10 @@ pub enum FileAction {
         /// The action to take once the scene is saved.
         then: Option<Leave>,
     },
+    /// Ask for the path of a page for a browser.
+    AskSavePage,
+    /// Save the scene, or the lesson's step, as a page for a browser.
+    SavePage(PathBuf),
     /// Save, then leave if the scene was saved.
     SaveThen(Leave),
     /// Leave without saving.
@@ -422,6 +427,8 @@ impl Action {
             Action::Look(
                 LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,
             ) => there.presenting,
+            // A page is closed by its browser.
+            Action::Leave(Leave::Quit) => host().has_folders(),
             _ => true,
         }
     }

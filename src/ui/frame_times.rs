@@ -9,7 +9,7 @@ use crate::view::derive::WorkKind;
 
 /// The time that a frame spent on each kind of work before it was painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct WorkTimes {
+pub struct WorkTimes {
     pub(crate) trace: Duration,
     pub(crate) overlay: Duration,
     /// Time for everything else that is derived from the document.

@@ -11,6 +11,7 @@ mod inspect;
 mod install;
 mod lesson;
 mod outputs;
+mod page;
 mod render;
 mod report;
 mod scenes;
@@ -87,7 +88,7 @@ fn entries(folder: &Path) -> Vec<String> {
 fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
     for command in
-        ["scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import"]
+        ["scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import", "page"]
     {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));

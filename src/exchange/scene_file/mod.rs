@@ -48,7 +48,8 @@ use pinhole_core::{BasisError, CameraError};
 
 use crate::document::Document;
 use crate::fields::{Section, TomlSource};
-use crate::{FileError, Location, atomic, limits};
+use crate::host::host;
+use crate::{FileError, Location, limits};
 
 pub(crate) use read::camera;
 pub use read::{TABLES, tables, toml};
@@ -100,7 +101,7 @@ pub struct Saved {
 /// then unchanged.
 pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<Saved, FileError> {
     let saved = prepare(document, path, previous)?;
-    atomic::write(path, |file| std::io::Write::write_all(file, saved.text.as_bytes()))?;
+    host().write(path, saved.text.as_bytes())?;
     Ok(saved)
 }
 

@@ -20,6 +20,8 @@ pub struct Lesson {
     pub title: String,
     /// The steps; at least one.
     pub steps: Vec<Step>,
+    /// The file that the lesson was read from; `None` for a built-in lesson.
+    pub file: Option<PathBuf>,
 }
 
 /// A step of a lesson: a state of the window, with a text about it.

@@ -35,7 +35,8 @@ const STEP: &str = "title text ask answer hide scene pixel uv observer layout sh
 /// Returns the first error in the file, or in a scene that it names.
 pub fn load(path: &Path) -> Result<Lesson, FileError> {
     let text = limits::read_text(path)?;
-    parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))
+    let lesson = parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))?;
+    Ok(Lesson { file: Some(path.to_owned()), ..lesson })
 }
 
 /// Returns true if a file has the key that marks a lesson, even if the lesson is invalid.
@@ -64,7 +65,7 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     if steps.is_empty() {
         return Err(root.missing("step", "[[step]] with title, text and scene"));
     }
-    Ok(Lesson { title, steps })
+    Ok(Lesson { title, steps, file: None })
 }
 
 /// Maximum numbers of characters: of a title, of a step's text, and of a question or an answer. They must

@@ -19,13 +19,11 @@ use std::process::ExitCode;
 
 use clap::Parser as _;
 use etcetera::{BaseStrategy as _, choose_base_strategy};
-use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
 
 use crate::cli::arguments::{Arguments, WindowArguments};
 use crate::cli::{self, CommandError};
-use crate::model::{OpenDocument, Store, fault};
+use crate::model::{Store, fault};
 use crate::platform::desktop::frames::FrameLog;
-use crate::ui::app::App;
 
 mod cpu;
 mod display;
@@ -55,7 +53,7 @@ mod signals {
 
 /// Parses the arguments, and opens the window or runs a headless command.
 pub fn main() -> ExitCode {
-    fault::watch();
+    fault::watch(fault::print);
     signals::watch();
     let parsed = Arguments::try_parse();
     let is_no_command = match &parsed {
@@ -94,48 +92,14 @@ fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         remembered.settings.reduced_motion =
             folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
     }
-    let lesson = match (lesson, scene) {
-        (Some(lesson), _) => Some(lesson.load()?),
-        (None, Some(_)) => None,
-        (None, None) => remembered.lesson_step().map(|id| (id, None)),
-    };
-    let load = |argument: &Path| {
-        let source = SceneSource::from_argument(argument)?;
-        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
-    };
-    let (open, trouble) = match scene {
-        Some(argument) => (load(argument)?, None),
-        None => match remembered.last.as_deref().map(load) {
-            Some(Ok(open)) => (open, None),
-            Some(Err(error)) => (canonical()?, Some(error.to_string())),
-            None => (canonical()?, None),
-        },
-    };
-    if scene.is_some() || trouble.is_some() {
-        // A ray selected in another scene has no meaning in this one.
-        remembered.selection = None;
-    }
     let geometry = remembered.window;
-    let mut app = App::new(open, remembered, store);
-    if let Some((id, file)) = lesson {
-        app.open_lesson(id, file);
-    }
-    if let Some(trouble) = trouble {
-        app.show_message("The last scene cannot be opened again", trouble);
-    }
+    let lesson = lesson.as_ref().map(|lesson| lesson.load()).transpose()?;
+    let mut app = super::start(scene.as_deref(), lesson, store, remembered)?;
     let log = FrameLog::from_environment();
     if log.is_some() {
         app.time_frames();
     }
     window::run(*renderer, geometry, app, log).map_err(CommandError::Input)
-}
-
-/// Returns the lecture's own scene.
-fn canonical() -> Result<OpenDocument, FileError> {
-    match BuiltinScene::find("canonical") {
-        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
-        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
-    }
 }
 
 /// Files below the user's configuration folder, each with the key and the values that switch animations

@@ -1,37 +1,70 @@
-//! The page of a browser: a canvas, drawn by WebGL through eframe.
+//! The page of a browser: a canvas, drawn by WebGL through eframe, and the page's own script.
+//!
+//! eframe hands on events, draws, and keeps a loop of animation frames. The script (`page.js`) does what only
+//! a script can: it stores, downloads, locks, and stops that loop while nothing changes.
 
-use eframe::wasm_bindgen::JsCast as _;
-use eframe::{CreationContext, Frame, WebOptions, WebRunner};
-use egui::Ui;
-use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
+mod browser;
+mod page;
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+use std::pin::Pin;
+use std::process::ExitCode;
+use std::sync::{Arc, OnceLock};
+
+use eframe::{CreationContext, WebOptions, WebRunner};
+use egui::{Context, FullOutput, RawInput, Ui, ViewportCommand, ViewportId};
+use pinhole_exchange::host::{self, host};
+use pinhole_exchange::page::PagePart;
+use pinhole_exchange::{FileError, limits};
+use wasm_bindgen::JsCast as _;
+use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
 
-use crate::model::OpenDocument;
-use crate::model::store::Remembered;
+use crate::model::lessons::{Lesson, LessonArgument, OpenLesson, StepId};
+use crate::model::recovery::{Slot, Unsaved};
+use crate::model::{Remembered, Store, fault};
 use crate::ui::app::App;
+use crate::ui::dialogs::{FileAnswer, FileRequest};
 
 /// The identifier of the page's canvas.
 const CANVAS: &str = "canvas";
 
-/// The window's contents, as eframe runs them.
-struct Page(App);
-
-impl eframe::App for Page {
-    fn ui(&mut self, ui: &mut Ui, _: &mut Frame) {
-        self.0.ui(ui);
-    }
+/// The app, as eframe runs it.
+struct Page {
+    app: App,
+    /// True while the browser's dialog for files is open.
+    is_choosing: bool,
 }
 
+/// What the script has done since the last frame.
+#[derive(Default)]
+struct Events {
+    /// Files that were dropped.
+    dropped: Vec<PathBuf>,
+    /// The answer of the browser's dialog for files.
+    choice: Option<FileAnswer>,
+}
+
+thread_local! {
+    static EVENTS: RefCell<Events> = RefCell::default();
+}
+
+static CONTEXT: OnceLock<Context> = OnceLock::new();
+
 /// Shows the program in the page's canvas.
-pub fn main() {
+pub fn main() -> ExitCode {
+    fault::watch(|message| page::failed(message, &last_report(message)));
+    host::set(browser::Browser);
     wasm_bindgen_futures::spawn_local(async {
         let Some(canvas) = canvas() else { return };
-        let runner = WebRunner::new();
-        let app = Box::new(|creation: &CreationContext<'_>| Ok(Box::new(page(creation)?) as _));
-        if let Err(error) = runner.start(canvas, WebOptions::default(), app).await {
-            panic!("{error:?}");
+        let app =
+            Box::new(|creation: &CreationContext<'_>| Ok(Box::new(Page::new(creation)?) as _));
+        if let Err(error) = WebRunner::new().start(canvas, WebOptions::default(), app).await {
+            page::failed(&format!("{error:?}"), "");
         }
     });
+    ExitCode::SUCCESS
 }
 
 /// Returns the canvas of the page.
@@ -39,15 +72,200 @@ fn canvas() -> Option<HtmlCanvasElement> {
     web_sys::window()?.document()?.get_element_by_id(CANVAS)?.dyn_into().ok()
 }
 
-fn page(creation: &CreationContext<'_>) -> Result<Page, FileError> {
-    let remembered = Remembered::default();
-    App::set_up(&creation.egui_ctx, &remembered.settings);
-    Ok(Page(App::new(canonical()?, remembered, None)))
+impl Page {
+    fn new(creation: &CreationContext<'_>) -> Result<Page, FileError> {
+        let store = Store::at(&browser::state());
+        let mut remembered = store.load();
+        if store.is_new() {
+            remembered.settings.reduced_motion = page::reduced_motion();
+        }
+        // Files that the user chose in an earlier run are not in this page.
+        remembered.recent.clear();
+        remembered.last.take_if(|last| last.has_root());
+        App::set_up(&creation.egui_ctx, &remembered.settings);
+        creation.egui_ctx.add_plugin(Output);
+        let _ = CONTEXT.set(creation.egui_ctx.clone());
+        let mut app = open(store, remembered)?;
+        app.set_renderer_name("WebGL".to_owned());
+        app.use_desktop_dialog();
+        Ok(Page { app, is_choosing: false })
+    }
 }
 
-fn canonical() -> Result<OpenDocument, FileError> {
-    match BuiltinScene::find("canonical") {
-        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
-        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+/// Starts the app with what the page's address or the page itself names. If that cannot be opened, starts
+/// with the last scene, and shows the reason.
+fn open(store: Store, remembered: Remembered) -> Result<App, FileError> {
+    let start = |scene: Option<&Path>, lesson| {
+        super::start(scene, lesson, Some(store.clone()), remembered.clone())
+    };
+    let opened = PagePart::parse(&page::part()).and_then(|part| {
+        for (name, text) in part.files {
+            browser::add(&name, text.into_bytes());
+        }
+        let fragment = page::fragment();
+        let (lesson, step) =
+            if fragment.is_empty() { (part.lesson, part.step) } else { (Some(fragment), None) };
+        let lesson = lesson.map(|name| lesson_of(&name, step)).transpose()?;
+        let scene = part.scene.map(path_of);
+        start(scene.as_deref(), lesson).map_err(|error| error.to_string())
+    });
+    opened.or_else(|reason| {
+        let mut app = start(None, None)?;
+        app.show_message("The scene in this page cannot be opened", reason);
+        Ok(app)
+    })
+}
+
+/// Reads the lesson of the page's part or address, and finds its step, counted from 1.
+fn lesson_of(name: &str, step: Option<usize>) -> Result<(StepId, Option<Arc<Lesson>>), String> {
+    let argument = LessonArgument::parse(&path_of(name.to_owned()).to_string_lossy())?;
+    let (mut id, file) = argument.load().map_err(|error| error.to_string())?;
+    id.step = step.map_or(id.step, |step| step.wrapping_sub(1));
+    match OpenLesson::at(id, file.as_ref()) {
+        Some(_) => Ok((id, file)),
+        None => Err(format!("the lesson has no step {}", id.step.wrapping_add(1))),
+    }
+}
+
+/// Returns the path of a file in the page's part, or the name of a built-in scene or lesson.
+fn path_of(name: String) -> PathBuf {
+    if name.ends_with(".toml") { browser::path_of(&name) } else { name.into() }
+}
+
+impl eframe::App for Page {
+    fn raw_input_hook(&mut self, _: &Context, input: &mut RawInput) {
+        let events = EVENTS.take();
+        input.dropped_files.clear();
+        input
+            .dropped_files
+            .extend(events.dropped.into_iter().map(|path| Arc::new(Dropped(path)) as _));
+        if let Some(choice) = events.choice {
+            self.is_choosing = false;
+            self.app.answer_file(choice);
+        }
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
+        LAST.set(self.app.unsaved());
+        self.app.ui(ui);
+        self.ask_for_file(ui.ctx());
+        if !ui.input(|input| input.pointer.any_down()) {
+            page::tell(&self.app.spoken());
+        }
+    }
+
+    fn save(&mut self, _: &mut dyn eframe::Storage) {
+        self.app.rest();
+        self.app.remember();
+    }
+}
+
+impl Page {
+    /// Opens the browser's dialog for files if the app asks for a file to read. A file to write is a
+    /// download, for which the browser chooses the folder.
+    fn ask_for_file(&mut self, ctx: &Context) {
+        let Some(FileRequest { question, name, .. }) = self.app.file_request() else {
+            self.is_choosing = false;
+            return;
+        };
+        if std::mem::replace(&mut self.is_choosing, true) {
+            return;
+        }
+        match question.writes {
+            Some(ending) => {
+                let name = if name.is_empty() { &format!("pinhole.{ending}") } else { name };
+                EVENTS.with_borrow_mut(|events| {
+                    events.choice = Some(FileAnswer::Chosen(browser::path_of(name)));
+                });
+                ctx.request_repaint();
+            }
+            None => {
+                // A scene may name a table, which must be chosen together with it.
+                let endings = question.endings.iter().chain(&["csv"]);
+                let extensions: Vec<_> = endings.map(|ending| format!(".{ending}")).collect();
+                page::choose(&extensions.join(","));
+            }
+        }
+    }
+}
+
+/// A file that was dropped into the page, and is in memory.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes_async(&self) -> Pin<Box<dyn Future<Output = Result<Vec<u8>, String>> + '_>> {
+        let bytes = host().read(&self.0, limits::TABLE).map_err(|error| error.to_string());
+        Box::pin(async { bytes })
+    }
+}
+
+/// Takes a file that the user chose or dropped into memory. Returns the path under which the app knows it.
+#[wasm_bindgen]
+pub fn file_added(name: &str, content: Vec<u8>) -> String {
+    browser::add(name, content).to_string_lossy().into_owned()
+}
+
+/// Tells the app which file the user chose, or that the user chose none.
+#[wasm_bindgen]
+pub fn choice_made(path: Option<String>) {
+    let answer = path.map_or(FileAnswer::Cancelled, |path| FileAnswer::Chosen(path.into()));
+    EVENTS.with_borrow_mut(|events| events.choice = Some(answer));
+    wake();
+}
+
+/// Tells the app which file the user dropped.
+#[wasm_bindgen]
+pub fn file_dropped(path: String) {
+    EVENTS.with_borrow_mut(|events| events.dropped.push(path.into()));
+    wake();
+}
+
+fn wake() {
+    if let Some(ctx) = CONTEXT.get() {
+        ctx.request_repaint();
+    }
+}
+
+thread_local! {
+    /// The unsaved changes before the last frame, for the case that the frame fails.
+    static LAST: RefCell<Option<(Unsaved, Arc<Slot>)>> = const { RefCell::new(None) };
+}
+
+/// Writes the last changes to their slot, because the program has failed and cannot go on. Returns a report
+/// about the failure.
+fn last_report(message: &str) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let scene = LAST.take().and_then(|(unsaved, slot)| {
+        // If the storage is full, the report still has the scene.
+        let _ = unsaved.write(&slot);
+        unsaved.text(&slot).ok()
+    });
+    format!("Pinhole {version} in a browser\n{message}\n\n{}", scene.unwrap_or_default())
+}
+
+/// Carries out what a frame asks of the window, and lets the page rest until the next one.
+struct Output;
+
+impl egui::Plugin for Output {
+    fn debug_name(&self) -> &'static str {
+        "page"
+    }
+
+    fn output_hook(&mut self, _: &Context, output: &mut FullOutput) {
+        let Some(window) = output.viewport_output.get_mut(&ViewportId::ROOT) else { return };
+        for command in window.commands.drain(..) {
+            match command {
+                ViewportCommand::Title(title) => page::set_title(&title),
+                ViewportCommand::Fullscreen(fill) => page::fill_screen(fill),
+                // A page cannot do anything else to its window.
+                _ => {}
+            }
+        }
+        page::rest(window.repaint_delay.as_secs_f64());
     }
 }

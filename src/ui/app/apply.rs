@@ -34,6 +34,14 @@ const OPEN: FileQuestion = FileQuestion {
 const SAVE_AS: FileQuestion =
     FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
 
+const SAVE_PAGE: FileQuestion = FileQuestion {
+    title: "Save as a page for a browser",
+    verb: "Save",
+    endings: &["html"],
+    hint: "path of a .html file",
+    writes: Some("html"),
+};
+
 impl App {
     /// Applies the action and opens the dialog that it needs.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
@@ -178,6 +186,18 @@ impl App {
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
             FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
+            FileAction::AskSavePage => {
+                let name = format!(
+                    "{}.html",
+                    Path::new(&self.scene.open.file_name()).with_extension("").display()
+                );
+                let field = PathField::new(SAVE_PAGE, self.scene.open.file(), &name);
+                Some(Dialog::file(field, FileAction::SavePage))
+            }
+            FileAction::SavePage(path) => {
+                let reason = files::save_page(&self.scene, &path).err()?;
+                Some(Dialog::message("The page was not saved", reason))
+            }
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
                 self.window.discarded = leave == Leave::Quit;

@@ -1,15 +1,15 @@
 //! Reads and writes files other than scenes: the translator's text, a student's answers, and figures of the
 //! views on the screen.
 
-use std::fs::{self, File};
-use std::io::{ErrorKind, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
-use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, atomic, limits};
+use pinhole_exchange::host::host;
+use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, limits};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
+use crate::model::page_part;
 use crate::model::translator::with;
 use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave};
@@ -69,11 +69,26 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
 pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog> {
     let text = translated(scene)?.text.text;
     let write = |()| {
-        let written = atomic::write(path, |file| file.write_all(text.as_bytes()));
+        let written = host().write(path, text.as_bytes());
         written.map_err(|error| error.to_string())
     };
     let saved = scene.open.check_output(path).and_then(write);
     saved.err().map(|error| Dialog::message("The camera was not saved", error))
+}
+
+/// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser.
+///
+/// # Errors
+/// Returns the reason if there is no page of the program, or if the file cannot be written.
+pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<(), String> {
+    scene.open.check_output(path)?;
+    let step = scene.lessons.open.as_ref().filter(|_| !scene.differs_from_step());
+    let part = match step {
+        Some(step) => page_part::of_step(step),
+        None => page_part::of_scene(&scene.open.document),
+    };
+    let page = part.map_err(|error| error.to_string())?.in_page(&host().page()?)?;
+    host().write(path, page.as_bytes()).map_err(|error| error.to_string())
 }
 
 /// Maximum size of a file of answers that the window grades, in bytes. That is about two million answers,
@@ -92,13 +107,8 @@ const ANSWERS: FileQuestion = FileQuestion {
 /// or opened as a scene.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
-    let mut bytes = Vec::new();
-    // Reading a pipe could block forever.
-    let file =
-        || if path.is_file() { File::open(&path) } else { Err(ErrorKind::InvalidInput.into()) };
-    let read = file().and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
-    match read {
-        Ok(_) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
+    match host().read_start(&path, FIRST) {
+        Ok(bytes) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
@@ -128,7 +138,7 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
 /// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the
 /// file does.
 fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
-    let size = fs::metadata(path).map_or(0, |file| file.len());
+    let size = host().stamp(path).map_or(0, |file| file.length);
     if size > MOST_BYTES {
         let problem = format!(
             "{} has {} MB, and the window would stop responding: grade it with pinhole check",
@@ -266,6 +276,6 @@ impl App {
                 figure.to_file(format)?
             }
         };
-        atomic::write(path, |file| file.write_all(&bytes)).map_err(|error| error.to_string())
+        host().write(path, &bytes).map_err(|error| error.to_string())
     }
 }

@@ -78,6 +78,9 @@ impl App {
             self.settle(&ctx, None);
         }
         self.recovery.follow(&ctx, &self.scene.open);
+        if let Some(reason) = self.recovery.take_fault() {
+            self.say("Unsaved changes cannot be recorded".to_owned(), vec![reason]);
+        }
         self.record_animation(&ctx);
         self.window.follow(&ctx, &self.scene);
         if is_old || self.scene.has_changed_since(start) {

@@ -11,6 +11,7 @@ mod over;
 mod playback;
 mod recovery;
 mod scene;
+mod spoken;
 mod views;
 mod window;
 
@@ -28,6 +29,7 @@ use self::recovery::Recovery;
 use self::scene::OpenScene;
 use self::views::Views;
 use self::window::{AppWindow, FileWatch};
+use crate::model::recovery::{Slot, Unsaved};
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::{Lesson, OpenDocument, OpenLesson, Player, Remembered, StepId, Store};
 use crate::ui::action::{Action, FileAction};
@@ -39,7 +41,7 @@ use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::{self, Look};
 
-pub(crate) use self::window::complain;
+pub use self::window::complain;
 
 /// The program's state: the open document, the session that views it, and everything derived from them.
 pub struct App {
@@ -168,13 +170,13 @@ impl App {
     }
 
     /// Starts to measure how long the work of each frame takes, for the log.
-    pub(crate) fn time_frames(&mut self) {
+    pub fn time_frames(&mut self) {
         self.views.frame_work = Some(FrameWork::default());
     }
 
     /// Returns the times of the work of the last presented frame. Returns `None` if frames are not
     /// measured, or if that frame showed no new picture.
-    pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
+    pub fn work_presented(&self) -> Option<WorkTimes> {
         self.views.frame_work.as_ref()?.work()
     }
 
@@ -211,6 +213,16 @@ impl App {
     /// Writes pending changes to the recovery file, because it may be a long time until the next frame.
     pub fn rest(&mut self) {
         self.recovery.write_now(&self.scene.open);
+    }
+
+    /// Returns the unsaved changes, and the recovery slot that they belong to.
+    pub fn unsaved(&self) -> Option<(Unsaved, Arc<Slot>)> {
+        self.recovery.unsaved(&self.scene.open)
+    }
+
+    /// Saves the settings, window, recent files and open scene for the next run.
+    pub fn remember(&mut self) {
+        self.window.end(&self.scene);
     }
 
     /// Saves the settings, window, recent files and open scene for the next run, and writes unsaved changes to

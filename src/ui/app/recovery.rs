@@ -2,7 +2,7 @@
 //! whether to save its changes, a later start of the program offers them.
 
 use std::sync::Arc;
-use std::thread::JoinHandle;
+use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use egui::Context;
@@ -38,7 +38,9 @@ pub(super) struct Recovery {
     last_edit: f64,
     /// Time of the first edit that is not written yet, in seconds; `None` if there is none.
     first_edit: Option<f64>,
-    writing: Option<JoinHandle<()>>,
+    writing: Option<JoinHandle<Result<(), String>>>,
+    /// The first reason why changes could not be recorded, and whether the user has been told.
+    fault: Option<(String, bool)>,
 }
 
 impl Drop for Recovery {
@@ -54,10 +56,8 @@ impl Recovery {
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
-        if let Some(fault) = fault {
-            complain(&format!("unsaved changes may not be recoverable: {fault}"));
-        }
         let mut recovery = Recovery::default();
+        recovery.note(fault.map_or(Ok(()), |fault| Err(fault.to_string())));
         (recovery.slot, recovery.found) = (slot.map(Arc::new), found);
         recovery
     }
@@ -94,6 +94,9 @@ impl Recovery {
 
     /// Writes unsaved changes to the slot, on another thread, once the user pauses or [`LONGEST`] has passed.
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
+        if self.writing.as_ref().is_some_and(JoinHandle::is_finished) {
+            self.finish_writing();
+        }
         if self.slot.is_none() {
             return;
         }
@@ -113,7 +116,7 @@ impl Recovery {
             ctx.request_repaint_after(Duration::from_secs_f64(due - now));
             return;
         }
-        if self.writing.as_ref().is_some_and(|writing| !writing.is_finished()) {
+        if self.writing.is_some() {
             // A slow disk must not delay a frame.
             ctx.request_repaint_after(BUSY);
             return;
@@ -131,23 +134,45 @@ impl Recovery {
     /// Writes all unsaved changes at once.
     pub(super) fn write_changes(&mut self, open: &OpenDocument) {
         self.first_edit = None;
-        let Some(slot) = self.slot.clone().filter(|_| open.has_changes()) else { return };
-        let unsaved = Unsaved::of(open);
+        let Some((unsaved, slot)) = self.unsaved(open) else { return };
+        let unsaved = Arc::new(unsaved);
         self.is_written = true;
         self.finish_writing();
-        self.writing = Some(std::thread::spawn(move || {
-            if let Err(reason) = unsaved.write(&slot) {
-                complain(&format!("the recovery file could not be written: {reason}"));
-            }
-        }));
+        let (on_thread, its_slot) = (Arc::clone(&unsaved), Arc::clone(&slot));
+        let write = thread::Builder::new().spawn(move || on_thread.write(&its_slot));
+        // There may be no thread to have: a browser has none.
+        match write {
+            Ok(writing) => self.writing = Some(writing),
+            Err(_) => self.note(unsaved.write(&slot)),
+        }
+    }
+
+    /// Returns the unsaved changes, and the slot that they belong to.
+    pub(super) fn unsaved(&self, open: &OpenDocument) -> Option<(Unsaved, Arc<Slot>)> {
+        let slot = self.slot.clone().filter(|_| open.has_changes())?;
+        Some((Unsaved::of(open), slot))
     }
 
     /// Waits until the last write is finished, so that it cannot overwrite a later one.
     fn finish_writing(&mut self) {
         if let Some(writing) = self.writing.take() {
             // A thread that panicked has written nothing.
-            let _ = writing.join();
+            self.note(writing.join().unwrap_or_else(|_| Err("it failed".to_owned())));
         }
+    }
+
+    /// Notes the result of a write. The first failure is told in the window.
+    fn note(&mut self, written: Result<(), String>) {
+        if let Err(reason) = written {
+            complain(&format!("the recovery file could not be written: {reason}"));
+            self.fault.get_or_insert((reason, false));
+        }
+    }
+
+    /// Returns, once, the reason why unsaved changes cannot be recorded.
+    pub(super) fn take_fault(&mut self) -> Option<String> {
+        let (reason, is_told) = self.fault.as_mut()?;
+        (!std::mem::replace(is_told, true)).then(|| reason.clone())
     }
 
     /// Clears the recovery slot, because its changes are saved or no longer wanted.

@@ -111,7 +111,7 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
 }
 
 /// Writes a message to standard error. Ignores a failure, because there is nowhere to report it.
-pub(crate) fn complain(text: &str) {
+pub fn complain(text: &str) {
     let _ = writeln!(std::io::stderr(), "pinhole: {text}");
 }
 

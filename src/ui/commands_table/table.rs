@@ -78,6 +78,8 @@ fn program() -> Vec<UiCommand> {
             [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs { then: None };
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], FileAction::Save;
+        File, "Save as a page…", "Asks where to save a page that opens the scene or step in any browser.",
+            [], FileAction::AskSavePage;
         File, "Check answers…", "Asks which file of a student's answers to grade.",
             [], AnswersAction::Ask;
         File, "Export a figure…", "Asks which figure to export, and where.",

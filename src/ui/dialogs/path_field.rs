@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use egui::{Button, Key, RichText, ScrollArea, TextEdit, Ui};
+use pinhole_exchange::host::host;
 
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme::error_color;
@@ -221,7 +222,7 @@ impl PathField {
             }
             *cancel |= ui.button("Cancel").clicked();
             // The desktop's dialog may open on another screen, or never.
-            if ui.button("List files here").clicked() {
+            if host().has_folders() && ui.button("List files here").clicked() {
                 is_old = true;
                 self.ask_by_list();
             }

@@ -34,7 +34,7 @@ pub(crate) fn ui(
     MenuBar::new().ui(ui, |ui| {
         // This menu stays open for several clicks.
         let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        ui.menu_button("File", |ui| file_menu(ui, recent));
+        ui.menu_button("File", |ui| file_menu(ui, recent, there));
         ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
         MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
         ui.menu_button("Lessons", lessons_menu);
@@ -125,10 +125,11 @@ fn lessons_menu(ui: &mut Ui) {
     }
 }
 
-fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf]) {
+fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], there: Available) {
     entry(ui, "Open…", FileAction::AskOpen);
     entry(ui, "Save", FileAction::Save);
     entry(ui, "Save as…", FileAction::AskSaveAs { then: None });
+    entry(ui, "Save as a page…", FileAction::AskSavePage);
     ui.separator();
     entry(ui, "Check answers…", AnswersAction::Ask);
     ui.separator();
@@ -152,8 +153,10 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf]) {
                 .asks(Leave::Open(SceneSource::File(path.clone())));
         }
     });
-    ui.separator();
-    entry(ui, "Quit", Leave::Quit);
+    if Action::from(Leave::Quit).is_possible(there) {
+        ui.separator();
+        entry(ui, "Quit", Leave::Quit);
+    }
 }
 
 /// Shows a menu entry with its key.

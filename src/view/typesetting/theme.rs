@@ -210,6 +210,7 @@ pub(crate) fn install_base(ctx: &Context) {
 const SANS: &str = "Noto Sans";
 const SANS_BOLD: &str = "Noto Sans Bold";
 const MATH: &str = "Noto Sans Math";
+const HACK: &str = "Hack";
 
 /// Returns the bold font family, to be used as `FontId::new(size, theme::bold())`.
 pub fn bold() -> FontFamily {
@@ -221,14 +222,15 @@ pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
 
-/// Returns the bundled fonts: Noto Sans, then Noto Sans Math for signs that Noto Sans lacks, then
-/// egui's own fonts. Code uses egui's font Hack first.
+/// Returns the bundled fonts: Noto Sans, then Noto Sans Math for signs that Noto Sans lacks, then egui's own
+/// fonts where they are built in: a page has its browser's fonts instead. Code uses Hack first.
 pub fn font_definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
-    let files: [(&str, &'static [u8]); 3] = [
+    let files: [(&str, &'static [u8]); 4] = [
         (SANS, include_bytes!("../../../assets/fonts/NotoSans-Regular.ttf")),
         (SANS_BOLD, include_bytes!("../../../assets/fonts/NotoSans-Bold.ttf")),
         (MATH, include_bytes!("../../../assets/fonts/NotoSansMath-Regular.ttf")),
+        (HACK, include_bytes!("../../../assets/fonts/Hack-Regular.ttf")),
     ];
     for (name, file) in files {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(file)));
@@ -239,9 +241,7 @@ pub fn font_definitions() -> FontDefinitions {
     };
     fonts.families.insert(bold(), chain(&[SANS_BOLD, SANS, MATH]));
     fonts.families.insert(FontFamily::Proportional, chain(&[SANS, MATH]));
-    let monospace = fonts.families.entry(FontFamily::Monospace).or_default();
-    let after_first = monospace.len().min(1);
-    monospace.splice(after_first..after_first, [MATH.to_owned(), SANS.to_owned()]);
+    fonts.families.insert(FontFamily::Monospace, chain(&[HACK, MATH, SANS]));
     fonts
 }
 
@@ -272,6 +272,6 @@ mod tests {
         let first = |family: &FontFamily| fonts.families[family][0].clone();
         assert_eq!(first(&FontFamily::Proportional), SANS);
         assert_eq!(first(&bold()), SANS_BOLD);
-        assert_eq!(first(&FontFamily::Monospace), "Hack");
+        assert_eq!(first(&FontFamily::Monospace), HACK);
     }
 }

@@ -1,0 +1,213 @@
+"use strict";
+
+// What the program asks of the page: src/platform/web/page.rs says what each function does.
+var pinhole = (() => {
+  // The page as it was written, before anything changes it.
+  const source = "<!doctype html>\n" + document.documentElement.outerHTML + "\n";
+  const element = (id) => document.getElementById(id);
+  const PREFIX = "pinhole:";
+
+  const storage = () => {
+    try { return window.localStorage; } catch { return null; }
+  };
+
+  function store(key, text) {
+    try {
+      const kept = storage();
+      if (!kept) return "this browser does not let the page store anything";
+      kept.setItem(PREFIX + key, text);
+    } catch (error) {
+      return error.name === "QuotaExceededError"
+        ? "the storage that this browser gives the page is full"
+        : "this browser does not let the page store anything";
+    }
+  }
+
+  // The locks that other pages hold, and the functions that release this page's own.
+  const taken = new Set();
+  const releases = new Map();
+
+  async function findLocks() {
+    try {
+      for (const lock of (await navigator.locks.query()).held) taken.add(lock.name);
+    } catch { /* A browser without locks: its pages share their unsaved changes. */ }
+  }
+
+  function lock(name) {
+    if (taken.has(PREFIX + name)) return false;
+    const held = new Promise((release) => releases.set(name, release));
+    navigator.locks?.request(PREFIX + name, { ifAvailable: true }, () => held).catch(() => {});
+    return true;
+  }
+
+  function unlock(name) {
+    releases.get(name)?.();
+    releases.delete(name);
+  }
+
+  function download(name, content, type = "application/octet-stream") {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([content], { type }));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  }
+
+  // Takes files into the program's memory, and returns the path of the one to open: a scene or lesson, before
+  // the tables that it names.
+  async function take(files) {
+    const paths = [];
+    for (const file of files) {
+      paths.push(wasm_bindgen.file_added(file.name, new Uint8Array(await file.arrayBuffer())));
+    }
+    return paths.find((path) => path.endsWith(".toml")) ?? paths[0];
+  }
+
+  function choose(extensions) {
+    const input = document.createElement("input");
+    Object.assign(input, { type: "file", accept: extensions, multiple: true });
+    input.onchange = async () => { wasm_bindgen.choice_made(await take(input.files)); wake(); };
+    input.oncancel = () => { wasm_bindgen.choice_made(); wake(); };
+    input.click();
+  }
+
+  // The program's runner asks for an animation frame after each frame, even if nothing will change. While the
+  // page rests, its request waits here.
+  const request = window.requestAnimationFrame.bind(window);
+  let waiting = null;
+  let isResting = false;
+  let timer = 0;
+  window.requestAnimationFrame = (frame) => {
+    if (!isResting) return request(frame);
+    waiting = frame;
+    return 0;
+  };
+
+  function wake() {
+    isResting = false;
+    clearTimeout(timer);
+    if (waiting) request(waiting);
+    waiting = null;
+  }
+
+  // The longest delay of a timer, about 24 days.
+  const LONGEST = 2 ** 31 - 1;
+
+  function rest(seconds) {
+    if (!performance.getEntriesByName("first picture").length) performance.mark("first picture");
+    clearTimeout(timer);
+    isResting = seconds > 0;
+    if (isResting && seconds * 1000 < LONGEST) timer = setTimeout(wake, seconds * 1000);
+  }
+
+  const EVENTS = "pointerdown pointermove pointerup pointercancel pointerleave mousedown mousemove mouseup "
+    + "touchstart touchmove touchend touchcancel wheel keydown keyup input compositionstart compositionend "
+    + "copy cut paste dragover dragleave drop focus blur resize hashchange popstate pageshow visibilitychange";
+  for (const type of EVENTS.split(" ")) window.addEventListener(type, wake, { capture: true, passive: true });
+  new ResizeObserver(wake).observe(element("canvas"));
+  for (const query of ["(prefers-color-scheme: dark)", `(resolution: ${devicePixelRatio}dppx)`]) {
+    window.matchMedia(query).addEventListener("change", wake);
+  }
+
+  window.addEventListener("drop", async (event) => {
+    if (!event.dataTransfer?.files.length) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const path = await take(event.dataTransfer.files);
+    if (path) wasm_bindgen.file_dropped(path);
+    wake();
+  }, { capture: true });
+
+  // Keys of the program that a browser would use for itself. F5 presents; Ctrl+R still reloads the page.
+  window.addEventListener("keydown", (event) => {
+    const isCommand = (event.ctrlKey || event.metaKey) && "be".includes(event.key.toLowerCase());
+    if (isCommand || event.key === "F1" || event.key === "F5" && !event.ctrlKey) event.preventDefault();
+  }, { capture: true });
+
+  function fillScreen(fill) {
+    const change = fill ? document.documentElement.requestFullscreen?.() : document.exitFullscreen?.();
+    change?.catch(() => { /* Some browsers let no page fill the screen. */ });
+  }
+
+  function tell(text) {
+    if (element("told").textContent !== text) element("told").textContent = text;
+  }
+
+  // Shows a message in place of the program. Each part of the text is a paragraph.
+  function show(title, paragraphs, details = "", buttons = []) {
+    const message = element("message");
+    const add = (tag, text, parent = message) => {
+      const child = parent.appendChild(document.createElement(tag));
+      child.textContent = text;
+      return child;
+    };
+    message.replaceChildren();
+    add("h1", title);
+    for (const text of paragraphs) add("p", text);
+    if (details) add("pre", details);
+    const row = add("div", "");
+    for (const [name, act] of buttons) add("button", name, row).onclick = act;
+    message.hidden = false;
+    row.querySelector("button")?.focus();
+  }
+
+  function failed(message, report) {
+    show("Pinhole ran into an internal error",
+      ["Your scene is kept: unsaved changes are in the storage of this browser."], message,
+      [["Go on", () => location.reload()],
+        ["Copy a report", () => navigator.clipboard.writeText(report)]]);
+  }
+
+  // A module with one vector instruction.
+  const VECTORS = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0,
+    65, 0, 253, 15, 253, 98, 11]);
+
+  function missing() {
+    const has = {
+      "WebGL 2, which draws the picture": () => document.createElement("canvas").getContext("webgl2"),
+      "the vector instructions of WebAssembly, which trace the rays": () => WebAssembly.validate(VECTORS),
+      "DecompressionStream, which unpacks the program": () => window.DecompressionStream,
+    };
+    return Object.keys(has).filter((name) => { try { return !has[name](); } catch { return true; } });
+  }
+
+  async function start() {
+    const lacks = missing();
+    if (lacks.length) {
+      show("This browser cannot run Pinhole", ["It lacks:", ...lacks.map((name) => "• " + name + "."),
+        "Firefox 113, Chrome 91, Edge 91, Safari 16.4 and later ones have them all. If yours is later, the "
+        + "settings of the browser or of the computer switch them off."]);
+      return;
+    }
+    await findLocks();
+    const packed = Uint8Array.from(atob(element("program").textContent), (letter) => letter.charCodeAt(0));
+    const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const headers = { "Content-Type": "application/wasm" };
+    await wasm_bindgen({ module_or_path: new Response(unpacked, { headers }) });
+  }
+
+  window.addEventListener("DOMContentLoaded", () => start().catch((error) => {
+    if (element("message").hidden) failed(String(error), String(error.stack || error));
+  }));
+
+  return {
+    now: () => Date.now(),
+    stored: (key) => storage()?.getItem(PREFIX + key) ?? undefined,
+    store,
+    forget: (key) => storage()?.removeItem(PREFIX + key),
+    lock,
+    unlock,
+    download,
+    choose,
+    part: () => element("part").textContent,
+    source: () => source,
+    address: () => location.href.split("#")[0],
+    fragment: () => location.hash.slice(1),
+    reduced_motion: () => window.matchMedia("(prefers-reduced-motion: reduce)").matches,
+    set_title: (title) => { document.title = title; },
+    fill_screen: fillScreen,
+    tell,
+    rest,
+    failed,
+  };
+})();

@@ -1,0 +1,54 @@
+//! `pinhole page`: writes the page that shows the program in a browser, with a scene or a lesson in it.
+
+use std::io::Write as _;
+
+use pinhole_exchange::host::host;
+use pinhole_exchange::{FileError, atomic, limits};
+
+use super::console::{CommandError, is_standard, to_stdout};
+use super::load::{files_of, load, refuse_overwriting};
+use crate::cli::arguments::PageArguments;
+use crate::model::lessons::{LessonArgument, OpenLesson, is_lesson};
+use crate::model::page_part;
+
+pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
+    let PageArguments { scene, lesson, step, output, page } = arguments;
+    let file = scene.as_ref().filter(|path| is_lesson(path));
+    let file = file.map(|path| LessonArgument::File(path.clone()));
+    let (part, read) = match (lesson.as_ref().or(file.as_ref()), scene) {
+        (Some(lesson), _) => {
+            let (mut id, file) = lesson.load()?;
+            if let Some(step) = step {
+                id.step = usize::from(*step) - 1;
+            }
+            let open = OpenLesson::at(id, file.as_ref()).ok_or_else(|| {
+                CommandError::Arguments(format!("the lesson has no step {}", id.step + 1))
+            })?;
+            let read = open.lesson().file.clone().into_iter().collect();
+            (page_part::of_step(&open)?, read)
+        }
+        (None, Some(_)) if step.is_some() => {
+            let problem = "--step is for a lesson: name a lesson, or leave it out";
+            return Err(CommandError::Arguments(problem.to_owned()));
+        }
+        (None, Some(scene)) => {
+            let document = load(scene)?;
+            (page_part::of_scene(&document)?, files_of(scene, &document))
+        }
+        (None, None) => Default::default(),
+    };
+    let of_program = match page {
+        Some(page) => limits::read_text(page)?,
+        None => host().page().map_err(CommandError::Input)?,
+    };
+    let text = part.in_page(&of_program).map_err(|problem| match page {
+        Some(page) => FileError::of_file(page, problem).into(),
+        None => CommandError::Input(problem),
+    })?;
+    if is_standard(output) {
+        return to_stdout(|out| out.write_all(text.as_bytes()));
+    }
+    let read: Vec<_> = read.into_iter().chain(page.clone()).collect();
+    refuse_overwriting(&read, [("-o", output.as_path())])?;
+    Ok(atomic::write(output, |file| file.write_all(text.as_bytes()))?)
+}

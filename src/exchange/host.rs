@@ -1,0 +1,209 @@
+//! The host that keeps the program's files: the operating system on the desktop, the browser in a page.
+
+use std::any::Any;
+use std::env;
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Read as _, Write as _};
+use std::path::Path;
+use std::sync::OnceLock;
+use std::time::SystemTime;
+
+use serde::{Deserialize, Serialize};
+
+use crate::limits::{self, too_large};
+use crate::{FileError, atomic};
+
+/// The modification time and size of a file when it was read or written. A later change of the file is
+/// detected by comparing stamps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stamp {
+    /// The modification time, if the host knows it.
+    pub modified: Option<SystemTime>,
+    /// The size in bytes.
+    pub length: u64,
+}
+
+/// A lock that is held until this value is dropped.
+pub type Lock = Box<dyn Any + Send + Sync>;
+
+/// What keeps the program's files, and what differs between an operating system and a browser.
+pub trait Host: Send + Sync {
+    /// Reads the first `most` bytes of a file; the whole file if it is smaller.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be read.
+    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError>;
+
+    /// Reads a whole file of at most `most` bytes.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be read, or if it is larger.
+    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+        let bytes = self.read_start(path, most + 1)?;
+        if bytes.len() as u64 > most { Err(too_large(path, most)) } else { Ok(bytes) }
+    }
+
+    /// Writes a file completely or not at all.
+    ///
+    /// # Errors
+    /// Returns an error if the file cannot be written. An existing file is then unchanged.
+    fn write(&self, path: &Path, content: &[u8]) -> Result<(), FileError>;
+
+    /// Checks that a file can be written, before a long computation. Writing it may still fail later.
+    ///
+    /// # Errors
+    /// Returns an error if the path is a folder, lies in a folder that does not exist, or is read-only.
+    fn check(&self, path: &Path) -> Result<(), FileError>;
+
+    /// Makes a folder for the program's own files, unless it exists.
+    ///
+    /// # Errors
+    /// Returns an error if the folder cannot be made.
+    fn make_folder(&self, folder: &Path) -> Result<(), FileError>;
+
+    /// Removes a file. Does nothing if that fails, or if there is no such file.
+    fn remove(&self, path: &Path);
+
+    /// Returns the stamp (modification time and size) of a file; `None` if there is no such file.
+    fn stamp(&self, path: &Path) -> Option<Stamp>;
+
+    /// Returns true if the two paths refer to the same file.
+    fn is_same_file(&self, a: &Path, b: &Path) -> bool;
+
+    /// Locks a name for this window. Returns `None` if another window holds the lock, which its host
+    /// releases however the window ends.
+    ///
+    /// # Errors
+    /// Returns an error if the host cannot lock.
+    fn lock(&self, path: &Path) -> Result<Option<Lock>, FileError>;
+
+    /// Returns the time of day.
+    fn now(&self) -> SystemTime;
+
+    /// Returns the page that runs the program in a browser.
+    ///
+    /// # Errors
+    /// Returns a reason, as a sentence, if there is no such page.
+    fn page(&self) -> Result<String, String>;
+
+    /// Returns true if the user's files are in folders that can be listed, and may be changed there by
+    /// other programs.
+    fn has_folders(&self) -> bool;
+}
+
+static HOST: OnceLock<Box<dyn Host>> = OnceLock::new();
+
+/// Sets the host. Must be called before any file is read, because until then the host is the operating
+/// system.
+pub fn set(host: impl Host + 'static) {
+    // Only the first host counts.
+    let _ = HOST.set(Box::new(host));
+}
+
+/// Returns the host.
+pub fn host() -> &'static dyn Host {
+    HOST.get_or_init(|| Box::new(OperatingSystem)).as_ref()
+}
+
+/// The name of the page that runs the program in a browser.
+const PAGE: &str = "pinhole.html";
+
+/// The operating system, with its folders and files.
+struct OperatingSystem;
+
+/// The paths of files that were opened for the program before it started, such as standard input.
+/// Unlike others, they may be pipes.
+const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
+
+/// Opens a file. Rejects a device, and a pipe that was not opened for the program: reading such a source may
+/// block forever.
+fn open(path: &Path) -> Result<(File, fs::Metadata), FileError> {
+    let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
+    let data = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
+    if !(data.is_file() || data.is_dir() || is_inherited) {
+        let problem = "cannot be read: it is a device or a pipe, and must be a file";
+        return Err(FileError::of_file(path, problem));
+    }
+    let file = File::open(path).map_err(|error| FileError::unreadable(path, &error))?;
+    Ok((file, data))
+}
+
+impl Host for OperatingSystem {
+    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+        let mut bytes = Vec::new();
+        let read = open(path)?.0.take(most).read_to_end(&mut bytes);
+        read.map_err(|error| FileError::unreadable(path, &error))?;
+        Ok(bytes)
+    }
+
+    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+        let (file, data) = open(path)?;
+        if data.is_file() && data.len() > most {
+            return Err(too_large(path, most));
+        }
+        limits::read_from(file, path, most)
+    }
+
+    fn write(&self, path: &Path, content: &[u8]) -> Result<(), FileError> {
+        atomic::write(path, |file| file.write_all(content))
+    }
+
+    fn check(&self, path: &Path) -> Result<(), FileError> {
+        atomic::check(path)
+    }
+
+    fn make_folder(&self, folder: &Path) -> Result<(), FileError> {
+        fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))
+    }
+
+    fn remove(&self, path: &Path) {
+        let _ = fs::remove_file(path);
+    }
+
+    fn stamp(&self, path: &Path) -> Option<Stamp> {
+        let data = fs::metadata(path).ok()?;
+        // A modification time before 1970 is dropped: it could not be serialized with the unsaved
+        // changes.
+        let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
+        Some(Stamp { modified, length: data.len() })
+    }
+
+    fn is_same_file(&self, a: &Path, b: &Path) -> bool {
+        atomic::is_same_file(a, b)
+    }
+
+    fn lock(&self, path: &Path) -> Result<Option<Lock>, FileError> {
+        let why = |error: io::Error| FileError::unwritable(path, &error);
+        let file =
+            File::options().create(true).write(true).truncate(false).open(path).map_err(why)?;
+        match file.try_lock() {
+            Ok(()) => Ok(Some(Box::new(file))),
+            Err(TryLockError::WouldBlock) => Ok(None),
+            Err(TryLockError::Error(error)) => Err(why(error)),
+        }
+    }
+
+    fn now(&self) -> SystemTime {
+        SystemTime::now()
+    }
+
+    fn page(&self) -> Result<String, String> {
+        // An archive has the page beside the program, an installed program in its folder of data, and a build
+        // one folder above.
+        let places = ["", "../share/pinhole", ".."];
+        let program = env::current_exe().map_err(|error| error.to_string())?;
+        let folder = atomic::folder_of(&program);
+        let found = places.iter().map(|place| folder.join(place).join(PAGE));
+        let page = found.into_iter().find(|page| page.is_file()).ok_or_else(|| {
+            format!(
+                "{PAGE} is missing: it belongs into the folder of the program, {}",
+                folder.display()
+            )
+        })?;
+        limits::read_text(&page).map_err(|error| error.to_string())
+    }
+
+    fn has_folders(&self) -> bool {
+        true
+    }
+}

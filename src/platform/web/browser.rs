@@ -1,0 +1,158 @@
+//! The browser as the keeper of files: chosen and dropped files are in memory, a written file is a download,
+//! and the program's own files are in the browser's storage.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, SystemTime};
+
+use pinhole_exchange::FileError;
+use pinhole_exchange::host::{Host, Lock, Stamp};
+
+use super::page;
+
+/// The folder of the program's own files, which are in the browser's storage.
+const STORAGE: &str = "/browser";
+
+/// Returns the path of a file that stores the program's state.
+pub(super) fn state() -> PathBuf {
+    Path::new(STORAGE).join("state.json")
+}
+
+/// The path of a file that the page contains, or that the user chose.
+pub(super) fn path_of(name: &str) -> PathBuf {
+    Path::new("/").join(name)
+}
+
+/// A file in memory.
+struct MemoryFile {
+    content: Vec<u8>,
+    stamp: Stamp,
+}
+
+/// The browser.
+#[derive(Default)]
+pub(super) struct Browser;
+
+/// The files in memory: those that the page contains, and those that the user chose, dropped or saved.
+static FILES: Mutex<BTreeMap<PathBuf, MemoryFile>> = Mutex::new(BTreeMap::new());
+
+fn files() -> MutexGuard<'static, BTreeMap<PathBuf, MemoryFile>> {
+    FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Puts a file into memory. Returns its path.
+pub(super) fn add(name: &str, content: Vec<u8>) -> PathBuf {
+    let stamp = Stamp { modified: Some(now()), length: content.len() as u64 };
+    files().insert(path_of(name), MemoryFile { content, stamp });
+    path_of(name)
+}
+
+/// Returns true if a file belongs to the program: it is in the browser's storage.
+fn is_own(path: &Path) -> bool {
+    path.starts_with(STORAGE)
+}
+
+fn key(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+fn now() -> SystemTime {
+    SystemTime::UNIX_EPOCH + Duration::from_millis(page::now() as u64)
+}
+
+/// Returns a stored file's modification time and content. It is stored as the time, in milliseconds since
+/// 1970, a line break, and the content.
+fn stored(path: &Path) -> Option<(SystemTime, String)> {
+    let mut text = page::stored(&key(path))?;
+    let content = text.split_off(text.find('\n')? + 1);
+    let time = SystemTime::UNIX_EPOCH + Duration::from_millis(text.trim_end().parse().ok()?);
+    Some((time, content))
+}
+
+impl Host for Browser {
+    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+        let start = |content: &[u8]| {
+            content[..content.len().min(usize::try_from(most).unwrap_or(usize::MAX))].to_vec()
+        };
+        let found = if is_own(path) {
+            stored(path).map(|(_, content)| start(content.as_bytes()))
+        } else {
+            files().get(path).map(|file| start(&file.content))
+        };
+        found.ok_or_else(|| {
+            let problem = "is not in this page: drop it into the window, together with the file \
+                           that names it";
+            FileError::of_file(path.strip_prefix("/").unwrap_or(path), problem)
+        })
+    }
+
+    fn write(&self, path: &Path, content: &[u8]) -> Result<(), FileError> {
+        if is_own(path) {
+            let time = page::now();
+            let text = format!("{time:.0}\n{}", String::from_utf8_lossy(content));
+            return match page::store(&key(path), &text) {
+                None => Ok(()),
+                Some(reason) => Err(FileError::of_file(path, reason)),
+            };
+        }
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        page::download(&name, content);
+        add(&name, content.to_vec());
+        Ok(())
+    }
+
+    fn check(&self, _: &Path) -> Result<(), FileError> {
+        Ok(())
+    }
+
+    fn make_folder(&self, _: &Path) -> Result<(), FileError> {
+        Ok(())
+    }
+
+    fn remove(&self, path: &Path) {
+        if is_own(path) {
+            page::forget(&key(path));
+        } else {
+            files().remove(path);
+        }
+    }
+
+    fn stamp(&self, path: &Path) -> Option<Stamp> {
+        if !is_own(path) {
+            return files().get(path).map(|file| file.stamp);
+        }
+        let (modified, content) = stored(path)?;
+        Some(Stamp { modified: Some(modified), length: content.len() as u64 })
+    }
+
+    fn is_same_file(&self, a: &Path, b: &Path) -> bool {
+        a == b
+    }
+
+    fn lock(&self, path: &Path) -> Result<Option<Lock>, FileError> {
+        let name = key(path);
+        Ok(page::lock(&name).then(|| Box::new(PageLock(name)) as Lock))
+    }
+
+    fn now(&self) -> SystemTime {
+        now()
+    }
+
+    fn page(&self) -> Result<String, String> {
+        Ok(page::source())
+    }
+
+    fn has_folders(&self) -> bool {
+        false
+    }
+}
+
+/// A lock among the pages of this browser.
+struct PageLock(String);
+
+impl Drop for PageLock {
+    fn drop(&mut self) {
+        page::unlock(&self.0);
+    }
+}

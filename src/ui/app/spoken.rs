@@ -1,0 +1,39 @@
+//! The window's contents in words, for a host that shows screen readers no widgets.
+
+use crate::model::NumberStyle;
+use crate::model::files::title_of;
+use crate::model::readings::{Reading, of_basis};
+use crate::ui::app::App;
+use crate::ui::scene::views;
+use crate::view::typesetting::notation::plain;
+
+impl App {
+    /// Returns the window's title, the text of the lesson's step, and the numbers of the selected ray, a line
+    /// each. Numbers are left out while a question is open, because they may answer it.
+    pub fn spoken(&self) -> String {
+        let (open, session, derived) = (&self.scene.open, &self.scene.session, &self.views.derived);
+        let mut lines = vec![title_of(open.origin())];
+        if let Some(step) = self.lesson().map(|lesson| lesson.step()) {
+            lines.push(plain(&step.text));
+            if let Some(question) = &step.question {
+                lines.push(plain(if session.is_asking { &question.ask } else { &question.answer }));
+            }
+        }
+        if session.is_asking {
+            return lines.join("\n");
+        }
+        lines.push(views::spoken(derived));
+        let style = NumberStyle::new(&session.settings);
+        let line = |reading: &Reading| {
+            format!("{} {}", plain(reading.long_name), style.equated_value(&reading.value))
+        };
+        if let Some(resolved) = &derived.resolved {
+            lines.extend(of_basis(resolved, None).iter().map(line));
+            let inspection = derived.inspection.iter();
+            lines.extend(
+                inspection.flat_map(|seen| seen.ray_readings(resolved.image())).map(|r| line(&r)),
+            );
+        }
+        lines.join("\n")
+    }
+}
