@@ -2,14 +2,19 @@
 //!
 //! 2000 random scenes of twelve pixels for each of five kinds; `PINHOLE_DOOR_SCENES` sets another number.
 
-use pinhole_core::Selection;
 use std::cell::Cell;
+use std::path::Path;
 
+use pinhole::model::digest::picture_digest;
 use pinhole::model::inspection::Inspection;
+use pinhole_core::Selection;
 use pinhole_core::*;
+use pinhole_exchange::document::Item;
+use pinhole_exchange::{BuiltinScene, Document, scene_file};
 use pinhole_lecture::ObjectDerivation;
 use pinhole_lecture::grading::{Answers, GivenHit, HitAnswer, Truth, Written, grade};
 use proptest::prelude::*;
+use proptest::strategy::ValueTree as _;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 /// Every number that is told of a hit.
@@ -213,4 +218,36 @@ fn huge_and_tiny_scenes() {
 #[test]
 fn scenes_at_the_ends_of_single_precision() {
     ask_many(any_objects(), at_the_origin(), (Just(0), prop_oneof![120..155_i32, -132..-120_i32]));
+}
+
+/// Scenes with their digests, for `tests/page/run.py`, which asks a page for the same: the built-in ones and
+/// 1000 random ones. `PINHOLE_PAGE_SCENES` names the file to write.
+#[test]
+fn pictures_have_the_digest_of_what_is_read_back() {
+    let mut scenes: Vec<(String, String)> = Vec::new();
+    let mut add = |document: &Document| {
+        let Ok(digest) = picture_digest(document) else { return };
+        let text = scene_file::to_text(document, None);
+        let read = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")).unwrap();
+        assert_eq!(picture_digest(&read), Ok(digest), "{text}");
+        scenes.push((text, format!("{digest:016x}")));
+    };
+    BuiltinScene::all().iter().for_each(|scene| add(&scene.load().unwrap()));
+    let objects = prop_oneof![any_objects(), touching(), alike()];
+    let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1), ..Config::default() });
+    for _ in 0..1000 {
+        let drawn = (&objects, camera(point())).new_tree(&mut runner).unwrap().current();
+        let ((spheres, planes), camera) = drawn;
+        let image = ImageSize::new(64, 48).unwrap();
+        add(&Document {
+            camera: Camera { image, ..camera },
+            spheres: spheres.into_iter().map(Item::plain).collect(),
+            planes: planes.into_iter().map(Item::plain).collect(),
+            ..Document::default()
+        });
+    }
+    assert!(scenes.len() > 900, "only {} scenes", scenes.len());
+    if let Some(path) = std::env::var_os("PINHOLE_PAGE_SCENES") {
+        std::fs::write(path, serde_json::to_string(&scenes).unwrap()).unwrap();
+    }
 }

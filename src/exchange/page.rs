@@ -74,8 +74,7 @@ impl PagePart {
             let begin = begin + BEGIN.len();
             Some((&page[..begin], &page[begin + page[begin..].find(END)?..]))
         });
-        let (before, after) =
-            found.ok_or("not a page of Pinhole: it has no place for a scene")?;
+        let (before, after) = found.ok_or("not a page of Pinhole: it has no place for a scene")?;
         let json = serde_json::to_string(self).map_err(|error| error.to_string())?;
         // No text in the part can end the element or begin another one.
         Ok([before, &json.replace('<', "\\u003c"), after].concat())

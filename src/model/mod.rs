@@ -6,6 +6,7 @@
 
 pub mod concept;
 pub mod derivation_sections;
+pub mod digest;
 pub mod expression;
 pub mod fault;
 pub mod files;

@@ -87,9 +87,10 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
-    for command in
-        ["scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import", "page"]
-    {
+    for command in [
+        "scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import",
+        "page",
+    ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }

@@ -19,11 +19,6 @@ pub(super) fn state() -> PathBuf {
     Path::new(STORAGE).join("state.json")
 }
 
-/// The path of a file that the page contains, or that the user chose.
-pub(super) fn path_of(name: &str) -> PathBuf {
-    Path::new("/").join(name)
-}
-
 /// A file in memory.
 struct MemoryFile {
     content: Vec<u8>,
@@ -44,8 +39,9 @@ fn files() -> MutexGuard<'static, BTreeMap<PathBuf, MemoryFile>> {
 /// Puts a file into memory. Returns its path.
 pub(super) fn add(name: &str, content: Vec<u8>) -> PathBuf {
     let stamp = Stamp { modified: Some(now()), length: content.len() as u64 };
-    files().insert(path_of(name), MemoryFile { content, stamp });
-    path_of(name)
+    let path = PathBuf::from(name);
+    files().insert(path.clone(), MemoryFile { content, stamp });
+    path
 }
 
 /// Returns true if a file belongs to the program: it is in the browser's storage.
@@ -83,7 +79,7 @@ impl Host for Browser {
         found.ok_or_else(|| {
             let problem = "is not in this page: drop it into the window, together with the file \
                            that names it";
-            FileError::of_file(path.strip_prefix("/").unwrap_or(path), problem)
+            FileError::of_file(path, problem)
         })
     }
 
@@ -93,7 +89,7 @@ impl Host for Browser {
             let text = format!("{time:.0}\n{}", String::from_utf8_lossy(content));
             return match page::store(&key(path), &text) {
                 None => Ok(()),
-                Some(reason) => Err(FileError::of_file(path, reason)),
+                Some(reason) => Err(FileError::of_file(Path::new("unsaved changes"), reason)),
             };
         }
         let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -5,6 +5,7 @@
 
 mod browser;
 mod page;
+mod self_test;
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -81,7 +82,7 @@ impl Page {
         }
         // Files that the user chose in an earlier run are not in this page.
         remembered.recent.clear();
-        remembered.last.take_if(|last| last.has_root());
+        remembered.last.take_if(|last| last.extension().is_some());
         App::set_up(&creation.egui_ctx, &remembered.settings);
         creation.egui_ctx.add_plugin(Output);
         let _ = CONTEXT.set(creation.egui_ctx.clone());
@@ -106,7 +107,7 @@ fn open(store: Store, remembered: Remembered) -> Result<App, FileError> {
         let (lesson, step) =
             if fragment.is_empty() { (part.lesson, part.step) } else { (Some(fragment), None) };
         let lesson = lesson.map(|name| lesson_of(&name, step)).transpose()?;
-        let scene = part.scene.map(path_of);
+        let scene = part.scene.map(PathBuf::from);
         start(scene.as_deref(), lesson).map_err(|error| error.to_string())
     });
     opened.or_else(|reason| {
@@ -118,18 +119,13 @@ fn open(store: Store, remembered: Remembered) -> Result<App, FileError> {
 
 /// Reads the lesson of the page's part or address, and finds its step, counted from 1.
 fn lesson_of(name: &str, step: Option<usize>) -> Result<(StepId, Option<Arc<Lesson>>), String> {
-    let argument = LessonArgument::parse(&path_of(name.to_owned()).to_string_lossy())?;
+    let argument = LessonArgument::parse(name)?;
     let (mut id, file) = argument.load().map_err(|error| error.to_string())?;
     id.step = step.map_or(id.step, |step| step.wrapping_sub(1));
     match OpenLesson::at(id, file.as_ref()) {
         Some(_) => Ok((id, file)),
         None => Err(format!("the lesson has no step {}", id.step.wrapping_add(1))),
     }
-}
-
-/// Returns the path of a file in the page's part, or the name of a built-in scene or lesson.
-fn path_of(name: String) -> PathBuf {
-    if name.ends_with(".toml") { browser::path_of(&name) } else { name.into() }
 }
 
 impl eframe::App for Page {
@@ -175,7 +171,7 @@ impl Page {
             Some(ending) => {
                 let name = if name.is_empty() { &format!("pinhole.{ending}") } else { name };
                 EVENTS.with_borrow_mut(|events| {
-                    events.choice = Some(FileAnswer::Chosen(browser::path_of(name)));
+                    events.choice = Some(FileAnswer::Chosen(name.into()));
                 });
                 ctx.request_repaint();
             }

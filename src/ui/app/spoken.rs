@@ -5,7 +5,7 @@ use crate::model::files::title_of;
 use crate::model::readings::{Reading, of_basis};
 use crate::ui::app::App;
 use crate::ui::scene::views;
-use crate::view::typesetting::notation::plain;
+use crate::view::typesetting::notation::{plain, without_marks};
 
 impl App {
     /// Returns the window's title, the text of the lesson's step, and the numbers of the selected ray, a line
@@ -14,9 +14,10 @@ impl App {
         let (open, session, derived) = (&self.scene.open, &self.scene.session, &self.views.derived);
         let mut lines = vec![title_of(open.origin())];
         if let Some(step) = self.lesson().map(|lesson| lesson.step()) {
-            lines.push(plain(&step.text));
+            lines.push(without_marks(&step.text));
             if let Some(question) = &step.question {
-                lines.push(plain(if session.is_asking { &question.ask } else { &question.answer }));
+                let said = if session.is_asking { &question.ask } else { &question.answer };
+                lines.push(without_marks(said));
             }
         }
         if session.is_asking {

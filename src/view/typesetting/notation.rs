@@ -88,7 +88,8 @@ pub(crate) fn unbroken(text: &str) -> String {
     joined
 }
 
-fn without_marks(text: &str) -> String {
+/// Removes the marks of symbols and subscripts, for screen readers.
+pub(crate) fn without_marks(text: &str) -> String {
     text.replace(['*', '_'], "")
 }
 
