@@ -3,6 +3,8 @@
 
 /// Maximum distance, in points, at which the mouse grabs a handle.
 pub const HANDLE_REACH: f64 = 11.0;
+/// Maximum distance, in points, at which a finger grabs a handle: half the width of what a finger can touch.
+pub const FINGER_REACH: f64 = 22.0;
 /// Maximum distance, in points, at which the mouse grabs the point on the selected ray.
 pub const RAY_POINT_REACH: f32 = 14.0;
 /// Maximum distance, in points, at which the mouse pointer counts as being over a mark.

@@ -32,15 +32,22 @@ pub(crate) fn ui(
     settings: &mut Settings,
 ) {
     MenuBar::new().ui(ui, |ui| {
-        // This menu stays open for several clicks.
-        let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        ui.menu_button("File", |ui| file_menu(ui, recent, there));
-        ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
-        MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
-        ui.menu_button("Lessons", lessons_menu);
-        ui.menu_button("Play", play::menu);
-        ui.menu_button("Tools", |ui| tools_menu(ui, settings));
-        ui.menu_button("Help", help_menu);
+        let mut menus = |ui: &mut Ui| {
+            // This menu stays open for several clicks.
+            let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+            ui.menu_button("File", |ui| file_menu(ui, recent, there));
+            ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
+            MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
+            ui.menu_button("Lessons", lessons_menu);
+            ui.menu_button("Play", play::menu);
+            ui.menu_button("Tools", |ui| tools_menu(ui, settings));
+            ui.menu_button("Help", help_menu);
+        };
+        if ui.available_width() < NARROW {
+            ui.menu_button("Menu", menus);
+        } else {
+            menus(ui);
+        }
         ui.separator();
         workspaces(ui, settings);
         pages(ui, there, settings);
@@ -51,6 +58,9 @@ pub(crate) fn ui(
         ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
     });
 }
+
+/// Width of the bar, in points, below which all menus are in one.
+const NARROW: f32 = 480.0;
 
 /// Minimum width of the scene's name, in points.
 const TITLE: f32 = 64.0;

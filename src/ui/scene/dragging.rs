@@ -8,7 +8,7 @@ use pinhole_core::{Camera, DVec2, DVec3, NO_OBJECT, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
 use super::steps::RecentSteps;
-use crate::model::interaction::{CLICK, HANDLE_REACH, RAY_POINT_REACH};
+use crate::model::interaction::{CLICK, FINGER_REACH, HANDLE_REACH, RAY_POINT_REACH};
 use crate::model::session::handles::{Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
@@ -177,7 +177,7 @@ impl Dragging {
         if !ctx.input(|i| i.pointer.any_down()) {
             let pointer = response.hover_pos().filter(|_| response.hovered());
             let t = session.ray_point_t;
-            let found = pointer.and_then(|at| self.hit(&all, view, at, t, shown));
+            let found = pointer.and_then(|at| self.hit(&all, view, at, t, shown, HANDLE_REACH));
             let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
             let over = found.or_else(focused).map(|one| one.handle);
             session.handles.over = over;
@@ -199,7 +199,9 @@ impl Dragging {
         // The press and the release of a short click may arrive in the same pass.
         let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
         let Some(at) = pressed_at.or(clicked_at) else { return };
-        let Some(found) = self.hit(&all, view, at, session.ray_point_t, shown) else { return };
+        let reach = if ctx.input(|i| i.any_touches()) { FINGER_REACH } else { HANDLE_REACH };
+        let t = session.ray_point_t;
+        let Some(found) = self.hit(&all, view, at, t, shown, reach) else { return };
         **chosen_object = found.handle.object().or(**chosen_object);
         session.handles.is_busy = true;
         if pressed_at.is_none() {
@@ -220,9 +222,10 @@ impl Dragging {
         at: Pos2,
         ray_point_t: Option<f64>,
         shown: &Derived,
+        reach: f64,
     ) -> Option<PlacedHandle> {
         let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
-        let (dots, reach) = (to_dots(view.dots(at).into()), HANDLE_REACH * f64::from(view.scale));
+        let (dots, reach) = (to_dots(view.dots(at).into()), reach * f64::from(view.scale));
         self.clicked = self.clicked.filter(|clicked| {
             all.iter().any(|one| one.handle == *clicked && one.spot.distance(dots) <= reach)
         });
