@@ -11,6 +11,7 @@
 //! - [`format`](mod@format): the scene to export, and the properties of other programs' formats.
 //! - [`programs`]: writes cameras and scenes for other programs by templates, and reads a camera from a
 //!   glTF or from literal numbers.
+//! - [`link`]: a scene or a lesson's step in a URL.
 //! - [`code`]: the current camera as a short program in six languages.
 //!
 //! Every problem with a file is a [`FileError`], which states the location and the rule for valid
@@ -28,6 +29,7 @@ pub mod fields;
 pub mod format;
 pub mod images;
 pub mod limits;
+pub mod link;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;
