@@ -21,7 +21,7 @@ use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
 
 use crate::cli::CommandError;
 use crate::cli::arguments::WindowArguments;
-use crate::model::{OpenDocument, Store};
+use crate::model::{OpenDocument, Store, link};
 use crate::platform::frames::FrameLog;
 use crate::ui::app::App;
 
@@ -68,6 +68,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         remembered.settings.reduced_motion =
             folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
     }
+    let link = scene.as_deref().and_then(link::of_argument).transpose()?;
     let lesson = match (lesson, scene) {
         (Some(lesson), _) => Some(lesson.load()?),
         (None, Some(_)) => None,
@@ -77,6 +78,7 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
         let source = SceneSource::from_argument(argument)?;
         Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
     };
+    let scene = scene.as_ref().filter(|_| link.is_none());
     let (open, trouble) = match scene {
         Some(argument) => (load(argument)?, None),
         None => match remembered.last.as_deref().map(load) {
@@ -93,6 +95,9 @@ pub fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let mut app = App::new(open, remembered, store);
     if let Some((id, file)) = lesson {
         app.open_lesson(id, file);
+    }
+    if let Some(link) = link {
+        app.open_link(link);
     }
     if let Some(trouble) = trouble {
         app.show_message("The last scene cannot be opened again", trouble);

@@ -14,6 +14,7 @@ mod outputs;
 mod render;
 mod report;
 mod scenes;
+mod share;
 mod trace;
 
 use std::ffi::OsStr;
@@ -86,9 +87,10 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
-    for command in
-        ["scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import"]
-    {
+    for command in [
+        "scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import",
+        "share",
+    ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
