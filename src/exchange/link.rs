@@ -10,7 +10,7 @@
 //!
 //! All but a step alone begin with the version of the form, and end with a check: the CRC-32 of what
 //! precedes the last slash, in hexadecimal. So a link that was cut off or mistyped is noticed. A scene is
-//! the text of its scene file: packed by DEFLATE (RFC 1951) with [`PRESET`] before it, then written in
+//! the text of its scene file: packed by DEFLATE (RFC 1951) with `PRESET` before it, then written in
 //! base64url (RFC 4648) without padding. Reading it is reading a scene file, with the same checks.
 
 use std::io::{self, Read as _, Write as _};
