@@ -118,6 +118,11 @@ var pinhole = (() => {
     wake();
   }, { capture: true });
 
+  window.addEventListener("hashchange", () => {
+    if (location.hash.length > 1) wasm_bindgen.link_opened(location.hash.slice(1));
+    wake();
+  });
+
   // Keys of the program that a browser would use for itself. F5 presents; Ctrl+R still reloads the page.
   window.addEventListener("keydown", (event) => {
     const isCommand = (event.ctrlKey || event.metaKey) && "be".includes(event.key.toLowerCase());

@@ -103,6 +103,7 @@
 //! | the vote, its rounds and hands | `model/practice/vote.rs`, `ui/practice/vote.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
+//! | a link and its QR code | `exchange/link.rs`, `figures/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
 //! | what the window opens with | `platform/desktop/mod.rs` |
 //! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |

@@ -37,6 +37,7 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a stu
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or two lines in the plane as a figure for slides'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene in another program\'s format'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "share" -d 'Print a link to a scene or a lesson\'s step, or draw it as a QR code'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read a camera from a glTF or from numbers, and write a scene file'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print the script with which a shell completes commands, options and scenes'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -l json -d 'Print one JSON object'
@@ -120,6 +121,14 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s o -l output -
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l camera-only -d 'Leave the objects out'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l meshes -d 'Write objects as meshes where the format has nothing else: glTF'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l lesson -d 'Share a lesson instead: 7, or 7.3 for its third step' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l step -d 'The lesson\'s step' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l base -d 'The address of the page, such as https://example.org/pinhole.html' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -s o -l output -d 'Draw the link as a QR code; the ending chooses the format, and - writes SVG to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l qr -d 'Draw the QR code in the terminal, and print the link below it'
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
@@ -130,4 +139,5 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -a "canonical dis
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'

@@ -37,7 +37,7 @@ pub struct Arguments {
 /// Options of the window.
 #[derive(Args, Clone, Debug)]
 pub struct WindowArguments {
-    /// The scene to open
+    /// The scene to open, or a link to a scene or a lesson's step
     #[arg(conflicts_with = "lesson")]
     pub scene: Option<PathBuf>,
     /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
@@ -79,6 +79,9 @@ pub enum Command {
     /// Write the camera and the scene in another program's format
     #[command(long_about = include_str!("about/export.txt"))]
     Export(ExportArguments),
+    /// Print a link to a scene or a lesson's step, or draw it as a QR code
+    #[command(long_about = include_str!("about/share.txt"))]
+    Share(ShareArguments),
     /// Read a camera from a glTF or from numbers, and write a scene file
     #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
@@ -258,6 +261,32 @@ pub struct ExportArguments {
     /// Write objects as meshes where the format has nothing else: glTF
     #[arg(long)]
     pub meshes: bool,
+}
+
+/// `pinhole share`
+#[derive(Args, Clone, Debug)]
+pub struct ShareArguments {
+    /// A scene file, or the name of a built-in scene
+    #[arg(required_unless_present = "lesson", conflicts_with = "lesson")]
+    pub scene: Option<PathBuf>,
+    /// Share a lesson instead: 7, or 7.3 for its third step
+    #[arg(long, value_name = "N")]
+    pub lesson: Option<String>,
+    /// The lesson's step
+    #[arg(long, value_name = "K", requires = "lesson")]
+    pub step: Option<usize>,
+    /// The ray that is selected.
+    #[command(flatten)]
+    pub ray: RayArguments,
+    /// The address of the page, such as https://example.org/pinhole.html
+    #[arg(long, value_name = "URL")]
+    pub base: Option<String>,
+    /// Draw the link as a QR code; the ending chooses the format, and - writes SVG to standard output
+    #[arg(short, long, value_name = "OUT.svg|png", requires = "base")]
+    pub output: Option<PathBuf>,
+    /// Draw the QR code in the terminal, and print the link below it
+    #[arg(long, requires = "base", conflicts_with = "output")]
+    pub qr: bool,
 }
 
 /// `pinhole import`

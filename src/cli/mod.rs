@@ -17,6 +17,7 @@ mod progress;
 pub mod render;
 #[cfg(feature = "report")]
 mod report;
+mod share;
 mod trace;
 
 use pinhole_exchange::scenes::BuiltinScene;
@@ -44,6 +45,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Report(_) => Err(console::not_built("report", "report")),
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => other_programs::export(arguments),
+        Command::Share(arguments) => share::run(arguments),
         Command::Import(arguments) => other_programs::import(arguments),
         Command::Page(arguments) => page::run(arguments),
         Command::Completions { shell } => complete(*shell),

@@ -12,6 +12,7 @@
 //! - [`page`]: the page that runs the program in a browser, with a scene or lesson in it.
 //! - [`programs`]: writes cameras and scenes for other programs by templates, and reads a camera from a
 //!   glTF or from literal numbers.
+//! - [`link`]: a scene or a lesson's step in a URL.
 //! - [`code`]: the current camera as a short program in six languages.
 //! - [`host`](mod@host): the operating system or browser that keeps the files.
 //!
@@ -31,6 +32,7 @@ pub mod format;
 pub mod host;
 pub mod images;
 pub mod limits;
+pub mod link;
 pub mod page;
 pub mod programs;
 pub mod scene_file;

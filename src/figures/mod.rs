@@ -9,6 +9,7 @@
 //! - this file: a figure and its formats;
 //! - `order`: the request for a figure, and how the figure is made from it;
 //! - `spheres`: curved edges of spheres;
+//! - `qr`: the QR code of a link;
 //! - `animation`: GIF files with one figure per frame;
 //! - `vector`: SVG and PDF, only with the feature `figures`.
 
@@ -22,9 +23,11 @@ use crate::view::typesetting::theme;
 
 pub use crate::figures::animation::{Animation, Frames, Recorder, check_animation_path};
 pub use crate::figures::order::{Content, FigureSubject, MARGIN, Order, derivation_of, scale_of};
+pub use crate::figures::qr::QrCode;
 
 mod animation;
 mod order;
+mod qr;
 mod spheres;
 #[cfg(feature = "figures")]
 mod vector;

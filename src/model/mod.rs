@@ -16,6 +16,7 @@ pub mod inspection;
 pub mod interaction;
 pub mod lessons;
 pub mod lines;
+pub mod link;
 pub mod observer;
 pub mod overlay_items;
 pub mod page_part;

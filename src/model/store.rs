@@ -27,6 +27,8 @@ pub struct Remembered {
     pub recent: Vec<PathBuf>,
     /// The name of the window's renderer, for bug reports.
     pub renderer: String,
+    /// The address of the page in a browser, which stands before links.
+    pub address: String,
     /// The command-line argument that opens the scene that was open or, if a lesson was open, the scene
     /// before the lesson.
     pub last: Option<PathBuf>,

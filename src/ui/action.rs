@@ -7,6 +7,7 @@ use egui::{Context, Id};
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, Shade};
 use pinhole_exchange::host::host;
+use pinhole_exchange::link::Link;
 use pinhole_exchange::{Document, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
@@ -34,6 +35,8 @@ pub struct MadeUp {
 pub enum Leave {
     /// Open a scene.
     Open(SceneSource),
+    /// Open what a link shows.
+    Follow(Box<Link>),
     /// Show a generated document.
     Show(Box<MadeUp>),
     /// Show this step of a lesson.
@@ -159,6 +162,17 @@ pub enum ExchangeAction {
     AskSave,
     /// Save the translated camera.
     Save(PathBuf),
+}
+
+/// Shares what the window shows as a link, or opens a link.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShareAction {
+    /// Show the link to what the window shows. While presenting, its code fills the figure; again to end.
+    Show,
+    /// Open what this link shows.
+    Follow(String),
+    /// Copy this link to the clipboard.
+    Copy(String),
 }
 
 /// Opens, grades or closes a student's answers.
@@ -350,6 +364,8 @@ actions! {
     Figure(FigureAction),
     /// Read or write another program's camera.
     Exchange(ExchangeAction),
+    /// Share a link, or open one.
+    Share(ShareAction),
     /// Open, grade or close a student's answers.
     Answers(AnswersAction),
     /// Open or control an animation.

@@ -17,7 +17,7 @@ use crate::harness::{
     assert_says, click_at, drag_from, says, show, texts_with, unfolded, window, window_with,
 };
 
-fn press(harness: &mut Harness<'_, App>, key: Key) {
+pub(crate) fn press(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
     harness.run();
 }
@@ -27,7 +27,7 @@ fn layout(harness: &Harness<'_, App>) -> ViewLayout {
 }
 
 /// The window is that large on the screen, in pixels.
-fn resize(harness: &mut Harness<'_, App>, pixels: [f32; 2]) {
+pub(crate) fn resize(harness: &mut Harness<'_, App>, pixels: [f32; 2]) {
     // A window tells its size in points, of which a pixel has more where less is zoomed.
     for _ in 0..6 {
         let size = vec2(pixels[0], pixels[1]) / harness.ctx.zoom_factor();

@@ -15,6 +15,7 @@ mod page;
 mod render;
 mod report;
 mod scenes;
+mod share;
 mod trace;
 
 use std::ffi::OsStr;
@@ -89,7 +90,7 @@ fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
     for command in [
         "scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import",
-        "page",
+        "page", "share",
     ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));

@@ -115,6 +115,29 @@ def a_file_is_dropped_changed_and_saved(page, pictures):
     browser.close()
 
 
+def a_link_is_shared_and_opened(page, pictures):
+    browser = Browser((1920, 1080))
+    browser.open(page, "7.3")
+    there = browser.told()
+    command = ["cargo", "run", "--quiet", "--", "share", "--lesson", "7", "--step", "3", "--base", "https://a.b/p.html"]
+    link = subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+    assert link == "https://a.b/p.html#7.3", link
+    browser.drag((800, 500), (860, 450))
+    browser.key("q")
+    time.sleep(0.5)
+    browser.shot(pictures / "share.png")
+    browser.key("Escape")
+    for wrong in ("7.99", "v9/scene", "v1/canonical/00000000", "x" * 100_000):
+        browser.open(page, wrong)
+        browser.shot(pictures / f"link-{wrong[:4].replace('/', '-')}.png")
+    browser.open(page, "7.3")
+    assert browser.told() == there
+    browser.run("location.hash = '8.1'")
+    time.sleep(0.5)
+    assert browser.told().startswith("Lesson 8, step 1"), browser.told()
+    browser.close()
+
+
 def a_page_is_saved_and_opens_at_its_step(page, pictures):
     browser = Browser((1280, 800))
     browser.open(page, "7.3")
@@ -232,7 +255,8 @@ def main():
     sizes(arguments.page)
     the_first_picture_comes_at_once(arguments.page)
     checks = [a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
-              a_file_is_dropped_changed_and_saved, a_page_is_saved_and_opens_at_its_step,
+              a_file_is_dropped_changed_and_saved,
+              a_link_is_shared_and_opened, a_page_is_saved_and_opens_at_its_step,
               every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone,
               it_stands_at_three_sizes]
     failed = 0

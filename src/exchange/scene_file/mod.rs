@@ -84,6 +84,18 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
+/// Reads the text of a scene that must not name a CSV file.
+///
+/// # Errors
+/// Returns the first error in the text.
+pub(crate) fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
+    let document = read::document(text, path, None)?;
+    match &document.csv_spheres {
+        Some(_) => Err(FileError::of_file(path, "names a file of spheres, which only files may")),
+        None => Ok(document),
+    }
+}
+
 /// The result of [`save`] or [`prepare`].
 #[derive(Clone, Debug)]
 pub struct Saved {

@@ -22,7 +22,7 @@ use etcetera::{BaseStrategy as _, choose_base_strategy};
 
 use crate::cli::arguments::{Arguments, WindowArguments};
 use crate::cli::{self, CommandError};
-use crate::model::{Store, fault};
+use crate::model::{Store, fault, link};
 use crate::platform::desktop::frames::FrameLog;
 
 mod cpu;
@@ -94,7 +94,12 @@ fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     }
     let geometry = remembered.window;
     let lesson = lesson.as_ref().map(|lesson| lesson.load()).transpose()?;
-    let mut app = super::start(scene.as_deref(), lesson, store, remembered)?;
+    let link = scene.as_deref().and_then(link::of_argument).transpose()?;
+    let scene = scene.as_deref().filter(|_| link.is_none());
+    let mut app = super::start(scene, lesson, store, remembered)?;
+    if let Some(link) = link {
+        app.open_link(link);
+    }
     let log = FrameLog::from_environment();
     if log.is_some() {
         app.time_frames();

@@ -43,6 +43,8 @@ struct Page {
 struct Events {
     /// Files that were dropped.
     dropped: Vec<PathBuf>,
+    /// The link that was opened in the page's address.
+    link: Option<String>,
     /// The answer of the browser's dialog for files.
     choice: Option<FileAnswer>,
 }
@@ -86,7 +88,15 @@ impl Page {
         App::set_up(&creation.egui_ctx, &remembered.settings);
         creation.egui_ctx.add_plugin(Output);
         let _ = CONTEXT.set(creation.egui_ctx.clone());
+        let address = page::address();
+        if address.starts_with("http") {
+            remembered.address = address;
+        }
         let mut app = open(store, remembered)?;
+        let fragment = page::fragment();
+        if !fragment.is_empty() {
+            app.follow_link(fragment);
+        }
         app.set_renderer_name("WebGL".to_owned());
         app.use_desktop_dialog();
         Ok(Page { app, is_choosing: false })
@@ -103,10 +113,7 @@ fn open(store: Store, remembered: Remembered) -> Result<App, FileError> {
         for (name, text) in part.files {
             browser::add(&name, text.into_bytes());
         }
-        let fragment = page::fragment();
-        let (lesson, step) =
-            if fragment.is_empty() { (part.lesson, part.step) } else { (Some(fragment), None) };
-        let lesson = lesson.map(|name| lesson_of(&name, step)).transpose()?;
+        let lesson = part.lesson.map(|name| lesson_of(&name, part.step)).transpose()?;
         let scene = part.scene.map(PathBuf::from);
         start(scene.as_deref(), lesson).map_err(|error| error.to_string())
     });
@@ -135,6 +142,9 @@ impl eframe::App for Page {
         input
             .dropped_files
             .extend(events.dropped.into_iter().map(|path| Arc::new(Dropped(path)) as _));
+        if let Some(link) = events.link {
+            self.app.follow_link(link);
+        }
         if let Some(choice) = events.choice {
             self.is_choosing = false;
             self.app.answer_file(choice);
@@ -218,6 +228,13 @@ pub fn choice_made(path: Option<String>) {
 #[wasm_bindgen]
 pub fn file_dropped(path: String) {
     EVENTS.with_borrow_mut(|events| events.dropped.push(path.into()));
+    wake();
+}
+
+/// Tells the app which link the user opened in the page.
+#[wasm_bindgen]
+pub fn link_opened(fragment: String) {
+    EVENTS.with_borrow_mut(|events| events.link = Some(fragment));
     wake();
 }
 

@@ -14,7 +14,7 @@ use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, Z
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FileAction, GhostAction, HistoryAction, Leave, LessonAction,
-    LookAction, PlayAction,
+    LookAction, PlayAction, ShareAction,
 };
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
@@ -51,6 +51,7 @@ impl App {
         // as it is shown.
         match &action {
             Action::Leave(_)
+            | Action::Share(ShareAction::Follow(_))
             | Action::History(_)
             | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
             // The other lesson actions stop the animation once they know that there is a step to open.
@@ -76,6 +77,7 @@ impl App {
             Action::History(action) => self.undo_or_redo(ctx, action),
             Action::Figure(action) => return self.figure_action(ctx, action),
             Action::Exchange(action) => return self.exchange(ctx, action),
+            Action::Share(action) => return self.share(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
             Action::Ghost(action) => {
@@ -99,7 +101,7 @@ impl App {
     }
 
     /// Leaves the open scene, or asks about unsaved changes first.
-    fn leave(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
+    pub(super) fn leave(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
         if leave == Leave::BackToStep && !self.scene.differs_from_step() {
             return None;
         }
@@ -145,6 +147,7 @@ impl App {
         let before = self.scene.clone();
         let opened = match leave {
             Leave::Open(source) => self.open(source),
+            Leave::Follow(link) => self.scene.follow(*link),
             Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
             Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
             Leave::BackToStep => Ok(self.scene.back_to_step()),

@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
 use pinhole_exchange::host::host;
-use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, limits};
+use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, limits, link};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
 use crate::model::translator::with;
 use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
-use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave};
+use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, PathField, Question};
@@ -21,13 +21,17 @@ use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
 use crate::view::overlay::Style;
 
-/// Returns the text that was pasted while no text field had the focus.
-pub(super) fn pasted_text(ctx: &Context) -> Option<String> {
+/// Returns the action for a text that was pasted while no text field had the focus: a link is opened, and of
+/// anything else, the camera is read.
+pub(super) fn pasted(ctx: &Context) -> Option<Action> {
     if ctx.text_edit_focused() {
         return None;
     }
     let pasted = |event: &Event| match event {
-        Event::Paste(text) => Some(text.clone()),
+        Event::Paste(text) if link::is_meant(text) => {
+            Some(ShareAction::Follow(text.clone()).into())
+        }
+        Event::Paste(text) => Some(ExchangeAction::Paste(text.clone()).into()),
         _ => None,
     };
     ctx.input(|input| input.events.iter().find_map(pasted))
@@ -103,14 +107,23 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file dropped on the window. Its first bytes tell whether it is graded as answers
-/// or opened as a scene.
+/// Returns the action for a file dropped on the window. Its first bytes tell whether it is a link, graded as
+/// answers, or opened as a scene.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     match host().read_start(&path, FIRST) {
+        Ok(bytes) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
         Ok(bytes) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
+}
+
+/// Returns the link in a dropped file: a text with nothing else, or a desktop's shortcut to a page.
+fn link_in(bytes: &[u8]) -> Option<String> {
+    let text = std::str::from_utf8(bytes).ok()?;
+    let of_shortcut = text.lines().find_map(|line| line.strip_prefix("URL="));
+    let text = of_shortcut.unwrap_or(text);
+    link::is_meant(text).then(|| text.to_owned())
 }
 
 /// Applies an action on a student's answers. Returns a dialog if the user must answer a question or read a

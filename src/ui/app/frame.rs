@@ -17,8 +17,8 @@ use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Hovered, NumberStyle, Session, ViewLayout, Workspace};
 use crate::ui::action::{
-    Action, Available, ExchangeAction, HistoryAction, Leave, LookAction, Switch, is_any_requested,
-    request, take_requested,
+    Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
+    take_requested,
 };
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files, over};
@@ -63,6 +63,7 @@ impl App {
             }
             self.derive(ui, &rects);
             self.outputs(ui, &rects, stage.as_ref());
+            self.code_over(ui, stage.as_ref());
             is_old |= is_any_requested(&ctx);
             if let Some(pen) = &mut self.scene.session.pen {
                 views::pen(ui, ui.max_rect(), pen);
@@ -110,8 +111,8 @@ impl App {
             *blank = !over::took_key(ctx);
         } else if !self.over.covers() {
             self.keys(ctx);
-            if let Some(text) = files::pasted_text(ctx) {
-                request(ctx, ExchangeAction::Paste(text));
+            if let Some(action) = files::pasted(ctx) {
+                request(ctx, action);
             }
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
             if let Some(path) = dropped {
@@ -165,11 +166,14 @@ impl App {
                 None => request(ctx, action),
             }
         }
-        // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus or puts the
-        // pen away.
+        // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus, or puts the
+        // code or the pen away.
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
+            if self.over.code.take().is_some() {
+                return;
+            }
             let puts_away = self.scene.session.pen.is_some();
             let ends = LookAction::Toggle(Switch::Pen);
             request(ctx, if puts_away { ends } else { LookAction::Present });

@@ -11,6 +11,7 @@ mod over;
 mod playback;
 mod recovery;
 mod scene;
+mod share;
 mod spoken;
 mod views;
 mod window;
@@ -71,6 +72,7 @@ impl App {
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
         }
+        window.address = remembered.address;
         let session = Session {
             selection: remembered.selection.map_or_else(Default::default, Into::into),
             settings: remembered.settings.in_range(),

@@ -11,6 +11,7 @@ use crate::model::lessons::Which;
 use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
+use crate::ui::dialogs::share::ShownCode;
 use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme;
@@ -24,6 +25,8 @@ pub(super) struct Overlays {
     pub(super) dialog: Option<Dialog>,
     /// True if the desktop has a working file dialog.
     pub(super) has_desktop: bool,
+    /// The code that is shown over the figure while presenting.
+    pub(super) code: Option<ShownCode>,
     palette: Option<CommandPalette>,
     shows_keys: bool,
     /// True if the focus was last moved by the keyboard. A ring then shows the focus.
@@ -111,6 +114,9 @@ impl App {
     pub(super) fn overlays(&mut self, ctx: &Context, there: Available) {
         let over = &mut self.over;
         dialogs::ui(ctx, &mut over.dialog);
+        if let Some(Dialog::Share(form)) = &over.dialog {
+            self.window.address.clone_from(&form.address);
+        }
         over.shows_keys = over.shows_keys && help::ui(ctx);
         if let Some(palette) = &mut over.palette {
             let extra = commands_of_what_is_open(&self.scene, &self.window.recent);

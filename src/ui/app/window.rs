@@ -17,6 +17,8 @@ pub(super) struct AppWindow {
     pub(super) geometry: WindowGeometry,
     /// Files opened or saved recently, the latest first.
     pub(super) recent: Vec<PathBuf>,
+    /// The address of the page in a browser, for links; empty until the user has typed it.
+    pub(super) address: String,
     title: String,
     /// The renderer's name.
     pub(super) renderer: String,
@@ -92,6 +94,7 @@ impl AppWindow {
             selection: argument.is_some().then(|| scene.session.selection.into()),
             recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             renderer: self.renderer.clone(),
+            address: self.address.clone(),
             last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
         };

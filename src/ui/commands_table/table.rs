@@ -12,8 +12,8 @@ use crate::model::session::{Scheme, ThemeName, ViewLayout, shade_about, shade_la
 use crate::model::{DerivationSection, Item};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
-    HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, Steer,
-    Switch, VoteAction,
+    HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
+    Steer, Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
@@ -90,6 +90,8 @@ fn program() -> Vec<UiCommand> {
             [], FigureAction::CopyDerivation(Markup::Latex);
         File, "Copy the derivation as Markdown", "Copies the derivation to the clipboard as Markdown.",
             [], FigureAction::CopyDerivation(Markup::Markdown);
+        File, "Share…", "Shows the link to what is shown, with its QR code; while presenting, the code fills the figure until Q or Escape.",
+            [plain(Untyped, Key::Q)], ShareAction::Show;
         File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
             [], ExchangeAction::AskSave;
         File, "Quit", "Closes the window.",
@@ -98,7 +100,7 @@ fn program() -> Vec<UiCommand> {
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
         Edit, "Redo", "Redoes the change that was undone last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
-        Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard.",
+        Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;

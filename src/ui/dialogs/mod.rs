@@ -6,11 +6,13 @@ use std::path::PathBuf;
 use egui::{Context, Id, Modal, ProgressBar, Ui};
 
 use crate::ui::action::{Action, request};
+use crate::ui::dialogs::share::ShareForm;
 
 pub mod export;
 pub mod help;
 pub mod palette;
 pub mod path_field;
+pub mod share;
 
 pub(crate) use export::{ExportForm, OnScreen};
 pub(crate) use path_field::PathField;
@@ -24,6 +26,8 @@ pub(crate) enum Dialog {
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
     Progress { done: u32, frames: u32 },
+    /// Shows the link to what the window shows.
+    Share(ShareForm),
     /// A question with a few answers, or a message to read and close.
     Question(Question),
 }
@@ -143,6 +147,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>) {
                 field.ui(ui, &mut close).map(action)
             }
             Dialog::Export(form) => form.ui(ui, &mut close),
+            Dialog::Share(form) => form.ui(ui, &mut close),
             Dialog::Progress { done, frames } => {
                 ui.heading("Exporting the animation");
                 ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));

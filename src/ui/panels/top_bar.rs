@@ -14,7 +14,7 @@ use crate::model::session::{
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LookAction, Observe, request,
+    HelpAction, HistoryAction, Leave, LookAction, Observe, ShareAction, request,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
@@ -140,6 +140,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], there: Available) {
     entry(ui, "Save", FileAction::Save);
     entry(ui, "Save as…", FileAction::AskSaveAs { then: None });
     entry(ui, "Save as a page…", FileAction::AskSavePage);
+    entry(ui, "Share…", ShareAction::Show);
     ui.separator();
     entry(ui, "Check answers…", AnswersAction::Ask);
     ui.separator();

@@ -6,3 +6,4 @@ mod export;
 mod play_export;
 mod recovery;
 pub(crate) mod scene_files;
+mod share;

@@ -7,5 +7,6 @@ mod fuzz;
 mod good_scenes;
 mod images;
 mod limits;
+mod link;
 mod round_trip;
 mod saving;

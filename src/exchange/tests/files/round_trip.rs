@@ -10,7 +10,7 @@ use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
 
-fn number() -> BoxedStrategy<f64> {
+pub(super) fn number() -> BoxedStrategy<f64> {
     let special = prop::sample::select(vec![
         0.0,
         -0.0,
@@ -98,7 +98,7 @@ fn items<S: std::fmt::Debug + Clone>(
     vec(item.prop_map(|(name, color, shape)| Item { name, color, shape }), 0..5)
 }
 
-fn document() -> impl Strategy<Value = Document> {
+pub(super) fn document() -> impl Strategy<Value = Document> {
     let sphere = (vector(), positive()).prop_map(|(center, radius)| Sphere { center, radius });
     let normal = vector().prop_map(|n| if n == DVec3::ZERO { DVec3::Z } else { n });
     let plane = (vector(), normal).prop_map(|(point, normal)| Plane { point, normal });
@@ -118,7 +118,7 @@ fn document() -> impl Strategy<Value = Document> {
 }
 
 /// Returns a document's debug text, which, unlike `==`, distinguishes 0 from -0.
-fn bits(document: &Document) -> String {
+pub(super) fn bits(document: &Document) -> String {
     format!("{document:?}")
 }
 

@@ -1,0 +1,74 @@
+//! `pinhole share`: prints a scene or a lesson's step as a link, or draws the link as a QR code.
+
+use std::ffi::OsStr;
+use std::io::Write as _;
+use std::path::PathBuf;
+
+use pinhole_exchange::link::{self, Link, Linked};
+use pinhole_exchange::{Document, atomic};
+
+use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
+use super::load::{files_of, load, pose, refuse_overwriting, selection_of};
+use crate::cli::arguments::ShareArguments;
+use crate::figures::QrCode;
+use crate::model::lessons::{LessonArgument, OpenLesson};
+use crate::model::link::of_step;
+
+pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
+    let (scene, document, shown) = shown(arguments)?;
+    let ray = match (arguments.ray.pixel, arguments.ray.uv) {
+        (None, None) => None,
+        (pixel, uv) => {
+            let selected = selection_of(&pose(&scene, &document)?, pixel, uv);
+            Some(selected.map_err(|problem| scene_fault(&scene, problem))?)
+        }
+    };
+    let fragment = Link { shown, ray, page: None }.to_fragment();
+    let fragment = fragment.map_err(|error| scene_fault(&scene, error.problem))?;
+    let url = link::url(arguments.base.as_deref().unwrap_or_default(), &fragment);
+    let code = || QrCode::of(&url).map_err(|problem| scene_fault(&scene, problem));
+    let Some(output) = &arguments.output else {
+        let drawn = if arguments.qr { code()?.to_terminal() } else { String::new() };
+        return to_stdout(|out| writeln!(out, "{drawn}{url}"));
+    };
+    let is_png = match output.extension().and_then(OsStr::to_str) {
+        Some("png") => true,
+        Some("svg") => false,
+        _ if is_standard(output) => false,
+        _ => {
+            let problem = format!("-o {}: a code is an .svg or a .png", output.display());
+            return Err(CommandError::Arguments(problem));
+        }
+    };
+    let code = code()?;
+    let bytes = match is_png {
+        true => code.to_png().map_err(|error| unmade(output, &error))?,
+        false => code.to_svg().into_bytes(),
+    };
+    if is_standard(output) {
+        return to_stdout(|out| out.write_all(&bytes));
+    }
+    refuse_overwriting(&files_of(&scene, &document), [("-o", output.as_path())])?;
+    Ok(atomic::write(output, |file| file.write_all(&bytes))?)
+}
+
+/// Returns what is shared, with its document and its name in messages.
+fn shown(arguments: &ShareArguments) -> Result<(PathBuf, Document, Linked), CommandError> {
+    let Some(lesson) = &arguments.lesson else {
+        let scene = arguments.scene.clone().unwrap_or_default();
+        let document = load(&scene)?;
+        let shown = Linked::scene(&document);
+        return Ok((scene, document, shown));
+    };
+    let step = arguments.step.map(|step| format!(".{step}")).unwrap_or_default();
+    let name = format!("{lesson}{step}");
+    let refused = |problem: String| CommandError::Arguments(format!("--lesson {name}: {problem}"));
+    let found = match LessonArgument::parse(&name).map_err(refused)? {
+        LessonArgument::Builtin(id) => OpenLesson::at(id, None),
+        LessonArgument::File(_) => None,
+    };
+    let step = found.and_then(|open| Some((open.step().document.clone(), of_step(open.id())?)));
+    let (document, shown) =
+        step.ok_or_else(|| refused("only lessons of the program have a link".to_owned()))?;
+    Ok((name.into(), document, shown))
+}

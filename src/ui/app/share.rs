@@ -1,0 +1,104 @@
+//! Links: sharing what the window shows, and opening a link.
+
+use egui::{Context, Ui};
+use pinhole_exchange::link::{self, Link, Linked};
+use pinhole_exchange::scenes::SceneSource;
+
+use super::App;
+use super::scene::{OpenScene, Opened};
+use crate::model::lessons::{StepId, Which};
+use crate::model::link::{layout_of, read, to_window};
+use crate::model::{OpenDocument, ViewLayout};
+use crate::ui::action::{Leave, ShareAction};
+use crate::ui::dialogs::share::{ShareForm, ShownCode};
+use crate::ui::dialogs::{Dialog, Question};
+use crate::ui::stage::Stage;
+
+impl OpenScene {
+    /// Opens what a link shows.
+    pub(super) fn follow(&mut self, link: Link) -> Result<Opened, Question> {
+        let layout = layout_of(&link);
+        let opened = match link.shown {
+            Linked::Step { lesson, step } => {
+                let (lesson, step) = (lesson.wrapping_sub(1), step.wrapping_sub(1));
+                let id = StepId { lesson: Which::Builtin(lesson), step };
+                self.open_lesson(id, None).unwrap_or_default()
+            }
+            Linked::Builtin(scene) => self.load(SceneSource::Builtin(scene))?,
+            Linked::Scene(document) => {
+                let open = OpenDocument::made_up(*document, "Scene of a link".to_owned());
+                self.replace(open, Default::default())
+            }
+        };
+        self.session.selection = link.ray.unwrap_or(self.session.selection);
+        // A scene is shown in both views, a step as it says.
+        let is_scene = self.lessons.open.is_none();
+        if let Some(layout) = layout.or(is_scene.then_some(ViewLayout::Both)) {
+            self.session.settings.layout = layout;
+        }
+        Ok(opened)
+    }
+}
+
+impl App {
+    /// Opens what a link shows, in the next frame.
+    pub fn open_link(&mut self, link: Link) {
+        self.waiting.push(Leave::Follow(Box::new(link)).into());
+    }
+
+    /// Opens the link with this text, in the next frame; asks about unsaved changes first, and says so if it is
+    /// no link.
+    pub fn follow_link(&mut self, text: String) {
+        self.waiting.push(ShareAction::Follow(text).into());
+    }
+
+    /// Applies an action on links. Returns a dialog if the user must answer a question or read a message.
+    pub(super) fn share(&mut self, ctx: &Context, action: ShareAction) -> Option<Dialog> {
+        match action {
+            ShareAction::Show => return self.show_link(),
+            ShareAction::Follow(text) => {
+                return match read(&text) {
+                    Ok(link) => self.leave(ctx, Leave::Follow(Box::new(link))),
+                    Err(error) => Some(Dialog::message("This link cannot be opened", error)),
+                };
+            }
+            ShareAction::Copy(url) => {
+                ctx.copy_text(url);
+                self.say("The link is on the clipboard".to_owned(), Vec::new());
+            }
+        }
+        None
+    }
+
+    /// Shows the link, and its code. While presenting, the code alone fills the figure, if there is one, and
+    /// disappears the second time.
+    fn show_link(&mut self) -> Option<Dialog> {
+        if self.over.code.take().is_some() {
+            return None;
+        }
+        let link = to_window(self.document(), self.session(), self.lesson());
+        let fragment = match link.to_fragment() {
+            Ok(fragment) => fragment,
+            Err(error) => return Some(Dialog::message("This scene has no link", error)),
+        };
+        let address = &self.window.address;
+        if self.session().presenting.is_some() && !address.trim().is_empty() {
+            let code = ShownCode::of(link::url(address, &fragment));
+            if code.image.is_ok() {
+                self.over.code = Some(code);
+                return None;
+            }
+        }
+        Some(Dialog::Share(ShareForm::new(fragment, address.clone())))
+    }
+
+    /// Shows the code over the main figure of the stage, or over the views, until presenting ends.
+    pub(super) fn code_over(&mut self, ui: &Ui, stage: Option<&Stage>) {
+        if self.scene.session.presenting.is_none() {
+            self.over.code = None;
+        }
+        if let Some(code) = &mut self.over.code {
+            code.fill(ui.ctx(), stage.map_or(ui.max_rect(), |stage| stage.main));
+        }
+    }
+}
