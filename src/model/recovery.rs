@@ -58,62 +58,23 @@ struct ChangedScene {
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
-    /// Invalid numbers of the document, which a scene file may not contain.
-    faults: Faults,
 }
 
-/// The invalid numbers of an edited document. The user may be about to correct them, so they are recorded,
-/// too.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Faults {
-    /// Width, height and distance of the viewport, if any of them is invalid.
-    viewport: Option<[f64; 3]>,
-    /// Indices and radii of the spheres with invalid radii.
-    radii: Vec<(usize, f64)>,
-    /// Indices of planes whose normal is zero.
-    normals: Vec<usize>,
-}
-
-impl Faults {
-    /// Moves the invalid numbers out of a document, and replaces them there by valid ones.
-    fn take(document: &mut Document) -> Faults {
-        let mut faults = Faults::default();
-        let viewport = &mut document.camera.viewport;
-        let numbers = [viewport.width, viewport.height, viewport.distance];
-        if numbers.iter().any(|number| *number <= 0.0) {
-            faults.viewport = Some(numbers);
-            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
-        }
-        let spheres = document.spheres.iter().enumerate();
-        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
-        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
-        for (index, _) in &faults.radii {
-            document.spheres[*index].shape.radius = 1.0;
-        }
-        let planes = document.planes.iter().enumerate();
-        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
-        faults.normals = normals.map(|(index, _)| index).collect();
-        for index in &faults.normals {
-            document.planes[*index].shape.normal = DVec3::Y;
-        }
-        faults
+/// Replaces the numbers of an edited document that a scene file may not contain by 1. The user may have been
+/// about to correct them.
+fn repair(document: &mut Document) {
+    let viewport = &mut document.camera.viewport;
+    for length in [&mut viewport.width, &mut viewport.height, &mut viewport.distance] {
+        *length = if *length > 0.0 { *length } else { 1.0 };
     }
-
-    /// Puts the invalid numbers back into the document.
-    fn put_into(&self, document: &mut Document) {
-        if let Some([width, height, distance]) = self.viewport {
-            let viewport = &mut document.camera.viewport;
-            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
+    for index in 0..document.spheres.len() {
+        if document.spheres[index].shape.radius <= 0.0 {
+            document.spheres[index].shape.radius = 1.0;
         }
-        for (index, radius) in &self.radii {
-            if let Some(sphere) = document.spheres.get_mut(*index) {
-                sphere.shape.radius = *radius;
-            }
-        }
-        for index in &self.normals {
-            if let Some(plane) = document.planes.get_mut(*index) {
-                plane.shape.normal = DVec3::ZERO;
-            }
+    }
+    for index in 0..document.planes.len() {
+        if document.planes[index].shape.normal == DVec3::ZERO {
+            document.planes[index].shape.normal = DVec3::Y;
         }
     }
 }
@@ -127,8 +88,8 @@ impl Unsaved {
             title: title_of(origin),
             argument: argument_of(origin),
             stamp: open.stamp(),
-            faults: Faults::take(&mut document),
         };
+        repair(&mut document);
         Unsaved { document, source }
     }
 
@@ -221,9 +182,8 @@ impl Found {
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
         let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
-        let mut document = document.map_err(|error| error.to_string())?;
-        let ChangedScene { title, argument, stamp, faults } = self.source;
-        faults.put_into(&mut document);
+        let document = document.map_err(|error| error.to_string())?;
+        let ChangedScene { title, argument, stamp } = self.source;
         let open = if as_new {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {
@@ -239,13 +199,13 @@ impl Found {
     }
 }
 
-/// Formats a duration in whole units of the largest one that fits, such as `3 minutes`.
+/// Formats a duration in whole units of the largest one that fits twice, such as `3 minutes`.
 pub fn in_words(age: Duration) -> String {
     let seconds = age.as_secs();
     let (count, unit) = match seconds {
-        0..60 => (seconds, "second"),
-        60..3600 => (seconds / 60, "minute"),
-        3600..86_400 => (seconds / 3600, "hour"),
+        0..120 => (seconds, "second"),
+        120..7200 => (seconds / 60, "minute"),
+        7200..172_800 => (seconds / 3600, "hour"),
         _ => (seconds / 86_400, "day"),
     };
     format!("{count} {unit}{}", if count == 1 { "" } else { "s" })
@@ -335,9 +295,10 @@ mod tests {
             (0, "0 seconds"),
             (1, "1 second"),
             (59, "59 seconds"),
-            (60, "1 minute"),
+            (110, "110 seconds"),
+            (120, "2 minutes"),
             (7200, "2 hours"),
-            (90_000, "1 day"),
+            (172_800, "2 days"),
         ] {
             assert_eq!(in_words(Duration::from_secs(seconds)), words);
         }

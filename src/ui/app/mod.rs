@@ -70,7 +70,7 @@ impl App {
             window.remember(&path);
         }
         let session = Session {
-            selection: remembered.selection.map_or_else(Default::default, Into::into),
+            selection: remembered.selection.unwrap_or_default(),
             settings: remembered.settings.in_range(),
             ..Session::default()
         };
