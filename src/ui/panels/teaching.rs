@@ -145,27 +145,12 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
 
 /// Size of the sensitivity, in points; it is legible from the back row of a classroom.
 const NUMBER: f32 = 20.0;
-/// Size of the words below it, in points; they are legible from the back row of a classroom.
-const WORDS: f32 = 15.0;
 
-/// Conditioning above which the camera is called sensitive.
-const SENSITIVE: f64 = 2.0;
-/// Conditioning above which the camera is called very sensitive.
-const VERY_SENSITIVE: f64 = 20.0;
-
-/// Shows the camera's conditioning and what it means: by how many degrees the camera rolls for each degree
+/// Shows the camera's conditioning: by how many degrees the camera rolls for each degree
 /// that up is tipped sideways.
 fn sensitivity(ui: &mut Ui, conditioning: f64) {
     let number = format!("{}° of roll per 1° of up", written(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
     response.on_hover_text(hint).named("sensitivity").spoken(number);
-    let meaning = if conditioning < SENSITIVE {
-        "Calm: up and view are well apart."
-    } else if conditioning < VERY_SENSITIVE {
-        "Sensitive: up is close to the line of view."
-    } else {
-        "Very sensitive: up and view are almost parallel."
-    };
-    ui.label(RichText::new(meaning).size(WORDS));
 }
