@@ -9,7 +9,6 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use pinhole_core::DVec3;
 use pinhole_exchange::{Document, FileError, SceneSource, atomic, limits, scene_file};
 use serde::{Deserialize, Serialize};
 
@@ -60,36 +59,16 @@ struct ChangedScene {
     stamp: Option<Stamp>,
 }
 
-/// Replaces the numbers of an edited document that a scene file may not contain by 1. The user may have been
-/// about to correct them.
-fn repair(document: &mut Document) {
-    let viewport = &mut document.camera.viewport;
-    for length in [&mut viewport.width, &mut viewport.height, &mut viewport.distance] {
-        *length = if *length > 0.0 { *length } else { 1.0 };
-    }
-    for index in 0..document.spheres.len() {
-        if document.spheres[index].shape.radius <= 0.0 {
-            document.spheres[index].shape.radius = 1.0;
-        }
-    }
-    for index in 0..document.planes.len() {
-        if document.planes[index].shape.normal == DVec3::ZERO {
-            document.planes[index].shape.normal = DVec3::Y;
-        }
-    }
-}
-
 impl Unsaved {
     /// Copies the unsaved changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
-        let mut document = open.document.clone();
+        let document = open.document.clone();
         let source = ChangedScene {
             title: title_of(origin),
             argument: argument_of(origin),
             stamp: open.stamp(),
         };
-        repair(&mut document);
         Unsaved { document, source }
     }
 
@@ -100,7 +79,7 @@ impl Unsaved {
     /// the written text. The slot's previous content is then unchanged.
     pub fn write(&self, slot: &Slot) -> Result<(), String> {
         let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
-        let prepared = scene_file::prepare(&self.document, &slot.scene, None);
+        let prepared = scene_file::prepare(&self.document, &slot.scene, None, true);
         let text = prepared.map_err(|error| error.to_string())?.text + SOURCE + &source;
         atomic::write(&slot.scene, |file| file.write_all(text.as_bytes()))
             .map_err(|error| error.to_string())
@@ -181,7 +160,7 @@ impl Found {
     /// Returns the reason if the changes cannot be read. They then stay in the slot.
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
-        let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
+        let document = self.text.and_then(|text| scene_file::parse_draft(&text, file, folder));
         let document = document.map_err(|error| error.to_string())?;
         let ChangedScene { title, argument, stamp } = self.source;
         let open = if as_new {
