@@ -15,6 +15,8 @@ pub struct TomlSource<'a> {
     pub text: &'a str,
     /// Path of the file, for messages.
     pub path: &'a Path,
+    /// True for unsaved changes, in which a number that must be positive may be any number.
+    pub is_draft: bool,
 }
 
 /// A table of the file, such as `camera` or `sphere[3]`, or the whole file, whose name is empty.
@@ -153,10 +155,16 @@ impl<'a> TomlField<'a> {
         }
     }
 
-    /// Returns the value as a number, which must be finite and greater than 0.
+    /// Returns the value as a number, which must be finite and, except in a draft, greater than 0.
     pub fn positive(&self) -> Result<f64, FileError> {
         let number = self.number()?;
-        if number > 0.0 { Ok(number) } else { Err(self.error("it must be greater than 0")) }
+        let is_valid = number > 0.0 || self.is_draft();
+        if is_valid { Ok(number) } else { Err(self.error("it must be greater than 0")) }
+    }
+
+    /// Returns true if the field belongs to unsaved changes, which may contain invalid numbers.
+    pub(crate) fn is_draft(&self) -> bool {
+        self.source.is_draft
     }
 
     /// Returns the value if it is an integer; otherwise `None`.

@@ -179,8 +179,6 @@ pub struct Conventions {
     pub distance: &'static str,
     /// The pixel shapes that the format allows.
     pub shape: &'static str,
-    /// The precision with which the other program computes.
-    pub lengths: &'static str,
 }
 
 #[allow(missing_docs, reason = "u, v, w of the camera, and their opposites")]

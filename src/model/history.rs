@@ -1,8 +1,7 @@
 //! The history of changes, for undo and redo: two stacks of named steps. A name says what the step did,
-//! such as `move eye` or `add sphere 2`.
+//! such as `move eye`.
 
-use pinhole_core::{Camera, Orientation};
-use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::document::Document;
 
 /// Maximum number of steps; beyond it, the oldest are dropped.
 const LIMIT: usize = 500;
@@ -72,131 +71,36 @@ pub struct StepName {
     pub gradual: bool,
 }
 
-/// Returns the name of the step from `before` to `after`.
+/// Returns the name of the step between two documents: what has changed, if it is one thing. Steps that give
+/// the camera in another way, and those that add or remove objects, are not gradual.
 pub fn name_of(before: &Document, after: &Document) -> StepName {
-    let camera =
-        (before.camera != after.camera).then(|| camera_name(&before.camera, &after.camera));
-    let objects = objects_name(before, after);
-    match (camera, objects) {
-        (Some(text), None) => {
-            let text = text.to_owned();
-            let same_kind = before.camera.orientation.kind() == after.camera.orientation.kind();
-            StepName { text, gradual: same_kind }
-        }
-        (None, Some(name)) => name,
-        _ => StepName { text: "change the scene".to_owned(), gradual: false },
-    }
-}
-
-fn camera_name(before: &Camera, after: &Camera) -> &'static str {
-    let mut parts = vec![("move eye", before.eye != after.eye)];
-    parts.extend(match (before.orientation, after.orientation) {
-        (Orientation::At { at: a, up: b }, Orientation::At { at: c, up: d }) => {
-            vec![("move at", a != c), ("turn up", b != d)]
-        }
-        (Orientation::View { view: a, up: b }, Orientation::View { view: c, up: d }) => {
-            vec![("turn view", a != c), ("turn up", b != d)]
-        }
-        (Orientation::Basis(a), Orientation::Basis(b)) => {
-            vec![("set u", a.u != b.u), ("set v", a.v != b.v), ("set w", a.w != b.w)]
-        }
-        (_, Orientation::At { .. }) => vec![("give the camera by eye, at, up", true)],
-        (_, Orientation::View { .. }) => vec![("give the camera by eye, view, up", true)],
-        (_, Orientation::Basis(_)) => vec![("give the camera by u, v, w", true)],
-    });
-    let (old, new) = (before.viewport, after.viewport);
-    parts.extend([
-        ("change width", old.width != new.width),
-        ("change height", old.height != new.height),
-        ("change distance", old.distance != new.distance),
-        ("change the image's size", before.image != after.image),
-    ]);
-    let changed: Vec<&str> =
-        parts.into_iter().filter(|(_, is_other)| *is_other).map(|(name, _)| name).collect();
-    let [was_long, is_long] = [before, after].map(|camera| camera.view().length());
-    match changed[..] {
-        _ if *after == Camera::CANONICAL => "canonical camera",
-        // The distance is unchanged: at moved around the eye, as when the camera looks around.
-        ["move at"] if (is_long - was_long).abs() <= 1e-12 * was_long => "look around",
-        [name] => name,
-        ["move eye", "move at"] => "move eye and at",
-        ["move at", "turn up"] => "move at and turn up",
-        ["turn view", "turn up"] => "turn view and up",
-        ["set u", "set v" | "set w"] | ["set v", "set w"] | ["set u", "set v", "set w"] => {
-            "turn u, v, w"
-        }
-        ["change width", "change height"] => "change the field of view",
-        ["change width", "change height", "change distance"] => "scale distance, width and height",
-        _ => "change the camera",
-    }
-}
-
-/// Returns the name of a change of the objects; `None` if the objects did not change.
-fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
-    let spheres = change(&before.spheres, &after.spheres, "resize", |a, b| {
-        [a.center != b.center, a.radius != b.radius]
-    });
-    let planes = change(&before.planes, &after.planes, "turn", |a, b| {
-        [a.point != b.point, a.normal != b.normal]
-    });
-    let is_same_file = before.csv_spheres == after.csv_spheres;
-    let (change, counts) = match (spheres, planes) {
-        (Change::None, Change::None) if is_same_file => return None,
-        (change, Change::None) if is_same_file => (change, [0, 0]),
-        (Change::None, change) => (change, [before.sphere_count(), after.sphere_count()]),
-        _ => (Change::Many, [0, 0]),
+    let (old, new) = (&before.camera, &after.camera);
+    let camera = [
+        ("move eye", old.eye != new.eye),
+        ("turn the camera", old.orientation != new.orientation),
+        ("change the viewport", old.viewport != new.viewport),
+        ("change the image's size", old.image != new.image),
+    ];
+    let objects = [
+        ("change spheres", before.spheres != after.spheres),
+        ("change planes", before.planes != after.planes),
+        ("change the spheres' file", before.csv_spheres != after.csv_spheres),
+    ];
+    let of_camera = camera.iter().any(|(_, has_changed)| *has_changed);
+    let of_objects = objects.iter().any(|(_, has_changed)| *has_changed);
+    let parts = camera.into_iter().chain(objects);
+    let changed: Vec<&str> = parts.filter(|part| part.1).map(|(name, _)| name).collect();
+    let text = match changed[..] {
+        [one] => one,
+        _ if !of_objects => "change the camera",
+        _ => "change the scene",
     };
-    let text = match change {
-        Change::Added(k) => format!("add {}", after.title_of(counts[1] + k)),
-        Change::Removed(k) => format!("remove {}", before.title_of(counts[0] + k)),
-        Change::Edited(k, what) => {
-            let text = format!("{what} {}", before.title_of(counts[0] + k));
-            return Some(StepName { text, gradual: true });
-        }
-        Change::None | Change::Many => "change the scene".to_owned(),
+    let kinds = |document: &Document| {
+        let Document { camera, spheres, planes, .. } = document;
+        (camera.orientation.kind(), spheres.len(), planes.len())
     };
-    Some(StepName { text, gradual: false })
-}
-
-/// The change of a list of objects.
-enum Change {
-    None,
-    /// The object with this index was added.
-    Added(usize),
-    /// The object with this index was removed.
-    Removed(usize),
-    /// Only the object with this index was edited; the text says how.
-    Edited(usize, &'static str),
-    /// Several objects changed.
-    Many,
-}
-
-/// Returns how a list of objects changed. For two shapes, `differ` returns whether their positions differ
-/// and whether anything else differs; `reshape` is the verb for a change of anything else.
-fn change<S: PartialEq>(
-    before: &[Item<S>],
-    after: &[Item<S>],
-    reshape: &'static str,
-    differ: impl Fn(&S, &S) -> [bool; 2],
-) -> Change {
-    let pairs = || before.iter().zip(after);
-    let first = pairs().take_while(|(a, b)| a == b).count();
-    match (before.len(), after.len()) {
-        (old, new) if new == old + 1 => Change::Added(first),
-        (old, new) if old == new + 1 => Change::Removed(first),
-        (old, new) if old != new => Change::Many,
-        _ => match pairs().filter(|(a, b)| a != b).collect::<Vec<_>>()[..] {
-            [] => Change::None,
-            [(a, b)] if a.shape != b.shape => match differ(&a.shape, &b.shape) {
-                [true, false] => Change::Edited(first, "move"),
-                [false, true] => Change::Edited(first, reshape),
-                _ => Change::Edited(first, "change"),
-            },
-            [(a, b)] if a.name != b.name => Change::Edited(first, "rename"),
-            [_] => Change::Edited(first, "colour"),
-            _ => Change::Many,
-        },
-    }
+    let gradual = of_camera != of_objects && kinds(before) == kinds(after);
+    StepName { text: text.to_owned(), gradual }
 }
 
 #[cfg(test)]
@@ -261,7 +165,8 @@ mod names_tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
     use pinhole_core::steering::Keep;
-    use pinhole_core::{DVec3, ImageSize, OrientationKind, Plane, Sphere};
+    use pinhole_core::{Camera, DVec3, ImageSize, Orientation, OrientationKind, Plane, Sphere};
+    use pinhole_exchange::document::Item;
 
     use super::*;
 
@@ -288,56 +193,24 @@ mod names_tests {
     }
 
     #[test]
-    fn changes_of_the_camera() {
+    fn changes_of_one_thing_have_its_name() {
         assert_name("move eye", true, |d| d.camera.eye.x = 2.0);
-        assert_name("move at", true, |d| {
+        assert_name("turn the camera", true, |d| {
             d.camera.orientation = Orientation::At { at: DVec3::ONE, up: DVec3::Y };
         });
-        assert_name("look around", true, |d| {
-            let at = DVec3::new(2.0, 0.0, 1.0);
-            d.camera.orientation = Orientation::At { at, up: DVec3::Y };
-        });
-        assert_name("turn up", true, |d| {
-            d.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::X };
-        });
-        assert_name("move eye and at", true, |d| {
+        assert_name("change the camera", true, |d| {
             d.camera = d.camera.with_eye(DVec3::X, Keep::View);
         });
-        assert_name("change distance", true, |d| d.camera.viewport.distance = 2.0);
-        assert_name("change the field of view", true, |d| {
-            d.camera.viewport.width = 2.0;
-            d.camera.viewport.height = 2.0;
-        });
-        assert_name("scale distance, width and height", true, |d| {
-            d.camera = d.camera.scaled_picture(3.0).unwrap();
-        });
+        assert_name("change the viewport", true, |d| d.camera.viewport.distance = 2.0);
         assert_name("change the image's size", true, |d| {
             d.camera.image = ImageSize::new(10, 10).unwrap();
         });
-        assert_name("give the camera by u, v, w", false, |d| {
-            let given = d.camera.given_by(OrientationKind::Basis).unwrap();
-            d.camera = given;
+        assert_name("turn the camera", false, |d| {
+            d.camera = d.camera.given_by(OrientationKind::Basis).unwrap();
         });
-        assert_name("canonical camera", true, |d| d.camera = Camera::CANONICAL);
-    }
-
-    #[test]
-    fn changes_of_the_objects() {
-        assert_name("move sphere 0 “ball”", true, |d| d.spheres[0].shape.center.x = 1.0);
-        assert_name("resize sphere 1", true, |d| d.spheres[1].shape.radius = 2.0);
-        assert_name("rename sphere 1", true, |d| d.spheres[1].name = Some("b".to_owned()));
-        assert_name("colour plane 2", true, |d| d.planes[0].color = Some([1, 2, 3]));
-        assert_name("turn plane 2", true, |d| d.planes[0].shape.normal = DVec3::X);
-        assert_name("remove sphere 0 “ball”", false, |d| drop(d.spheres.remove(0)));
-        assert_name("add sphere 2", false, |d| {
-            let more = d.spheres[1].clone();
-            d.spheres.push(more);
-        });
-        assert_name("add plane 3", false, |d| {
-            let more = d.planes[0].clone();
-            d.planes.push(more);
-        });
-        assert_name("change the scene", false, |d| d.spheres.clear());
+        assert_name("change spheres", true, |d| d.spheres[0].shape.center.x = 1.0);
+        assert_name("change planes", true, |d| d.planes[0].color = Some([1, 2, 3]));
+        assert_name("change spheres", false, |d| drop(d.spheres.remove(0)));
         assert_name("change the scene", false, |d| {
             d.camera.eye.x = 2.0;
             d.spheres[0].shape.radius = 2.0;

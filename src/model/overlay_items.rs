@@ -106,56 +106,37 @@ impl Item {
     }
 }
 
-/// The items that are off by default. Their stored bits are inverted, so that a file that lacks them leaves
-/// them off.
-const FIGURES: u32 = OverlayItems::NONE.off & !(2 * Item::Handles.bit() - 1) & !Item::Floor.bit();
-
-/// The bit that a stored set never has: there are fewer items than bits. Files in which every unused bit is
-/// set have it.
-const UNUSED: u32 = 1 << 31;
-
 /// The set of items that are drawn.
 ///
-/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration. The bits of the
-/// whiteboard's figures are set for items that are on, all others for items that are off. Unknown bits are
-/// ignored.
+/// Stored as a bit set with one bit for each [`Item`], in the order of their declaration, so that an item
+/// that a stored set does not know is off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(from = "u32", into = "u32")]
+#[serde(transparent)]
 pub struct OverlayItems {
-    off: u32,
-}
-
-impl From<u32> for OverlayItems {
-    fn from(stored: u32) -> Self {
-        let on = if stored & UNUSED == 0 { stored & FIGURES } else { 0 };
-        OverlayItems { off: (stored & !FIGURES | FIGURES & !on) & OverlayItems::NONE.off }
-    }
-}
-
-impl From<OverlayItems> for u32 {
-    fn from(items: OverlayItems) -> u32 {
-        items.off ^ FIGURES
-    }
+    on: u32,
 }
 
 impl Default for OverlayItems {
     /// Returns all items except the u and v axes of the camera view and the loupe, which would cover
     /// the picture, and the figures of the whiteboard, each of which belongs to one topic.
     fn default() -> Self {
-        OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() | FIGURES }
+        let figures = OverlayItems::ALL.on & !(2 * Item::Handles.bit() - 1) & !Item::Floor.bit();
+        OverlayItems {
+            on: OverlayItems::ALL.on & !(Item::UvAxes.bit() | Item::Loupe.bit() | figures),
+        }
     }
 }
 
 impl OverlayItems {
     /// The empty set.
-    pub const NONE: OverlayItems = OverlayItems { off: (1 << Item::ALL.len()) - 1 };
+    pub const NONE: OverlayItems = OverlayItems { on: 0 };
 
     /// All items.
-    pub const ALL: OverlayItems = OverlayItems { off: 0 };
+    pub const ALL: OverlayItems = OverlayItems { on: (1 << Item::ALL.len()) - 1 };
 
     /// Returns true if the item is drawn.
     pub fn shows(self, item: Item) -> bool {
-        self.off & item.bit() == 0
+        self.on & item.bit() != 0
     }
 
     /// Returns true if any of these items is shown.
@@ -177,9 +158,9 @@ impl OverlayItems {
     /// Switches an item on or off.
     pub fn set(&mut self, item: Item, on: bool) {
         if on {
-            self.off &= !item.bit();
+            self.on |= item.bit();
         } else {
-            self.off |= item.bit();
+            self.on &= !item.bit();
         }
     }
 
@@ -193,7 +174,7 @@ impl OverlayItems {
     /// Returns a copy of the set in which all items of `hidden` are switched off.
     #[must_use]
     pub fn without(self, hidden: OverlayItems) -> OverlayItems {
-        OverlayItems { off: self.off | OverlayItems::NONE.off & !hidden.off }
+        OverlayItems { on: self.on & !hidden.on }
     }
 }
 
@@ -220,25 +201,5 @@ mod tests {
         let figures = figures.filter(|item| *item != Item::Floor);
         let expected: Vec<_> = [Item::UvAxes, Item::Loupe].into_iter().chain(figures).collect();
         assert_eq!(off, expected);
-    }
-
-    #[test]
-    fn files_from_before_a_figure_existed_leave_it_off_and_have_the_floor() {
-        let read =
-            |stored: u32| serde_json::from_value::<OverlayItems>(stored.into()).expect("a set");
-        let earlier = 1 << (Item::Handles as u8 + 1);
-        // All items, the default ones, none but the eye, and none.
-        let (covering, eye) = (Item::UvAxes.bit() | Item::Loupe.bit(), Item::Eye.bit());
-        for stored in [0, covering, !eye, u32::MAX] {
-            let items = read(stored);
-            for item in Item::ALL {
-                let was_there = item.bit() < earlier || item == Item::Floor;
-                let expected = was_there && stored & item.bit() == 0;
-                assert_eq!(items.shows(item), expected, "{stored:b} {item:?}");
-            }
-        }
-        for items in [OverlayItems::ALL, OverlayItems::NONE, OverlayItems::default()] {
-            assert_eq!(read(items.into()), items);
-        }
     }
 }

@@ -21,7 +21,7 @@ pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
     let table = document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
     // In the folder of its table, the scene names the table alone.
     let path = table.map_or_else(|| SCENE.into(), |table| table.with_file_name(SCENE));
-    let text = scene_file::prepare(document, &path, None)?.text;
+    let text = scene_file::prepare(document, &path, None, false)?.text;
     part.files.insert(SCENE.to_owned(), text);
     if let Some(table) = table {
         let name = table.file_name().unwrap_or_default().to_string_lossy().into_owned();

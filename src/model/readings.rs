@@ -1,8 +1,8 @@
 //! The numbers of the selected ray and of its camera, with their names, concepts and meanings. The
-//! readouts, the strip below the views, the clipboard and `pinhole inspect` all show them from this one
+//! readouts, the strip below the views and `pinhole inspect` all show them from this one
 //! list.
 
-use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle, shortest};
+use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle};
 use pinhole_lecture::Rounding;
 use pinhole_lecture::numbers::written;
 
@@ -16,9 +16,6 @@ pub struct NumberStyle {
     pub digits: usize,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// True if numbers are written for programs, such as for the clipboard: with all digits and an
-    /// ASCII minus sign.
-    pub exact: bool,
 }
 
 /// A named quantity of the selected ray or of its camera.
@@ -135,12 +132,7 @@ impl NumberStyle {
     /// Creates the number style of the settings.
     pub(crate) fn new(settings: &Settings) -> NumberStyle {
         let Settings { digits, count_from_one, .. } = *settings;
-        NumberStyle { digits, count_from_one, exact: false }
-    }
-
-    /// Returns the style for text that programs read.
-    pub(crate) fn for_programs(self) -> NumberStyle {
-        NumberStyle { exact: true, ..self }
+        NumberStyle { digits, count_from_one }
     }
 
     /// Returns this style with at most `digits` significant digits.
@@ -149,12 +141,12 @@ impl NumberStyle {
     }
 
     pub(crate) fn number(self, x: f64) -> String {
-        if self.exact && x.is_finite() { shortest(x) } else { written(x, self.digits) }
+        written(x, self.digits)
     }
 
     /// Returns the sign to write before numbers: `=` if all of them are written exactly, otherwise `≈`.
     pub(crate) fn relation(self, shown: &[f64]) -> char {
-        if self.exact { '=' } else { Rounding::Significant(self.digits).relation(shown) }
+        Rounding::Significant(self.digits).relation(shown)
     }
 
     /// Formats a number as the right side of an equation: `= 0.5`, but `≈ 0.33333`.

@@ -7,7 +7,6 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use pinhole_core::DVec3;
 use pinhole_exchange::host::{Lock, Stamp, host};
 use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 use serde::{Deserialize, Serialize};
@@ -55,76 +54,17 @@ struct ChangedScene {
     argument: Option<PathBuf>,
     /// The stamp of the scene's file when the changes began.
     stamp: Option<Stamp>,
-    /// Invalid numbers of the document, which a scene file may not contain.
-    faults: Faults,
-}
-
-/// The invalid numbers of an edited document. The user may be about to correct them, so they are recorded,
-/// too.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct Faults {
-    /// Width, height and distance of the viewport, if any of them is invalid.
-    viewport: Option<[f64; 3]>,
-    /// Indices and radii of the spheres with invalid radii.
-    radii: Vec<(usize, f64)>,
-    /// Indices of planes whose normal is zero.
-    normals: Vec<usize>,
-}
-
-impl Faults {
-    /// Moves the invalid numbers out of a document, and replaces them there by valid ones.
-    fn take(document: &mut Document) -> Faults {
-        let mut faults = Faults::default();
-        let viewport = &mut document.camera.viewport;
-        let numbers = [viewport.width, viewport.height, viewport.distance];
-        if numbers.iter().any(|number| *number <= 0.0) {
-            faults.viewport = Some(numbers);
-            (viewport.width, viewport.height, viewport.distance) = (1.0, 1.0, 1.0);
-        }
-        let spheres = document.spheres.iter().enumerate();
-        let radii = spheres.map(|(index, sphere)| (index, sphere.shape.radius));
-        faults.radii = radii.filter(|(_, radius)| *radius <= 0.0).collect();
-        for (index, _) in &faults.radii {
-            document.spheres[*index].shape.radius = 1.0;
-        }
-        let planes = document.planes.iter().enumerate();
-        let normals = planes.filter(|(_, plane)| plane.shape.normal == DVec3::ZERO);
-        faults.normals = normals.map(|(index, _)| index).collect();
-        for index in &faults.normals {
-            document.planes[*index].shape.normal = DVec3::Y;
-        }
-        faults
-    }
-
-    /// Puts the invalid numbers back into the document.
-    fn put_into(&self, document: &mut Document) {
-        if let Some([width, height, distance]) = self.viewport {
-            let viewport = &mut document.camera.viewport;
-            (viewport.width, viewport.height, viewport.distance) = (width, height, distance);
-        }
-        for (index, radius) in &self.radii {
-            if let Some(sphere) = document.spheres.get_mut(*index) {
-                sphere.shape.radius = *radius;
-            }
-        }
-        for index in &self.normals {
-            if let Some(plane) = document.planes.get_mut(*index) {
-                plane.shape.normal = DVec3::ZERO;
-            }
-        }
-    }
 }
 
 impl Unsaved {
     /// Copies the unsaved changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
-        let mut document = open.document.clone();
+        let document = open.document.clone();
         let source = ChangedScene {
             title: title_of(origin),
             argument: argument_of(origin),
             stamp: open.stamp(),
-            faults: Faults::take(&mut document),
         };
         Unsaved { document, source }
     }
@@ -145,7 +85,7 @@ impl Unsaved {
     /// Returns the reason if the document could not be read back from the text.
     pub fn text(&self, slot: &Slot) -> Result<String, String> {
         let source = serde_json::to_string(&self.source).map_err(|error| error.to_string())?;
-        let prepared = scene_file::prepare(&self.document, &slot.scene, None);
+        let prepared = scene_file::prepare(&self.document, &slot.scene, None, true);
         Ok(prepared.map_err(|error| error.to_string())?.text + SOURCE + &source)
     }
 }
@@ -219,10 +159,9 @@ impl Found {
     /// Returns the reason if the changes cannot be read. They then stay in the slot.
     pub fn restore(self, as_new: bool) -> Result<(OpenDocument, Slot), String> {
         let (file, folder) = (&self.slot.scene, self.slot.scene.parent().unwrap_or(Path::new("")));
-        let document = self.text.and_then(|text| scene_file::parse(&text, file, folder));
-        let mut document = document.map_err(|error| error.to_string())?;
-        let ChangedScene { title, argument, stamp, faults } = self.source;
-        faults.put_into(&mut document);
+        let document = self.text.and_then(|text| scene_file::parse_draft(&text, file, folder));
+        let document = document.map_err(|error| error.to_string())?;
+        let ChangedScene { title, argument, stamp } = self.source;
         let open = if as_new {
             OpenDocument::unsaved(document, format!("{title}, unsaved"))
         } else {
@@ -238,13 +177,13 @@ impl Found {
     }
 }
 
-/// Formats a duration in whole units of the largest one that fits, such as `3 minutes`.
+/// Formats a duration in whole units of the largest one that fits twice, such as `3 minutes`.
 pub fn in_words(age: Duration) -> String {
     let seconds = age.as_secs();
     let (count, unit) = match seconds {
-        0..60 => (seconds, "second"),
-        60..3600 => (seconds / 60, "minute"),
-        3600..86_400 => (seconds / 3600, "hour"),
+        0..120 => (seconds, "second"),
+        120..7200 => (seconds / 60, "minute"),
+        7200..172_800 => (seconds / 3600, "hour"),
         _ => (seconds / 86_400, "day"),
     };
     format!("{count} {unit}{}", if count == 1 { "" } else { "s" })
@@ -334,9 +273,10 @@ mod tests {
             (0, "0 seconds"),
             (1, "1 second"),
             (59, "59 seconds"),
-            (60, "1 minute"),
+            (110, "110 seconds"),
+            (120, "2 minutes"),
             (7200, "2 hours"),
-            (90_000, "1 day"),
+            (172_800, "2 days"),
         ] {
             assert_eq!(in_words(Duration::from_secs(seconds)), words);
         }

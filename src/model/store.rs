@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
-use pinhole_core::{DVec2, Pixel, Selection};
+use pinhole_core::Selection;
 use pinhole_exchange::host::host;
 use pinhole_exchange::{FileError, limits};
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,8 @@ pub struct Remembered {
     /// The position and size of the window.
     pub window: WindowGeometry,
     /// The selected ray of the scene that was open.
-    pub selection: Option<RememberedRay>,
+    #[serde(rename = "ray")]
+    pub selection: Option<Selection>,
     /// The recently opened or saved files, newest first.
     pub recent: Vec<PathBuf>,
     /// The name of the window's renderer, for bug reports.
@@ -42,34 +43,6 @@ impl Remembered {
     pub fn lesson_step(&self) -> Option<StepId> {
         let (number, step) = self.lesson?;
         Some(StepId { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
-    }
-}
-
-/// A [`Selection`] in the form in which it is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum RememberedRay {
-    /// Row and column, counted from 0.
-    Pixel(u32, u32),
-    /// u and v.
-    Uv(f64, f64),
-}
-
-impl From<Selection> for RememberedRay {
-    fn from(selection: Selection) -> Self {
-        match selection {
-            Selection::Pixel(pixel) => RememberedRay::Pixel(pixel.row, pixel.column),
-            Selection::Uv(uv) => RememberedRay::Uv(uv.x, uv.y),
-        }
-    }
-}
-
-impl From<RememberedRay> for Selection {
-    fn from(ray: RememberedRay) -> Self {
-        match ray {
-            RememberedRay::Pixel(row, column) => Selection::Pixel(Pixel { row, column }),
-            RememberedRay::Uv(u, v) => Selection::Uv(DVec2::new(u, v)),
-        }
     }
 }
 

@@ -1,12 +1,11 @@
 //! The translator: writes the camera in another program's notation, compares conventions, and reads pasted
 //! cameras.
 
-use std::ops::Range;
 use std::path::Path;
 
-use pinhole_core::{Camera, DVec3, Orientation, Pixel, shortest};
+use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 use pinhole_exchange::format::{
-    Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention, Text,
+    Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention,
 };
 use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
 use pinhole_exchange::{Document, limits};
@@ -24,15 +23,13 @@ pub struct Translator {
     pub target: &'static str,
     /// True if the objects are written as well.
     pub objects: bool,
-    /// True if numbers are shown with all digits. Copied and saved numbers always have all digits.
-    pub every_digit: bool,
     /// The notice about the last action, while it is shown.
     pub notice: Option<Notice>,
 }
 
 impl Default for Translator {
     fn default() -> Translator {
-        Translator { target: "opencv", objects: false, every_digit: false, notice: None }
+        Translator { target: "opencv", objects: false, notice: None }
     }
 }
 
@@ -133,58 +130,6 @@ impl Translation {
     }
 }
 
-/// Returns the text with its long numbers rounded to `digits` significant digits, for display.
-pub fn shortened(text: &Text, digits: usize) -> Text {
-    let mut short = Text::default();
-    let mut from = 0;
-    for mark in &text.flipped {
-        push_short(&mut short.text, &text.text, from..mark.start, digits);
-        let start = short.text.len();
-        push_short(&mut short.text, &text.text, mark.clone(), digits);
-        short.flipped.push(start..short.text.len());
-        from = mark.end;
-    }
-    push_short(&mut short.text, &text.text, from..text.text.len(), digits);
-    short
-}
-
-/// Appends the `part` of `text` to `short`, with its long numbers shortened. A digit that follows a letter
-/// does not begin a number.
-fn push_short(short: &mut String, text: &str, part: Range<usize>, digits: usize) {
-    let bytes = &text.as_bytes()[..part.end];
-    let (mut from, mut at) = (part.start, part.start);
-    while at < part.end {
-        let before = at.checked_sub(1).map_or(b' ', |k| bytes[k]);
-        if !bytes[at].is_ascii_digit() || before.is_ascii_alphanumeric() || before == b'_' {
-            at += 1;
-            continue;
-        }
-        let is_number = |b: &&u8| b.is_ascii_digit() || **b == b'.';
-        let mut end = at + bytes[at..].iter().take_while(is_number).count();
-        if bytes.get(end) == Some(&b'e') {
-            let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
-            let exponent = bytes[end + 1 + sign..].iter().take_while(|b| b.is_ascii_digit());
-            let count = exponent.count();
-            end += if count > 0 { 1 + sign + count } else { 0 };
-        }
-        let number = &text[at..end];
-        let mantissa = number.split('e').next().unwrap_or_default().bytes();
-        let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
-        if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
-            short.push_str(&text[from..at]);
-            short.push_str(&cut(value, digits));
-            from = end;
-        }
-        at = end;
-    }
-    short.push_str(&text[from..part.end]);
-}
-
-fn cut(value: f64, digits: usize) -> String {
-    let rounded = format!("{value:.*e}", digits.max(1) - 1);
-    rounded.parse().map_or(rounded, shortest)
-}
-
 /// A row of the table of conventions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConventionRow {
@@ -271,13 +216,11 @@ fn rows(
     let ours = format!("row, column ({}, {}), centre {our_centre}", pixel.row, pixel.column);
     line("in numbers", &ours, &their_centre, flipped, differs);
     let [w, h, d] = [viewport.width, viewport.height, viewport.distance].map(written_whole);
-    let text = format!("{}: {}", conventions.view, conventions.field_of_view(subject));
-    let theirs = shortened(&Text { text, flipped: Vec::new() }, digits).text;
+    let theirs = format!("{}: {}", conventions.view, conventions.field_of_view(subject));
     line("field of view", &format!("width {w} × height {h} at distance {d}"), &theirs, false, true);
     line("distance", "t = 1 is the viewport", conventions.distance, false, true);
     let is_fixed = !conventions.shape.starts_with("any");
     line("pixels' shape", "any", conventions.shape, false, is_fixed);
-    line("computes in", "f64, exact where it matters", conventions.lengths, false, false);
     table
 }
 
@@ -338,16 +281,5 @@ mod tests {
             told(&sum(40_000)),
             "it has 157 KiB, and at most 128 KiB are read: copy the camera's lines alone"
         );
-    }
-
-    #[test]
-    fn long_numbers_are_cut_and_marks_go_along() {
-        let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
-        let exact = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
-        let short = shortened(&exact, 4);
-        assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
-        let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();
-        assert_eq!(marked, ["0.5812", "-0.8137e-20"]);
-        assert_eq!(shortened(&exact, 17).text, text);
     }
 }

@@ -14,9 +14,7 @@ use pinhole_lecture::{Exercise, Mistake};
 use crate::figures::{Frames, Order};
 use crate::model::play::Kind;
 use crate::model::session::presenting::Pen;
-use crate::model::{
-    DerivationSection, Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout,
-};
+use crate::model::{Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 
 /// A document that was generated, such as an exercise's scene.
@@ -156,8 +154,6 @@ pub enum ExchangeAction {
     AskPaste,
     /// Set the camera from another program's text.
     Paste(String),
-    /// Show the camera in the format of this name.
-    TranslateInto(&'static str),
     /// Ask where to save the translated camera.
     AskSave,
     /// Save the translated camera.
@@ -195,8 +191,6 @@ pub enum PlayAction {
     Toggle,
     /// Move forward by this many steps, or back if negative.
     Step(i64),
-    /// Increase the speed by this many levels, or decrease it if negative.
-    Faster(i32),
     /// Toggle whether the animation repeats after its end.
     Loop,
     /// Close the animation and keep the current state.
@@ -257,8 +251,6 @@ pub enum ObjectAction {
     Remove,
     /// Choose the object with this index.
     Choose(usize),
-    /// Choose the object this many places further down the list, wrapping around at its ends.
-    Next(i32),
 }
 
 /// Changes how the scene is shown.
@@ -274,8 +266,6 @@ pub enum LookAction {
     Scheme(Scheme),
     /// Toggle a switch.
     Toggle(Switch),
-    /// Show this many more digits.
-    DigitsBy(i32),
     /// Zoom the window in by this many steps; 0 resets the zoom.
     ZoomBy(i32),
     /// Show this exercise.
@@ -455,24 +445,16 @@ impl Action {
 pub enum Switch {
     /// This item of the overlay is shown.
     Item(Item),
-    /// This section of the derivation is shown.
-    Section(DerivationSection),
     /// The derivation shows short exact forms instead of decimals.
     ExactForms,
     /// Rows and columns are counted from 1.
     CountFromOne,
     /// Moving the eye keeps the view direction. While this is off, a moved eye keeps looking at *at*.
     EyeTravels,
-    /// Changing the viewport or the image keeps the aspect ratio of the pixels.
-    KeepPixelShape,
-    /// Distance, width and height scale together, so that the picture stays the same.
-    KeepPicture,
     /// *Up* stays fixed while *eye* or *at* is dragged.
     KeepUp,
     /// Transitions are off.
     ReducedMotion,
-    /// Everything except the area around the pointer is dimmed.
-    Spotlight,
     /// A pen draws over the views.
     Pen,
     /// The side panel is shown.
@@ -487,15 +469,11 @@ impl Switch {
         let settings = &session.settings;
         match self {
             Switch::Item(item) => settings.items.shows(item),
-            Switch::Section(section) => session.sections.shows(section),
             Switch::ExactForms => settings.exact_forms,
             Switch::CountFromOne => settings.count_from_one,
             Switch::EyeTravels => settings.eye_keeps == Keep::View,
-            Switch::KeepPixelShape => settings.keep_pixel_shape,
-            Switch::KeepPicture => settings.keep_picture,
             Switch::KeepUp => settings.keep_up,
             Switch::ReducedMotion => settings.reduced_motion,
-            Switch::Spotlight => session.spotlight,
             Switch::Pen => session.pen.is_some(),
             Switch::Panel => !settings.hides_panel,
             Switch::PresentedNumbers => settings.presents_numbers,
@@ -508,15 +486,11 @@ impl Switch {
         let settings = &mut session.settings;
         match self {
             Switch::Item(item) => settings.items.set(item, on),
-            Switch::Section(section) => session.sections.set(section, on),
             Switch::ExactForms => settings.exact_forms = on,
             Switch::CountFromOne => settings.count_from_one = on,
             Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
-            Switch::KeepPixelShape => settings.keep_pixel_shape = on,
-            Switch::KeepPicture => settings.keep_picture = on,
             Switch::KeepUp => settings.keep_up = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
-            Switch::Spotlight => session.spotlight = on,
             Switch::Pen => session.pen = on.then(Pen::default),
             Switch::Panel => settings.hides_panel = !on,
             Switch::PresentedNumbers => settings.presents_numbers = on,

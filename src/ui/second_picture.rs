@@ -11,8 +11,9 @@ use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
 /// Returns the picture's name, for its title and for screen readers.
-pub(crate) fn name(second: SecondPicture) -> &'static str {
+pub(crate) fn name(second: SecondPicture, is_asking: bool) -> &'static str {
     match second {
+        SecondPicture::WrongCamera if is_asking => mistakes::HEADINGS[1],
         SecondPicture::ErrorMap => views::MAP,
         SecondPicture::WrongCamera => views::WRONG,
         SecondPicture::Ghost => views::GHOST,
@@ -64,7 +65,7 @@ pub(crate) fn show(
         }
     }
     if let Some(spoken) = spoken {
-        views::speak(ui, name(second), &spoken);
+        views::speak(ui, name(second, session.is_asking), &spoken);
     }
     match (view, why_not) {
         (Some(shown), _) => {

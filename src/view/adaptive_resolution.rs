@@ -29,15 +29,10 @@ impl Subsampling {
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
     }
 
-    /// Returns the step in words: `every 3rd row and column`.
+    /// Returns the step in words: `one in 3 rows and columns`.
     fn words(self) -> String {
         let Subsampling(step) = self;
-        let ending = match step {
-            2 => "nd",
-            3 => "rd",
-            _ => "th",
-        };
-        format!("every {step}{ending} row and column")
+        format!("one in {step} rows and columns")
     }
 }
 
@@ -205,7 +200,7 @@ mod tests {
         assert!(!adaptive_resolution.is_made_finer(now));
         assert_eq!(
             adaptive_resolution.message(now).as_deref(),
-            Some("every 3rd row and column: all of them would take up to 7 s")
+            Some("one in 3 rows and columns: all of them would take up to 7 s")
         );
         // A scene that turns out to be fast is traced finely again.
         adaptive_resolution.took(now, MS);

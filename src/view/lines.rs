@@ -306,8 +306,25 @@ impl PlaneView {
         0.5 * f64::from(self.rect.size().length()) / self.unit()
     }
 
+    /// Returns the layout of the labels, with the names of the axes, which all others keep clear of.
     fn labels(&self) -> LabelLayout {
-        LabelLayout::new(self.painter.clone(), self.colors.halo, self.rect.shrink(3.0))
+        let halo = self.colors.halo;
+        let mut labels = LabelLayout::new(self.painter.clone(), halo, self.rect.shrink(3.0));
+        let (axes, font) = (self.axes(), Font { size: NAMES, color: self.colors.ink, bold: false });
+        let right = pos2(self.rect.right() - 6.0, axes.y - 3.0);
+        labels.write("x", font, [(right, Align2::RIGHT_BOTTOM)]);
+        let top = pos2(axes.x + 7.0, self.rect.top() + 4.0);
+        labels.write("y", font, [(top, Align2::LEFT_TOP)]);
+        labels
+    }
+
+    /// Returns where the axes cross, or the point inside nearest to it.
+    fn axes(&self) -> Pos2 {
+        let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
+        pos2(
+            origin.x.clamp(rect.left() + 40.0, rect.right() - 4.0),
+            origin.y.clamp(rect.top() + 2.0, rect.bottom() - 26.0),
+        )
     }
 
     /// Paints everything except the background. Returns a description of the points along the parametric
@@ -421,16 +438,8 @@ impl PlaneView {
 
     /// Writes the numbers of the grid along the axes, or along the edge if an axis is not visible.
     fn coordinates(&self, labels: &mut LabelLayout) {
-        let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
-        let axis = pos2(
-            origin.x.clamp(rect.left() + 40.0, rect.right() - 4.0),
-            origin.y.clamp(rect.top() + 2.0, rect.bottom() - 26.0),
-        );
+        let axis = self.axes();
         let font = Font { size: SMALL, color: self.colors.ink, bold: false };
-        let name = Font { size: NAMES, ..font };
-        let right = pos2(rect.right() - 6.0, axis.y - 3.0);
-        labels.write("x", name, [(right, Align2::RIGHT_BOTTOM)]);
-        labels.write("y", name, [(pos2(axis.x + 7.0, rect.top() + 4.0), Align2::LEFT_TOP)]);
         let [across, up] = self.ticks();
         for Tick { at, text, .. } in across.iter().filter(|tick| tick.value != 0.0) {
             labels.write(text, font, [(pos2(*at, axis.y + 3.0), Align2::CENTER_TOP)]);

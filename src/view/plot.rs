@@ -141,11 +141,14 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
 }
 
 impl Plot {
-    /// Describes the heights of the curves: f of each object divided by its unit.
+    /// Describes the heights of the curves: the left side of an object's implicit equation with the ray in
+    /// it, and its unit. Several objects have f in common, which is 0 on the surface of each.
     pub(crate) fn height_words(&self) -> String {
-        let units: BTreeSet<&str> = self.curves.iter().map(Curve::unit_symbol).collect();
-        let text = format!("f(p + t d) / {}", Vec::from_iter(units).join(" or "));
-        text.trim_end_matches(" / ").to_owned()
+        let each: BTreeSet<String> = self.curves.iter().map(Curve::height_words).collect();
+        match Vec::from_iter(each).as_slice() {
+            [one] => one.clone(),
+            _ => "f(p + t d), where f = 0 is the surface, each in its own unit".to_owned(),
+        }
     }
 }
 
@@ -169,6 +172,20 @@ impl Curve {
             UnitOrigin::RayOrigin => "|f(p)|",
             UnitOrigin::OneStep => "|f(p + d)|",
             UnitOrigin::One => "1",
+        }
+    }
+
+    fn height_words(&self) -> String {
+        let f = if self.is_straight() {
+            "n · (p + t d − point)"
+        } else {
+            "|p + t d − centre|² − r²"
+        };
+        match self.unit.origin {
+            UnitOrigin::SquaredRadius => format!("{f}, in units of r²"),
+            UnitOrigin::RayOrigin => format!("{f}, in units of its size at the eye"),
+            UnitOrigin::OneStep => format!("{f}, in units of its size at t = 1"),
+            UnitOrigin::One => f.to_owned(),
         }
     }
 

@@ -70,10 +70,10 @@ fn each_change_is_undone_by_its_name() {
     harness.run();
     let added = harness.state().document().clone();
     assert_eq!(added.spheres.len(), opened.spheres.len() + 1);
-    assert_menu(&mut harness, "Undo add sphere 2", "Redo");
+    assert_menu(&mut harness, "Undo change spheres", "Redo");
 
     undo(&mut harness);
-    assert_menu(&mut harness, "Undo change the field of view", "Redo add sphere 2");
+    assert_menu(&mut harness, "Undo change the viewport", "Redo change spheres");
     assert_eq!(harness.state().document().camera.viewport.width, 2.0);
     undo(&mut harness);
     assert_eq!(harness.state().document().camera.eye, DVec3::new(3.0, 0.0, 0.0));

@@ -46,7 +46,7 @@ const TYPED: [&str; 16] = [
 ];
 
 /// Keys that write no file and do not close the window.
-const KEYS: [Key; 30] = [
+const KEYS: [Key; 28] = [
     Key::Tab,
     Key::Escape,
     Key::Space,
@@ -74,8 +74,6 @@ const KEYS: [Key; 30] = [
     Key::Num1,
     Key::Num2,
     Key::Num3,
-    Key::OpenBracket,
-    Key::CloseBracket,
     Key::F5,
 ];
 

@@ -14,7 +14,7 @@ use pinhole_core::{DVec3, Orientation};
 
 use crate::harness::{says, window};
 
-const TOLD: &str = "coarser while it moves: every 8th row and column";
+const TOLD: &str = "coarser while it moves: one in 8 rows and columns";
 
 const COARSE: [Subsampling; 2] = [Subsampling::MOST, Subsampling::NONE];
 

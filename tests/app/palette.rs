@@ -65,8 +65,6 @@ fn everything_is_reached_by_a_few_letters() {
     assert_eq!(harness.state().session().settings.scheme, Scheme::ColourBlind);
     command(&mut harness, "reduced motion");
     assert!(harness.state().session().settings.reduced_motion);
-    command(&mut harness, "more digits");
-    assert_eq!(harness.state().session().settings.digits, 6);
     command(&mut harness, "exercise sphere");
     let session = harness.state().session();
     assert_eq!(session.exercises.question().exercise, Exercise::Sphere);

@@ -76,11 +76,8 @@ fn panels_go_and_everything_comes_back() {
     assert!(harness.query_by_label("World view").is_some());
     assert!(harness.ctx.zoom_factor() > zoom_before);
     press(&mut harness, Key::Num3);
-    press(&mut harness, Key::S);
-    assert!(harness.state().session().spotlight);
     press(&mut harness, Key::F5);
     assert_eq!(harness.state().session().settings, before.settings);
-    assert_eq!(harness.state().session().spotlight, before.spotlight);
     assert_eq!(harness.state().session().presenting, None);
     assert_eq!(harness.ctx.zoom_factor(), zoom_before);
     assert_says(&harness, "File");
@@ -174,37 +171,6 @@ fn keys_of_presenting_are_typed_into_fields_and_the_next_run_does_not_present() 
     assert_eq!(layout(&harness), ViewLayout::World);
     harness.state_mut().on_exit();
     assert_eq!(store.load().settings.layout, ViewLayout::Exercises);
-}
-
-#[test]
-fn the_spotlight_is_a_ring_in_reduced_motion() {
-    let dark = |harness: &Harness<'_, App>| {
-        let is_dark =
-            |shape: &Shape| matches!(shape, Shape::Circle(circle) if circle.stroke.width > 500.0);
-        harness.output().shapes.iter().filter(|clipped| is_dark(&clipped.shape)).count()
-    };
-    let mut harness = window("canonical");
-    press(&mut harness, Key::F5);
-    harness.hover_at(pos2(300.0, 200.0));
-    harness.run();
-    assert_eq!(dark(&harness), 0);
-    press(&mut harness, Key::S);
-    assert_eq!(dark(&harness), 1);
-    let settings = Settings { reduced_motion: true, ..unfolded() };
-    let remembered = Remembered { settings, ..Remembered::default() };
-    let mut harness = window_with("canonical", remembered, None);
-    press(&mut harness, Key::F5);
-    harness.hover_at(pos2(300.0, 200.0));
-    harness.run();
-    let circles = |harness: &Harness<'_, App>| {
-        let is_ring =
-            |shape: &Shape| matches!(shape, Shape::Circle(circle) if circle.radius > 40.0);
-        harness.output().shapes.iter().filter(|clipped| is_ring(&clipped.shape)).count()
-    };
-    let before = circles(&harness);
-    press(&mut harness, Key::S);
-    assert_eq!(dark(&harness), 0);
-    assert_eq!(circles(&harness), before + 2);
 }
 
 #[test]

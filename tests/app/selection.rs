@@ -135,19 +135,6 @@ fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
 }
 
 #[test]
-fn everything_can_be_copied() {
-    let mut window = window("canonical");
-    window.get_by_label("Copy Basis").click();
-    window.step();
-    let copied =
-        window.output().platform_output.commands.iter().find_map(|command| match command {
-            egui::OutputCommand::CopyText(text) => Some(text.clone()),
-            _ => None,
-        });
-    assert!(copied.unwrap().starts_with("u = (1, 0, 0)\nv = (0, 1, 0)\nw = (0, 0, 1)\n"));
-}
-
-#[test]
 fn the_mouse_moves_the_observer_and_never_the_camera() {
     let mut window = window("canonical");
     let before = window.state().document().clone();

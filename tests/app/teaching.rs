@@ -94,19 +94,17 @@ fn up_is_swung_about_the_view() {
 }
 
 #[test]
-fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
+fn up_is_tilted_towards_the_view_and_the_sensitivity_says_what_that_does() {
     let mut window = teaching("canonical");
     let basis = *window.state().derived().resolved.unwrap().basis();
-    for (degrees, number, word) in [
-        ("90", "1° of roll per 1° of up", "Calm"),
-        ("10", "5.76° of roll per 1° of up", "Sensitive"),
-        ("0.5", "115° of roll per 1° of up", "Very sensitive"),
-        ("179.5", "115° of roll per 1° of up", "Very sensitive"),
+    for (degrees, number) in [
+        ("90", "1° of roll per 1° of up"),
+        ("10", "5.76° of roll per 1° of up"),
+        ("0.5", "115° of roll per 1° of up"),
+        ("179.5", "115° of roll per 1° of up"),
     ] {
         type_into(&mut window, "up from view", degrees);
         assert_says(&window, number);
-        let meaning = super::harness::texts_with(&window, &format!("{word}: "));
-        assert!(!meaning.is_empty(), "{degrees}");
         let now = *window.state().derived().resolved.unwrap().basis();
         assert!(near(now.u, basis.u) && near(now.v, basis.v) && near(now.w, basis.w), "{degrees}");
     }

@@ -98,8 +98,7 @@ fn a_printed_world_view_has_300_pixels_an_inch() {
     // At 96 dots an inch, 480 are five inches.
     assert_eq!(size("--view world --width 480"), (1500, 844));
     assert_eq!(size("--view world --width 4096 --height 64"), (8192, 128));
-    // The camera's 400 pixels, each of them twice.
-    assert_eq!(size("--view camera --width 1200"), (800, 800));
+    assert_eq!(size("--view camera --width 1200"), (1200, 1200), "its pixels are its subject");
 }
 
 /// The numbers of the ellipses in an SVG: centre, semi-axes, and the angle of the first one.
@@ -294,8 +293,7 @@ fn the_camera_s_pixels_are_kept_as_they_are() {
     let (_, data) = image.split_once("base64,").unwrap();
     let bytes = super::figure_read_back::decoded(data.split('"').next().unwrap());
     let info = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
-    // Each as 3 x 3: some programs smooth what is small.
-    assert_eq!((info.info().width, info.info().height), (900, 600));
+    assert_eq!((info.info().width, info.info().height), (1500, 1000));
 }
 
 #[test]

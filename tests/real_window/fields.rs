@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use egui::accesskit::Role;
 use egui::vec2;
-use pinhole::model::store::{RememberedRay, Store};
-use pinhole_core::{Pixel, shortest};
+use pinhole::model::store::Store;
+use pinhole_core::{Pixel, Selection, shortest};
 use pinhole_exchange::scene_file;
 
 use crate::memory::InMemory;
@@ -48,7 +48,7 @@ pub(crate) fn drive(setting: &Setting) {
     moved.camera.eye.x = saved.camera.eye.x;
     assert_eq!(saved, moved, "nothing else has changed");
     let remembered = Store::at(&folder.path().join("pinhole/state.json")).load();
-    assert_eq!(remembered.selection, Some(RememberedRay::Pixel(pixel.row, pixel.column)));
+    assert_eq!(remembered.selection, Some(Selection::Pixel(pixel)));
     assert!(remembered.renderer.starts_with(setting.drawn_by), "{}", remembered.renderer);
     println!("drawn by {}", remembered.renderer);
     inspected(&scene, pixel, &saved);

@@ -1,13 +1,14 @@
 //! The selected ray of a camera.
 
 use glam::DVec2;
+use serde::{Deserialize, Serialize};
 
 use crate::camera::ray::{ExactRay, RayError};
 use crate::camera::resolved::{PixelOfUv, ResolvedCamera};
 use crate::camera::viewport::{ImageSize, Pixel, Viewport};
 
 /// The selected view ray, given by a pixel or by a position (u, v) in the viewport.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Selection {
     /// The ray through a pixel's centre.
     Pixel(Pixel),

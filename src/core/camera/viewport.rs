@@ -2,7 +2,7 @@
 //! the image is the grid of pixels into which it is divided. Computer vision describes both by K, the
 //! matrix of focal lengths and principal point.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::exact::scale::shortest;
@@ -105,7 +105,7 @@ pub struct ImageSize {
 }
 
 /// A pixel, given by its row (0 at the top) and its column (0 at the left).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Pixel {
     /// Row, from 0 at the top to H - 1.
     pub row: u32,

@@ -25,7 +25,6 @@ pub(super) const FORMAT: Format = Format {
         field: "{vertical_radians}",
         distance: "none: znear and zfar cut, and change no ray",
         shape: "any: aspectRatio need not be the canvas's",
-        lengths: "f32 in most programs",
     }),
     template: include_str!("../templates/gltf.txt"),
     left_out: LeftOut::Nothing,

@@ -11,7 +11,7 @@ use crate::document::Document;
 /// is not a scene file, or cannot be edited.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let previous = previous.trim_start_matches('\u{feff}');
-    let old = read::document(previous, Path::new(""), None).ok()?;
+    let old = read::document(previous, Path::new(""), None, false).ok()?;
     let (block, rest) = split_note(previous);
     let mut toml: DocumentMut = rest.parse().ok()?;
     let plain = |document: &Document| write::fresh(document).parse::<DocumentMut>().ok();

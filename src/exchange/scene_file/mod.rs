@@ -81,7 +81,16 @@ pub fn load(path: &Path) -> Result<Document, FileError> {
 /// # Errors
 /// Returns the errors of [`load`].
 pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError> {
-    read::document(text, path, Some(base))
+    read::document(text, path, Some(base), false)
+}
+
+/// Reads the text of unsaved changes like [`parse`], with the invalid numbers that the user may have been about
+/// to correct.
+///
+/// # Errors
+/// Returns the errors of [`load`].
+pub fn parse_draft(text: &str, path: &Path, base: &Path) -> Result<Document, FileError> {
+    read::document(text, path, Some(base), true)
 }
 
 /// Reads the text of a scene that must not name a CSV file.
@@ -89,7 +98,7 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
 /// # Errors
 /// Returns the first error in the text.
 pub(crate) fn parse_alone(text: &str, path: &Path) -> Result<Document, FileError> {
-    let document = read::document(text, path, None)?;
+    let document = read::document(text, path, None, false)?;
     match &document.csv_spheres {
         Some(_) => Err(FileError::of_file(path, "names a file of spheres, which only files may")),
         None => Ok(document),
@@ -112,7 +121,7 @@ pub struct Saved {
 /// Returns the errors of [`prepare`], or an error if the file cannot be written. An existing file is
 /// then unchanged.
 pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<Saved, FileError> {
-    let saved = prepare(document, path, previous)?;
+    let saved = prepare(document, path, previous, false)?;
     host().write(path, saved.text.as_bytes())?;
     Ok(saved)
 }
@@ -120,7 +129,8 @@ pub fn save(document: &Document, path: &Path, previous: Option<&str>) -> Result<
 /// Returns the text to write for a scene file at this path, and the document that it contains.
 ///
 /// Where values have not changed, the comments and layout of the `previous` text are kept. The path of
-/// a CSV file is rewritten if necessary, so that it refers to the same file as before.
+/// a CSV file is rewritten if necessary, so that it refers to the same file as before. A draft, of unsaved
+/// changes, may contain invalid numbers.
 ///
 /// # Errors
 /// Returns an error if a value could not be read back from the text.
@@ -128,6 +138,7 @@ pub fn prepare(
     document: &Document,
     path: &Path,
     previous: Option<&str>,
+    is_draft: bool,
 ) -> Result<Saved, FileError> {
     let mut document = document.clone();
     if let Some(csv) = &mut document.csv_spheres {
@@ -137,7 +148,7 @@ pub fn prepare(
             })?;
     }
     let text = to_text(&document, previous);
-    let mut written = read::document(&text, path, None)
+    let mut written = read::document(&text, path, None, is_draft)
         .map_err(|error| FileError::of_file(path, format!("not saved: {}", error.problem)))?;
     written.csv_spheres = document.csv_spheres;
     Ok(Saved { document: written, text })
@@ -219,7 +230,7 @@ fn note_to_block(note: &str) -> String {
 /// not contain the field, because the file has changed or the value is the default.
 pub fn camera_fault(path: &Path, error: &CameraError) -> Option<FileError> {
     let text = limits::read_text(path).ok()?;
-    let source = TomlSource { text: &text, path };
+    let source = TomlSource { text: &text, path, is_draft: false };
     let toml = toml(&source).ok()?;
     let field = field_at_fault(error)?;
     let (tables, key) = field.rsplit_once('.')?;

@@ -28,8 +28,9 @@ pub(super) fn document(
     text: &str,
     path: &Path,
     base: Option<&Path>,
+    is_draft: bool,
 ) -> Result<Document, FileError> {
-    let source = TomlSource { text, path };
+    let source = TomlSource { text, path, is_draft };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     root.version("pinhole", "scene", VERSION)?;
@@ -48,12 +49,12 @@ pub(super) fn document(
 /// version, and what they do not give is that of the camera `at_hand`.
 pub(crate) fn camera(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let Input { text, path } = *input;
-    let source = TomlSource { text, path };
+    let source = TomlSource { text, path, is_draft: false };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     let mut scene = Document { camera: *at_hand, ..Document::default() };
     if root.get("pinhole").is_some() {
-        scene = document(text, path, None)?;
+        scene = document(text, path, None, false)?;
     } else {
         root.only(TOP, &[])?;
         tables(&root, &mut scene)?;
@@ -239,7 +240,7 @@ fn plane(section: &Section) -> Result<Plane, FileError> {
     let point = section.need("point", "point = [0.0, 0.0, -6.0]")?.vector()?;
     let field = section.need("normal", "normal = [0.0, 0.0, 1.0]")?;
     let normal = field.vector()?;
-    if normal == DVec3::ZERO {
+    if normal == DVec3::ZERO && !field.is_draft() {
         return Err(field.error("it must point somewhere"));
     }
     Ok(Plane { point, normal })

@@ -19,7 +19,7 @@ pub fn to_text(document: &Document, previous: Option<&str>) -> String {
     // TOML allows many layouts. If one of them cannot be kept, it is better to lose it than to write a
     // wrong value.
     let reads_back = |text: &String| {
-        read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == plain)
+        read::document(text, Path::new(""), None, false).is_ok_and(|read| fresh(&read) == plain)
     };
     let kept = edited.filter(reads_back);
     kept.unwrap_or(plain)

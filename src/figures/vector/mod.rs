@@ -10,7 +10,7 @@ use std::sync::LazyLock;
 use egui::epaint::tessellator::path::rounded_rectangle;
 use egui::epaint::{CircleShape, ColorMode, PathShape, RectShape, RoundedRect, TextShape};
 use egui::text::ByteIndex;
-use egui::{Color32, ColorImage, FontDefinitions, FontFamily, Pos2, Shape, Stroke, StrokeKind};
+use egui::{Color32, FontDefinitions, FontFamily, Pos2, Shape, Stroke, StrokeKind};
 use skrifa::instance::{LocationRef, Size};
 use skrifa::raw::TableProvider as _;
 use skrifa::{FontRef, GlyphId, MetadataProvider as _};
@@ -128,36 +128,6 @@ impl Maker {
         let points = points.iter().map(|at| [at.x * self.scale, at.y * self.scale]).collect();
         PathOutline::Chain { points, closed }
     }
-}
-
-/// Minimum number of pixels along the shorter side of a picture that [`compacted`] has shrunk. Programs
-/// that show the file may smooth the picture as they enlarge it; from this size on, that is hardly
-/// visible.
-const LEAST_SIDE: usize = 600;
-
-/// Shrinks a picture that consists of equal rectangles of one colour each, such as enlarged pixels, so
-/// that not every dot is stored. Returns other pictures unchanged.
-fn compacted(image: &ColorImage) -> ColorImage {
-    let [width, height] = image.size;
-    let dot = |row: usize, column: usize| image.pixels[row * width + column];
-    // Width and height of the equal rectangles of which the picture consists.
-    let side = |count: usize, differs: &dyn Fn(usize) -> bool| {
-        (1..count).filter(|k| differs(*k)).fold(count, gcd)
-    };
-    let row = side(height, &|k| (0..width).any(|column| dot(k, column) != dot(k - 1, column)));
-    let column = side(width, &|k| (0..height).any(|row| dot(row, k) != dot(row, k - 1)));
-    // Number of pixels per rectangle after shrinking, in both directions.
-    let times = LEAST_SIDE.div_ceil((width / column).min(height / row));
-    if times >= column.min(row) {
-        return image.clone();
-    }
-    let size = [width / column * times, height / row * times];
-    let pixel = |k: usize| dot(k / size[0] / times * row, k % size[0] / times * column);
-    ColorImage::new(size, (0..size[0] * size[1]).map(pixel).collect())
-}
-
-fn gcd(a: usize, b: usize) -> usize {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
 
 /// Slant of the letters that egui draws as italics: their shift to the right per unit of height.
@@ -473,34 +443,5 @@ mod tests {
                 path(chain(&corners, true), Color32::BLUE, Ink::Fill),
             ]
         );
-    }
-
-    /// Returns a picture of `w` x `h` pixels, all of different colours, each enlarged to `across` x
-    /// `down` dots.
-    fn enlarged([w, h]: [usize; 2], [across, down]: [usize; 2]) -> ColorImage {
-        let dots = (0..h * down).flat_map(|k| (0..w * across).map(move |l| (k / down, l / across)));
-        let color = |(k, l): (usize, usize)| Color32::from_rgb(k as u8, l as u8, 9);
-        ColorImage::new([w * across, h * down], dots.map(color).collect())
-    }
-
-    #[test]
-    fn large_pixels_are_stored_once_each_where_they_are_many() {
-        let picture = compacted(&enlarged([700, 650], [3, 2]));
-        assert_eq!(picture.size, [700, 650]);
-        assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
-        // In a small picture, each pixel is stored several times, to prevent blur from smoothing.
-        let few = compacted(&enlarged([4, 3], [300, 400]));
-        assert_eq!(few.size, [800, 600]);
-        assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);
-    }
-
-    #[test]
-    fn what_is_no_enlarged_picture_is_stored_dot_by_dot() {
-        for image in
-            [enlarged([40, 30], [1, 1]), enlarged([40, 30], [1, 5]), enlarged([4, 3], [5, 5])]
-        {
-            let picture = compacted(&image);
-            assert_eq!((picture.size, picture.pixels), (image.size, image.pixels));
-        }
     }
 }

@@ -24,7 +24,7 @@ use tiny_skia::PathSegment;
 
 use super::FontName;
 use super::{CasedText, LetterRun};
-use super::{Primitive, compacted, primitives};
+use super::{Primitive, primitives};
 use crate::figures::{Figure, SphereEdges};
 use crate::view::overlay::{Ink, Path, PathOutline};
 
@@ -49,7 +49,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
         writer.path(&Path { outline, color, ink: Ink::Fill });
     }
     if let Some(picture) = &figure.picture {
-        writer.surface.draw_image(image(&compacted(picture)), size);
+        writer.surface.draw_image(image(picture), size);
     }
     if let SphereEdges { outlines, picture: Some(picture) } = &figure.spheres {
         let image = image(picture);

@@ -12,7 +12,7 @@ use pinhole_exchange::is_hidden;
 
 use super::{CasedText, LetterRun};
 use super::{FontName, SANS};
-use super::{Primitive, compacted, primitives};
+use super::{Primitive, primitives};
 use crate::figures::{Figure, SphereEdges, to_png};
 use crate::view::overlay::{Ink, Path, PathOutline};
 
@@ -31,7 +31,7 @@ pub(in crate::figures) fn write(figure: &Figure) -> Result<String, String> {
         out += &format!("<rect width=\"{width}\" height=\"{height}\"{fill}/>\n");
     }
     if let Some(picture) = &figure.picture {
-        out += &image(&compacted(picture), figure.size, "")?;
+        out += &image(picture, figure.size, "")?;
     }
     if let SphereEdges { outlines, picture: Some(picture) } = &figure.spheres {
         let outlines: String = outlines.iter().map(ellipse).collect();

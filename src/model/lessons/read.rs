@@ -42,7 +42,8 @@ pub fn load(path: &Path) -> Result<Lesson, FileError> {
 /// Returns true if a file has the key that marks a lesson, even if the lesson is invalid.
 pub fn is_lesson(path: &Path) -> bool {
     let text = limits::read_text(path).unwrap_or_default();
-    toml(&TomlSource { text: &text, path }).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
+    toml(&TomlSource { text: &text, path, is_draft: false })
+        .is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
 }
 
 /// Parses the text of a lesson file. `path` is used in error messages. The paths of scenes are relative
@@ -51,7 +52,7 @@ pub fn is_lesson(path: &Path) -> bool {
 /// # Errors
 /// Returns the same errors as [`load`].
 pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, FileError> {
-    let source = TomlSource { text, path };
+    let source = TomlSource { text, path, is_draft: false };
     let toml = toml(&source)?;
     let root = Section::root(&source, toml.as_table());
     root.version(TOP[0], "lesson", VERSION)?;

@@ -134,14 +134,6 @@ impl Player {
         self.phase = to / steps;
     }
 
-    /// Changes the speed by `by` positions in [`Player::SPEEDS`].
-    pub fn faster(&mut self, by: i32) {
-        let now = Player::SPEEDS.iter().position(|speed| *speed >= self.speed);
-        let last = Player::SPEEDS.len() - 1;
-        let next = now.unwrap_or(last).saturating_add_signed(by as isize).min(last);
-        self.speed = Player::SPEEDS[next];
-    }
-
     /// Returns the current phase as text.
     pub fn position(&self) -> String {
         match self.kind {

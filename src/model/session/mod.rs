@@ -65,8 +65,6 @@ pub struct Session {
     pub answers: Option<StudentAnswers>,
     /// The state of presenter mode, while it is on.
     pub presenting: Option<Presenting>,
-    /// True if everything except a circle around the pointer is dimmed.
-    pub spotlight: bool,
     /// The pen for drawing over the views while presenting; `None` while it is not in use.
     pub pen: Option<Pen>,
     /// The state of the handles.
@@ -128,6 +126,7 @@ pub struct Settings {
     /// The shading of the pictures.
     pub shade: Shade,
     /// The items of the overlay.
+    #[serde(rename = "shown")]
     pub items: OverlayItems,
     /// Number of pixels that the loupe shows across and down; always odd.
     pub loupe_pixels: u32,

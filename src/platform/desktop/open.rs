@@ -484,7 +484,7 @@ fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallbac
 }
 
 /// Characters whose keys step or zoom repeatedly while held.
-const STEPPING: [&str; 7] = [",", ".", "[", "]", "+", "-", "="];
+const STEPPING: [&str; 5] = [",", ".", "+", "-", "="];
 
 /// Returns true if an event only repeats a held key and can be ignored: the key types no text, Ctrl is not
 /// held, and the key does not move or zoom in steps. Such a repeat would cost a frame, and would switch a

@@ -5,7 +5,7 @@
 
 mod browser;
 mod page;
-mod self_test;
+pub mod self_test;
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};

@@ -10,7 +10,7 @@ use pinhole_exchange::scenes::SceneSource;
 use crate::model::files::title_of;
 use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
-use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, Workspace, ZOOM};
+use crate::model::session::{Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FileAction, GhostAction, HistoryAction, Leave, LessonAction,
@@ -331,10 +331,6 @@ impl App {
                 }
                 self.scene.session.translator.notice = Some(said);
             }
-            ExchangeAction::TranslateInto(name) => {
-                self.scene.session.translator.target = name;
-                self.scene.session.settings.layout = ViewLayout::Translator;
-            }
             ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
             ExchangeAction::Save(path) => return files::save_translation(&self.scene, &path),
         }
@@ -374,10 +370,6 @@ fn change_look(session: &mut Session, action: LookAction) {
         LookAction::Scheme(scheme) => settings.scheme = scheme,
         LookAction::Toggle(switch) => switch.toggle(session),
         LookAction::Recap => session.toggle_recap(),
-        LookAction::DigitsBy(by) => {
-            let digits = settings.digits.saturating_add_signed(by as isize);
-            settings.digits = digits.clamp(DIGITS.0, DIGITS.1);
-        }
         LookAction::ZoomBy(by) => zoom_by(session, by),
         LookAction::Exercise(exercise) => {
             session.exercises.show(exercise, None);
@@ -421,7 +413,7 @@ fn present_or_end(session: &mut Session) {
         }
         Some(presenting) => {
             session.settings.layout = presenting.before(session.settings.layout);
-            (session.spotlight, session.pen) = (false, None);
+            session.pen = None;
             session.revealed_lines = None;
         }
     }

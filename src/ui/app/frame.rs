@@ -69,7 +69,7 @@ impl App {
                 views::pen(ui, ui.max_rect(), pen);
             }
         });
-        self.over.marks(ui, self.scene.session.spotlight);
+        self.over.marks(ui);
         if let Some(presenting) = self.scene.session.presenting.as_mut().filter(|now| now.is_blank)
         {
             presenting.is_blank = !over::blank(&ctx);
@@ -344,7 +344,8 @@ impl App {
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
-            let second = page.second.map_or("", second_picture::name);
+            let is_asking = scene.session.is_asking;
+            let second = page.second.map_or("", |second| second_picture::name(second, is_asking));
             views::inputs(ui, rects, second, &mut scene.session, shown);
             let is_free = scene.session.handles.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;

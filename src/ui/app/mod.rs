@@ -74,7 +74,7 @@ impl App {
         }
         window.address = remembered.address;
         let session = Session {
-            selection: remembered.selection.map_or_else(Default::default, Into::into),
+            selection: remembered.selection.unwrap_or_default(),
             settings: remembered.settings.in_range(),
             ..Session::default()
         };

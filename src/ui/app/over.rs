@@ -1,4 +1,4 @@
-//! The window's overlays: dialogs, the command palette, the list of keys, the focus ring and the spotlight.
+//! The window's overlays: dialogs, the command palette, the list of keys and the focus ring.
 
 use std::path::PathBuf;
 
@@ -65,8 +65,8 @@ impl Overlays {
         }
     }
 
-    /// Draws the focus ring and the spotlight.
-    pub(super) fn marks(&mut self, ui: &Ui, spotlight: bool) {
+    /// Draws the focus ring.
+    pub(super) fn marks(&mut self, ui: &Ui) {
         let (pressed, moved) = ui.input(|i| {
             let moves = [egui::Key::Tab, egui::Key::ArrowDown, egui::Key::ArrowUp];
             (i.pointer.any_pressed(), moves.iter().any(|key| i.key_pressed(*key)))
@@ -74,9 +74,6 @@ impl Overlays {
         self.by_keyboard = (self.by_keyboard || moved) && !pressed;
         if self.by_keyboard {
             theme::focus_ring(ui);
-        }
-        if spotlight {
-            theme::spotlight(ui.ctx());
         }
     }
 }

@@ -69,7 +69,6 @@ impl App {
             }
             (PlayAction::Toggle, Some(player)) => player.toggle(),
             (PlayAction::Step(by), Some(player)) => player.step(by),
-            (PlayAction::Faster(by), Some(player)) => player.faster(by),
             (PlayAction::Loop, Some(player)) => player.loops ^= true,
             (PlayAction::Keep, _) => self.keep_animation(ctx),
             (PlayAction::Close, _) => self.stop_animation(),

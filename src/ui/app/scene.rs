@@ -209,19 +209,12 @@ impl OpenScene {
             ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
             ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
             ObjectAction::Choose(index) if index < count => self.chosen_object = Some(index),
-            ObjectAction::Next(by) if count > 0 => {
-                // If no object is chosen, moving forward starts at the first object and moving backward at
-                // the last.
-                let from = chosen.map_or(if by > 0 { -1 } else { 0 }, |chosen| chosen as i64);
-                let next = (from + i64::from(by)).rem_euclid(count as i64);
-                self.chosen_object = Some(next as usize);
-            }
             ObjectAction::Remove => {
                 let removed = objects::remove(document, chosen?);
                 let problem = |reason| Dialog::message("This object was not removed", reason);
                 return removed.map(|()| self.chosen_object = None).err().map(problem);
             }
-            ObjectAction::Choose(_) | ObjectAction::Next(_) => {}
+            ObjectAction::Choose(_) => {}
         }
         None
     }
@@ -300,9 +293,9 @@ impl OpenScene {
             ..to.session.settings
         };
         let now = &mut self.session;
-        let (presenting, spotlight, pen) = (now.presenting, now.spotlight, now.pen.take());
+        let (presenting, pen) = (now.presenting, now.pen.take());
         let handles = HandleState::default();
-        let session = Session { settings, presenting, spotlight, pen, handles, ..to.session };
+        let session = Session { settings, presenting, pen, handles, ..to.session };
         *self = OpenScene { session, ..to };
     }
 }

@@ -91,7 +91,7 @@ impl AppWindow {
         let remembered = Remembered {
             settings: settings_to_remember(scene),
             window: self.geometry,
-            selection: argument.is_some().then(|| scene.session.selection.into()),
+            selection: argument.is_some().then_some(scene.session.selection),
             recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             renderer: self.renderer.clone(),
             address: self.address.clone(),

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use egui::{Context, Event, Key, Modifiers};
 
-use crate::ui::action::{Action, ObjectAction, Observe, Steer, VoteAction};
+use crate::ui::action::{Action, Observe, Steer, VoteAction};
 
 pub use search::found;
 pub use table::GESTURES;
@@ -149,7 +149,6 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer (world view)"),
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer (world view)"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom (world view)"),
-        Action::Object(ObjectAction::Next(_)) => Some("Previous and next object"),
         Action::Vote(VoteAction::Choose(_)) => Some("Choose this option"),
         _ => None,
     }

@@ -17,71 +17,51 @@ const SYNONYMS: [(&str, &str); 9] = [
     ("wall", "plane"),
 ];
 
-/// The quality of the match between a typed word and a command, from worst to best.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Fit {
-    /// The title contains the letters of the typed word in order.
-    Scattered,
-    /// A word of the title contains the typed word.
-    Inside,
-    /// A word of the description begins with the typed word.
-    Described,
-    /// A word of the title begins with the typed word.
-    Begins,
-    /// The typed word is a word of the title.
-    Whole,
-}
-
-/// Returns the commands that match every typed word, best first: commands are compared by the word that fits
-/// them worst. If nothing was typed, returns all commands in their order.
+/// Returns the commands that match every typed word, best first. If nothing was typed, returns all commands
+/// in their order.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
-    let typed = typed.to_lowercase();
-    let words: Vec<&str> = typed.split_whitespace().collect();
-    if words.is_empty() {
-        return commands.collect();
+    let typed = in_words(typed);
+    let mut ranked: Vec<_> = commands
+        .filter_map(|command| {
+            let (title, about) = (in_words(&command.title()), in_words(&command.about));
+            let fits = typed.split_whitespace().map(|word| fit(word, &title, &about));
+            let worst = fits.min().unwrap_or(BEST);
+            Some((Reverse(worst), command.group == Group::Step, title.len(), command))
+                .filter(|_| worst > 0)
+        })
+        .collect();
+    if !typed.trim().is_empty() {
+        // The sort is stable: equal matches keep the table's order.
+        ranked.sort_by_key(|(worst, is_step, length, _)| (*worst, *is_step, *length));
     }
-    let ranked = commands.filter_map(|command| {
-        let title = command.title().to_lowercase();
-        let about = command.about.to_lowercase();
-        let fits: Option<Vec<Fit>> = words.iter().map(|word| fit(word, &title, &about)).collect();
-        let mut fits = fits?;
-        fits.sort_unstable();
-        let is_step = command.group == Group::Step;
-        Some(((Reverse(fits), is_step, title.chars().count()), command))
-    });
-    let mut ranked: Vec<_> = ranked.collect();
-    // The sort is stable: equal matches keep the table's order.
-    ranked.sort_by(|(a, _), (b, _)| a.cmp(b));
-    ranked.into_iter().map(|(_, command)| command).collect()
+    ranked.into_iter().map(|(.., command)| command).collect()
 }
 
-/// Returns how well a typed word matches a command's title or description; `None` if it matches neither. All
-/// arguments must be in lower case.
-fn fit(word: &str, title: &str, about: &str) -> Option<Fit> {
-    let other = SYNONYMS.iter().find(|(typed, _)| *typed == word).map(|(_, word)| *word);
-    let in_words = |word: &str| {
-        let described = stands_in(word, about).filter(|fit| *fit >= Fit::Begins);
-        stands_in(word, title).max(described.map(|_| Fit::Described))
+/// Returns the text in lower case, with a space before and after each word in place of signs.
+fn in_words(text: &str) -> String {
+    format!(" {} ", text.to_lowercase().replace(|c: char| !c.is_alphanumeric(), " "))
+}
+
+/// The quality of a typed word that is a word of the title.
+const BEST: u8 = 4;
+
+/// Returns how well a typed word, or its synonym, matches a command's title or description: [`BEST`], or 3 if
+/// a word of the title begins with it, 2 if one of the description does, 1 if the title contains it, 0 if
+/// none of this holds.
+fn fit(word: &str, title: &str, about: &str) -> u8 {
+    let is_in =
+        |text: &str, before: &str, after: &str| text.contains(&format!("{before}{word}{after}"));
+    let own = if is_in(title, " ", " ") {
+        BEST
+    } else if is_in(title, " ", "") {
+        3
+    } else if is_in(about, " ", "") {
+        2
+    } else {
+        u8::from(is_in(title, "", ""))
     };
-    in_words(word).max(other.and_then(in_words)).or_else(|| {
-        let mut letters = title.chars();
-        let is_there = word.chars().all(|letter| letters.any(|other| other == letter));
-        is_there.then_some(Fit::Scattered)
-    })
-}
-
-/// Returns how well a word fits the best place in a text; `None` if the text does not contain it.
-fn stands_in(word: &str, text: &str) -> Option<Fit> {
-    let matches = text.match_indices(word).map(|(at, _)| {
-        let begins = !text[..at].ends_with(char::is_alphanumeric);
-        let ends = !text[at + word.len()..].starts_with(char::is_alphanumeric);
-        match (begins, ends) {
-            (true, true) => Fit::Whole,
-            (true, false) => Fit::Begins,
-            (false, _) => Fit::Inside,
-        }
-    });
-    matches.max()
+    let synonym = SYNONYMS.iter().find(|(typed, _)| *typed == word);
+    own.max(synonym.map_or(0, |(_, other)| fit(other, title, about)))
 }
 
 #[cfg(test)]
@@ -94,8 +74,8 @@ mod tests {
     }
 
     #[test]
-    fn letters_in_order_fit_and_others_do_not() {
-        for typed in ["lay der", "derivation layout", "ldrv", "LAYOUT: DERIVATION"] {
+    fn parts_of_words_fit_and_others_do_not() {
+        for typed in ["lay der", "derivation layout", "rivat", "LAYOUT: DERIVATION"] {
             assert!(titles(typed).contains(&"Layout: Derivation".to_owned()), "{typed}");
         }
         assert!(!titles("derivatino").contains(&"Layout: Derivation".to_owned()));

@@ -3,13 +3,13 @@
 
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
-use pinhole_exchange::{BuiltinScene, Format, SceneSource};
+use pinhole_exchange::{BuiltinScene, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
+use crate::model::Item;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::play::Kind;
 use crate::model::session::{Scheme, ThemeName, ViewLayout, shade_about, shade_label};
-use crate::model::{DerivationSection, Item};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
     HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
@@ -160,8 +160,6 @@ fn presenting() -> Vec<UiCommand> {
             [plain(Presenting, Key::T)], LookAction::SwitchTheme;
         Presenting, "Blank screen", "Turns the screen black; any key or click brings the picture back.",
             [plain(Presenting, Key::B), plain(PresentingStill, Key::Period)], LookAction::Blank;
-        Presenting, "Spotlight", "Dims everything but what is around the pointer.",
-            [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]
 }
 
@@ -208,10 +206,6 @@ fn playing() -> Vec<UiCommand> {
             [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
         Play, "Swap camera and ghost", "Exchanges the camera and the ghost.",
             [], GhostAction::Swap;
-        Play, "Faster", "Runs the open animation faster.",
-            [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
-        Play, "Slower", "Runs the open animation more slowly.",
-            [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
         Play, "Loop", "Turns repetition of the open animation on or off.",
             [plain(Untyped, Key::L)], PlayAction::Loop;
         Play, "Keep", "Closes the animation and keeps the current state.",
@@ -276,12 +270,6 @@ fn switches() -> Vec<UiCommand> {
         let (name, action) = (item.label(), LookAction::Toggle(Switch::Item(item)));
         commands.push(command(Group::Overlay, name, &format!("Shows or hides {name}"), action));
     }
-    for section in DerivationSection::ALL {
-        let name = format!("derivation's part “{}”", section.label());
-        let about = format!("Shows or hides the {name}.");
-        let action = LookAction::Toggle(Switch::Section(section));
-        commands.push(command(Group::Layout, &name, &about, action));
-    }
     commands.extend(commands![
         Numbers, "Exact forms in the derivation", "Writes 1/√2 and the like, or decimals.",
             [], LookAction::Toggle(Switch::ExactForms);
@@ -289,8 +277,6 @@ fn switches() -> Vec<UiCommand> {
             [], LookAction::Toggle(Switch::CountFromOne);
         Colours, "Reduced motion", "Turns off transitions.",
             [], LookAction::Toggle(Switch::ReducedMotion);
-        Numbers, "More digits", "Shows one digit more.", [], LookAction::DigitsBy(1);
-        Numbers, "Fewer digits", "Shows one digit fewer.", [], LookAction::DigitsBy(-1);
     ]);
     commands
 }
@@ -304,11 +290,6 @@ fn choices() -> Vec<UiCommand> {
     };
     for layout in ViewLayout::LISTED {
         add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
-    }
-    for format in Format::all() {
-        let (name, action) = (format.label, ExchangeAction::TranslateInto(format.name));
-        let about = "Shows the camera in these terms.";
-        add(Group::Layout, &format!("translate into {name}"), about, action.into());
     }
     for shade in Shade::ALL {
         let name = format!("shading {}", shade_label(shade));
@@ -374,12 +355,7 @@ fn zooms() -> Vec<UiCommand> {
 
 #[rustfmt::skip]
 fn objects_and_drags() -> Vec<UiCommand> {
-    use When::View;
     commands![
-        Objects, "Previous object", "Chooses the previous object in the list.",
-            [plain(View, Key::OpenBracket)], ObjectAction::Next(-1);
-        Objects, "Next object", "Chooses the next object in the list.",
-            [plain(View, Key::CloseBracket)], ObjectAction::Next(1);
         Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.",
             [], ObjectAction::AddSphere;
         Objects, "+ Plane", "Adds a plane below the origin, and chooses it.",
@@ -388,11 +364,6 @@ fn objects_and_drags() -> Vec<UiCommand> {
             [], ObjectAction::Remove;
         Hand, "Eye travels", "On: moving the eye keeps the view direction. Off: the eye orbits at.",
             [], LookAction::Toggle(Switch::EyeTravels);
-        Hand, "Keep the pixels' shape", "Keeps width and height in proportion to the image.",
-            [], LookAction::Toggle(Switch::KeepPixelShape);
-        Hand, "Keep the picture",
-            "Scales distance, width and height together, so that the picture stays the same.",
-            [], LookAction::Toggle(Switch::KeepPicture);
         Hand, "Keep up",
             "On: up stays fixed while eye or at is dragged. Off: up turns with the camera where view comes close to it.",
             [], LookAction::Toggle(Switch::KeepUp);

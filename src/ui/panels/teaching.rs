@@ -1,15 +1,8 @@
-//! The camera panel's experiments: edits that change a single property of the camera, and a dial that shows
-//! the camera's conditioning, that is, by how many degrees it rolls for each degree that up is tipped
-//! sideways.
+//! The camera panel's experiments: edits that change a single property of the camera, and its conditioning,
+//! that is, by how many degrees it rolls for each degree that up is tipped sideways.
 
-use std::f32::consts::PI;
-
-use egui::epaint::PathStroke;
-use egui::{
-    Align2, CollapsingHeader, Context, FontId, Id, Label, Pos2, RichText, Sense, Shape, Slider,
-    Stroke, Ui, pos2, vec2,
-};
-use pinhole_core::{BasisError, Camera, UpAngle};
+use egui::{CollapsingHeader, Context, Id, Label, RichText, Slider, Ui};
+use pinhole_core::{Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
 use crate::model::session::Settings;
@@ -29,7 +22,9 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
             ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
             swing(ui, camera);
             tilt(ui, camera);
-            dial(ui, camera);
+            if let Ok(UpAngle { conditioning, .. }) = camera.up_angle() {
+                sensitivity(ui, conditioning);
+            }
         }
     });
     if response.header_response.clicked() {
@@ -148,78 +143,14 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
     });
 }
 
-/// Number of decades of the dial's scale, which ends at 10^6.
-const DECADES: f32 = 6.0;
-const RADIUS: f32 = 64.0;
-/// Size of the dial's number, in points; it is legible from the back row of a classroom.
+/// Size of the sensitivity, in points; it is legible from the back row of a classroom.
 const NUMBER: f32 = 20.0;
-/// Size of the words below the dial, in points; they are legible from the back row of a classroom.
-const WORDS: f32 = 15.0;
-/// Size of the scale's numbers, in points.
-const TICK: f32 = 12.0;
 
-/// Conditioning above which the camera is called sensitive.
-const SENSITIVE: f64 = 2.0;
-/// Conditioning above which the camera is called very sensitive.
-const VERY_SENSITIVE: f64 = 20.0;
-
-/// Shows the dial of this camera. If up is parallel to the view direction, the needle points to the scale's
-/// end; no other invalid camera has a dial.
-fn dial(ui: &mut Ui, camera: &Camera) {
-    match camera.up_angle() {
-        Ok(UpAngle { conditioning, .. }) => {
-            face(ui, conditioning);
-            words(ui, conditioning);
-        }
-        Err(BasisError::UpParallelToView { .. }) => face(ui, f64::INFINITY),
-        Err(_) => {}
-    }
-}
-
-/// Shows the number and its meaning.
-fn words(ui: &mut Ui, conditioning: f64) {
+/// Shows the camera's conditioning: by how many degrees the camera rolls for each degree
+/// that up is tipped sideways.
+fn sensitivity(ui: &mut Ui, conditioning: f64) {
     let number = format!("{}° of roll per 1° of up", written(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
     let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
     response.on_hover_text(hint).named("sensitivity").spoken(number);
-    let meaning = if conditioning < SENSITIVE {
-        "Calm: up and view are well apart."
-    } else if conditioning < VERY_SENSITIVE {
-        "Sensitive: up is close to the line of view."
-    } else {
-        "Very sensitive: up and view are almost parallel."
-    };
-    ui.label(RichText::new(meaning).size(WORDS));
-}
-
-/// Draws the dial: a semicircle with a scale from 1 on the left to a million on the right, and the needle.
-fn face(ui: &mut Ui, conditioning: f64) {
-    let size = vec2(ui.available_width(), RADIUS + 30.0);
-    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
-    let hub = pos2(rect.center().x, rect.bottom() - 6.0);
-    let text = ui.visuals().strong_text_color();
-    let arc = (0..=72).map(|k| at(hub, PI * k as f32 / 72.0, RADIUS)).collect();
-    ui.painter().add(Shape::line(arc, PathStroke::new(3.0, ui.visuals().weak_text_color())));
-    for decade in 0..=DECADES as usize {
-        let angle = angle_of(decade as f32);
-        let (inner, outer) = (at(hub, angle, RADIUS - 5.0), at(hub, angle, RADIUS + 4.0));
-        ui.painter().line_segment([inner, outer], Stroke::new(1.5, text));
-        let label = ["1", "10", "100", "10³", "10⁴", "10⁵", "10⁶"][decade];
-        let center = at(hub, angle, RADIUS + 15.0);
-        ui.painter().text(center, Align2::CENTER_CENTER, label, FontId::proportional(TICK), text);
-    }
-    let decade = (conditioning.log10() as f32).clamp(0.0, DECADES);
-    let tip = at(hub, angle_of(decade), RADIUS - 12.0);
-    ui.painter().line_segment([hub, tip], Stroke::new(3.0, text));
-    ui.painter().circle_filled(hub, 5.0, text);
-}
-
-/// Returns the angle on the dial, in radians, of the number with this decimal logarithm. The scale runs from
-/// the left over the top to the right.
-fn angle_of(decades: f32) -> f32 {
-    PI * (1.0 - decades / DECADES)
-}
-
-fn at(hub: Pos2, angle: f32, radius: f32) -> Pos2 {
-    hub + radius * vec2(angle.cos(), -angle.sin())
 }

@@ -8,7 +8,6 @@ use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::overlay_items::Item;
-use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{
     DIGITS, Scheme, Settings, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
 };
@@ -229,14 +228,6 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     ui.menu_button("Numbers", |ui| numbers_menu(ui, settings));
     ui.separator();
     ui.checkbox(&mut settings.reduced_motion, "Reduced motion");
-    ui.horizontal(|ui| {
-        ui.label("Smallest text while presenting");
-        let Range { least, most, .. } = SMALLEST_TEXT;
-        let field = egui::DragValue::new(&mut settings.smallest_text).range(least..=most);
-        let hint = "Points in a window of 1024 × 768; in a larger one it grows with the window";
-        let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(hint);
-        response.named("smallest text while presenting");
-    });
     entry(ui, "Larger", LookAction::ZoomBy(1));
     entry(ui, "Smaller", LookAction::ZoomBy(-1));
     entry(ui, "Reset zoom", LookAction::ZoomBy(0));

@@ -68,11 +68,14 @@ fn title(mistakes_view: &MistakesView) -> String {
     }
 }
 
+/// The titles of both pictures on a lesson's stage while the step's question is open.
+pub(crate) const HEADINGS: [&str; 2] = ["Camera 1", "Camera 2"];
+
 /// Shows the titles above the pictures of the right and the wrong camera on a lesson's stage. While the step's
 /// question is open, they do not say which is right.
 pub(crate) fn headings(ui: &mut Ui, areas: [Rect; 2], is_asking: bool) {
-    let titles = [("Camera 1", ": right", true), ("Camera 2", ": wrong", false)];
-    for (area, (name, verdict, is_right)) in areas.into_iter().zip(titles) {
+    let verdicts = [(": right", true), (": wrong", false)];
+    for ((area, name), (verdict, is_right)) in areas.into_iter().zip(HEADINGS).zip(verdicts) {
         strip_above(ui, area, |ui| {
             if is_asking {
                 ui.strong(name);
@@ -161,7 +164,6 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
         explanation(ui, wrong, style);
         if is_narrow {
             ui.add_space(4.0);
-            ui.spacing_mut().item_spacing.y = 0.0;
             checks(ui, wrong, style);
         }
     });
@@ -318,6 +320,7 @@ fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
         ui.label("Without a wrong camera there is nothing to check.");
         return;
     }
+    ui.spacing_mut().item_spacing.y = 0.0;
     ui.strong(summary(wrong));
     ui.add_space(3.0);
     for passes in [false, true] {
@@ -351,23 +354,16 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
 /// the row are shown below it.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     let value = text_of(here.value, style);
-    let right = format!("right: {}", wanted(here, right, style));
-    let mut fits = true;
-    ui.horizontal_top(|ui| {
+    ui.horizontal_wrapped(|ui| {
         verdict_and_formula(ui, here, &value);
-        fits = text_width(ui, &value).max(text_width(ui, &right)) <= ui.available_width();
+        let text = RichText::new(value);
         if here.passes {
-            cell(ui, ui.available_width(), |ui| ui.label(&value));
-        } else if fits {
-            both(ui, &value, &right);
+            ui.add(Label::new(text).extend());
+        } else {
+            ui.add(Label::new(text.strong().color(error_color(ui))).extend());
+            ui.add(Label::new(format!("right: {}", wanted(here, right, style))).extend());
         }
     });
-    if !here.passes && !fits {
-        ui.horizontal_top(|ui| {
-            cell(ui, VERDICT * text_size(ui) / TEXT, |_| ());
-            both(ui, &value, &right);
-        });
-    }
 }
 
 fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
@@ -382,18 +378,6 @@ fn verdict_and_formula(ui: &mut Ui, here: &Checked, value: &str) {
     cell(ui, scale * VERDICT, |ui| ui.label(verdict)).spoken(spoken);
     cell(ui, scale * FORMULA, |ui| ui.label(here.check.formula()))
         .on_hover_text(here.check.meaning());
-}
-
-/// Shows the wrong value and the right one, in two lines if they do not fit in one.
-fn both(ui: &mut Ui, value: &str, right: &str) {
-    cell(ui, ui.available_width(), |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        ui.horizontal_wrapped(|ui| {
-            let value = RichText::new(value).strong().color(error_color(ui));
-            ui.label(value);
-            ui.add(Label::new(right).extend());
-        });
-    });
 }
 
 fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {

@@ -17,11 +17,10 @@ use crate::model::session::Session;
 use crate::model::session::presenting::WRITTEN;
 use crate::ui::action::VoteAction;
 use crate::ui::commands_table::shortcut;
-use crate::ui::practice::seed_field;
 use crate::ui::widgets::{
     ResponseExt as _, clipped, cross, fault_text, inside, marked_text, text_width, tick,
 };
-use crate::view::typesetting::theme::{self, error_color};
+use crate::view::typesetting::theme::error_color;
 
 /// The letters of the options.
 const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
@@ -317,24 +316,21 @@ fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
 
 /// Shows the field for the hands and the buttons: in two rows, or in one if the page is wide.
 fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>, is_wide: bool) {
-    let mut seed = view.seed;
-    let mut closes = false;
+    let (mut another, mut closes) = (false, false);
     ui.horizontal(|ui| {
         let Some(open) = &mut view.open_vote else { return };
         hands(ui, open);
         if is_wide {
-            (seed, closes) = ways_on(ui, view, inputs);
+            (another, closes) = ways_on(ui, view, inputs);
         }
     });
     if !is_wide {
-        ui.horizontal(|ui| (seed, closes) = ways_on(ui, view, inputs));
+        ui.horizontal(|ui| (another, closes) = ways_on(ui, view, inputs));
     }
     if closes {
         view.close_vote();
-    } else if seed != view.seed
-        && let Some((camera, resolved, scene)) = inputs
-    {
-        view.seed = seed;
+    } else if another && let Some((camera, resolved, scene)) = inputs {
+        view.seed = next_seed(view.seed);
         view.ask(camera, resolved, scene);
     }
 }
@@ -355,20 +351,13 @@ fn hands(ui: &mut Ui, open: &mut OpenVote) {
     next.on_hover_text(hint).asks(VoteAction::NextRound);
 }
 
-/// Shows the buttons that reveal the right option, ask again or end the vote. Returns the seed of the next
-/// vote, which differs from the current one if another vote is asked for, and true to end the vote.
-fn ways_on(ui: &mut Ui, view: &MistakesView, inputs: Option<VoteInputs>) -> (u64, bool) {
+/// Shows the buttons that reveal the right option, ask again or end the vote. Returns whether another vote
+/// is asked for, and whether the vote is to end.
+fn ways_on(ui: &mut Ui, view: &MistakesView, inputs: Option<VoteInputs>) -> (bool, bool) {
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     let response = ui.add_enabled(!view.is_revealed(), reveal);
     response.on_hover_text("Enter or Page Down").asks(VoteAction::Reveal);
     let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
     let closes = ui.button("All mistakes").on_hover_text("Ends the vote").clicked();
-    let mut seed = if another { next_seed(view.seed) } else { view.seed };
-    if !theme::installed(ui.ctx()).presenting {
-        let hint = "The number that the question is drawn from: in the same scene, the same seed asks \
-                    the same question";
-        ui.label("seed").on_hover_text(hint);
-        seed_field(ui, &mut seed, "vote seed", hint);
-    }
-    (seed, closes)
+    (another, closes)
 }

@@ -8,7 +8,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{
     Align, Context, FontId, Grid, Id, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui,
 };
-use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps, UpAngle};
+use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
@@ -47,7 +47,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
         };
         ui.with_layout(layout, |ui| {
             let Some(resolved) = &derived.resolved else { return };
-            block(ui, 110.0, &mut |ui| basis(ui, resolved, derived.up_angle, style));
+            block(ui, 110.0, &mut |ui| {
+                self::block(ui, "Basis", &of_basis(resolved, derived.up_angle), style);
+            });
             let Some(inspection) = &derived.inspection else { return };
             block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
             ui.vertical(|ui| hits(ui, derived, document, style));
@@ -97,16 +99,6 @@ pub(crate) fn steps(steps: Steps) -> String {
 const LEFT_OUT: &str = "The renderer skips spheres that are behind the eye, outside the picture or too \
                         small to reach a pixel, and rows that no object reaches";
 
-/// Shows a block's title with a button that copies its lines.
-fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
-    ui.horizontal(|ui| {
-        ui.label(RichText::new(text).strong());
-        if ui.small_button("Copy").named(format!("Copy {text}")).clicked() {
-            ui.ctx().copy_text(lines());
-        }
-    });
-}
-
 /// Lays out the name of a reading, a named quantity with its value. A vector that the views draw has its
 /// colour from there.
 fn name_of(ui: &Ui, reading: &Reading, strong: bool, size: f32) -> LayoutJob {
@@ -143,12 +135,9 @@ fn written(Reading { name, value, .. }: &Reading, style: NumberStyle) -> String 
     format!("{name} {}", style.equated_value(value))
 }
 
-/// Shows readings (named quantities) in a block, one per line, with a button that copies them.
+/// Shows readings (named quantities) in a block, one per line.
 fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
-    let copied = style.for_programs();
-    self::title(ui, title, || {
-        readings.iter().map(|reading| written(reading, copied) + "\n").collect()
-    });
+    ui.strong(title);
     let size = TextStyle::Body.resolve(ui.style()).size;
     Grid::new(title).num_columns(2).show(ui, |ui| {
         for reading in readings {
@@ -169,19 +158,6 @@ fn weak(ui: &mut Ui, text: &str) -> Response {
     notation::label(ui, text, size, ui.visuals().weak_text_color())
 }
 
-fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: NumberStyle) {
-    block(ui, "Basis", &of_basis(resolved, angle), style);
-    if let Some(UpAngle { conditioning, .. }) = angle {
-        let text = if conditioning < 1.5 {
-            "up and view are well apart".to_owned()
-        } else {
-            let roll = style.number(conditioning);
-            format!("{roll}° of roll for each degree that up is tipped sideways, for small angles")
-        };
-        ui.weak(text);
-    }
-}
-
 fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: NumberStyle) {
     block(ui, "Ray", &inspection.ray_readings(resolved.image()), style);
     weak(ui, "p + t d, t = 1 on the viewport");
@@ -192,17 +168,7 @@ fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: N
 fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let Some(inspection) = derived.inspection.as_deref() else { return };
     let object_of = |index: usize| document.title_of(inspection.roots[index].object as usize);
-    let parts = |style| listed_parts(derived, document, style);
-    title(ui, "Hits", || {
-        let style = style.for_programs();
-        let root = |index: usize| {
-            let numbers = inspection.root_readings(index).map(|reading| written(&reading, style));
-            let (object, verdict) = (object_of(index), inspection.verdict(index));
-            format!("{object}\t{}\t{verdict}\n", numbers.join("\t"))
-        };
-        let parts = parts(style).into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"));
-        (0..inspection.roots.len()).map(root).chain(parts).collect()
-    });
+    ui.strong("Hits");
     if inspection.roots.is_empty() {
         ui.label("The ray meets nothing.");
     }
@@ -224,7 +190,7 @@ fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle)
         });
     }
     ui.add_space(4.0);
-    for (title, parts) in parts(style) {
+    for (title, parts) in listed_parts(derived, document, style) {
         ui.horizontal_wrapped(|ui| {
             ui.weak(format!("{title}:"));
             let response = weak(ui, &parts);

@@ -6,7 +6,6 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
-use crate::view::typesetting::theme;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -133,10 +132,9 @@ impl Divider<'_> {
     /// Returns both.
     pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
         let area = self.whole;
-        // In a hall, pictures that are compared keep half of the height.
-        let presenting = theme::installed(self.ui.ctx()).presenting;
+        // Pictures that are compared keep half of the height.
         let compares = matches!(split, Split::Mistakes | Split::Answers);
-        let share = if presenting && compares { 0.5 } else { 1.0 };
+        let share = if compares { 0.5 } else { 1.0 };
         let most = (share * area.height() - STRIP).min(area.height() - SMALLEST - STRIP).max(80.0);
         let height = self.splits.get(split).clamp(80.0, most);
         let boundary = area.bottom() - height;

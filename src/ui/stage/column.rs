@@ -19,11 +19,11 @@ use crate::view::lines::substitution;
 use crate::view::typesetting::theme;
 
 /// Distance between the column's edge and its contents, in points.
-const MARGIN: [f32; 2] = [14.0, 10.0];
+const MARGIN: [f32; 2] = [14.0, 6.0];
 /// Distance between two texts, in points.
-const GAP: f32 = 8.0;
+const GAP: f32 = 6.0;
 /// Padding around the answer, in points.
-const PADDING: f32 = 6.0;
+const PADDING: f32 = 5.0;
 /// Height of the row with the buttons or the step's number, in points.
 const FOOT: f32 = 30.0;
 /// Radius of the dot for the lecturer, in points.

@@ -23,7 +23,7 @@ mod navigation;
 /// window's.
 const BESIDE_COLUMN: [f32; 2] = [0.58, 0.77];
 /// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
-const ABOVE_COLUMN: [f32; 2] = [0.52, 0.5];
+const ABOVE_COLUMN: [f32; 2] = [0.52, 0.525];
 /// Distance of an inset from the edges of the main figure, in points.
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.

@@ -16,9 +16,7 @@ use pinhole_exchange::programs::FORMATS;
 
 use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
-use crate::model::translator::{
-    ConventionRow, MOST_OBJECTS, Notice, Translation, Translator, shortened,
-};
+use crate::model::translator::{ConventionRow, MOST_OBJECTS, Notice, Translation, Translator};
 use crate::ui::action::ExchangeAction;
 use crate::ui::widgets::{ResponseExt as _, cell};
 use crate::view::typesetting::theme::error_color;
@@ -64,12 +62,10 @@ pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
         let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
         let many = "There are too many to show: pinhole export writes them";
         ui.add_enabled(few, objects).on_disabled_hover_text(many);
-        ui.checkbox(&mut choice.every_digit, "every digit");
     });
     ui.separator();
     ScrollArea::vertical().id_salt("translation").auto_shrink(false).show(ui, |ui| {
-        let shown = if choice.every_digit { 17 } else { digits };
-        text(ui, &translation, shown);
+        text(ui, &translation);
         ui.add_space(6.0);
         table(ui, &translation.rows, choice.chosen().short);
     });
@@ -94,7 +90,7 @@ fn targets(ui: &mut Ui, translator: &mut Translator) {
 
 /// Shows the translated text, in which numbers with changed signs are underlined, and the notes about what
 /// the format cannot express.
-fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
+fn text(ui: &mut Ui, translation: &Translation) {
     let written = match &translation.written {
         Ok(written) => written,
         Err(error) => {
@@ -105,9 +101,8 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
         ui.set_width(ui.available_width());
         let exact = written.text.text.trim_end();
-        let shown = shortened(&written.text, digits);
-        let size = code_size(ui, &shown.text);
-        let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
+        let size = code_size(ui, exact);
+        let response = ui.add(Label::new(marked(ui, &written.text, size)).wrap());
         let response = response.with_role(egui::accesskit::Role::Code);
         response.named("translation").spoken(exact);
     });

@@ -1,34 +1,51 @@
-//! Painting of pixels: marks are painted directly into a picture with tiny-skia, and the edited camera's
-//! picture is stretched over a view without smoothing.
+//! Painting of pixels: marks are painted directly into a picture, and the edited camera's picture is stretched
+//! over a view without smoothing.
 
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Raster};
 use rayon::prelude::*;
-use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PixmapMut, Stroke, StrokeDash, Transform};
+use tiny_skia::{LineCap, LineJoin, PathSegment, Stroke, StrokeDash};
+use vello_common::fearless_simd::Level;
+use vello_common::geometry::RectU16;
+use vello_common::kurbo::{Affine, PathEl, Point, flatten};
+use vello_common::peniko::Fill;
+use vello_common::strip::{StripFillSegment, visit_strip_fill_segments};
+use vello_common::strip_generator::{StripGenerator, StripStorage};
+use vello_common::tile::Tile;
 
 use crate::view::overlay::drawing::{Drawing, Ink, Path};
+use crate::view::painter::{Rgba, UNIT, fill, over, unpack};
 
 /// Number of rows painted at a time, few enough that their pixels fit into the cache.
 const BAND: usize = 32;
 
-/// Paths prepared for painting: outlines to fill, each with its paint.
+/// Number of rows of a strip.
+const ROWS: usize = Tile::HEIGHT as usize;
+
+/// Maximum distance of a curve from the lines that are painted for it, in screen pixels.
+const FLATNESS: f64 = 0.02;
+
+/// Paths prepared for painting: which part of each pixel a path covers, and its colour.
 #[derive(Debug, Default)]
-pub(super) struct Fills(Vec<(tiny_skia::Path, Paint<'static>)>);
+pub(super) struct Fills(Vec<(StripStorage, Rgba)>);
 
 impl Fills {
-    /// Prepares the marks of a drawing.
-    pub(super) fn new(drawing: &Drawing) -> Fills {
-        Fills::of_paths(&drawing.paths().collect::<Vec<_>>())
+    /// Prepares the marks of a drawing for a picture of this width and height.
+    pub(super) fn new(drawing: &Drawing, size: [usize; 2]) -> Fills {
+        Fills::of_paths(&drawing.paths().collect::<Vec<_>>(), size)
     }
 
-    fn of_paths(paths: &[Path]) -> Fills {
-        let filled = paths.par_iter().with_min_len(8).filter_map(|path| {
-            let [r, g, b, a] = path.color.to_srgba_unmultiplied();
-            let mut paint = Paint::default();
-            paint.set_color_rgba8(r, g, b, a);
-            Some((outlined(path)?, paint))
+    fn of_paths(paths: &[Path], size: [usize; 2]) -> Fills {
+        let [width, height] = size.map(|n| u16::try_from(n).unwrap_or(u16::MAX));
+        let generator = || StripGenerator::new(width, height, Level::new());
+        let fills = paths.par_iter().with_min_len(8).map_init(generator, |generator, path| {
+            let mut strips = StripStorage::default();
+            let (fill, unmoved) = (Fill::NonZero, Affine::IDENTITY);
+            let lines = outlined(path).map(|outline| lines_of(&outline)).unwrap_or_default();
+            generator.generate_filled_path(lines, fill, unmoved, None, &mut strips, None);
+            (strips, unpack(path.color))
         });
-        Fills(filled.collect())
+        Fills(fills.collect())
     }
 
     /// Paints the paths over a picture of `width` screen pixels per row, in parallel bands of rows. For
@@ -43,26 +60,75 @@ impl Fills {
             return;
         }
         dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
-            let (top, height) = (band * BAND, dots.len() / width);
-            before(top, dots);
-            // egui and tiny-skia use the same layout: four bytes per pixel, premultiplied.
-            let bytes = bytemuck::cast_slice_mut(dots);
-            let band = PixmapMut::from_bytes(bytes, width as u32, height as u32);
-            let Some(mut band) = band else { return };
-            let (above, below) = (top as f32, (top + height) as f32);
-            let moved = Transform::from_translate(0.0, -above);
-            for (path, paint) in &self.0 {
-                if path.bounds().bottom() > above && path.bounds().top() < below {
-                    band.fill_path(path, paint, FillRule::Winding, moved, None);
-                }
+            before(band * BAND, dots);
+            for (strips, color) in &self.0 {
+                paint_strips(strips, *color, band * BAND, width, dots);
             }
         });
     }
 }
 
+/// Blends a colour over the pixels that a path covers in a band of rows, of which `top` is the first.
+fn paint_strips(
+    StripStorage { strips, alphas, .. }: &StripStorage,
+    color: Rgba,
+    top: usize,
+    width: usize,
+    mut dots: &mut [Color32],
+) {
+    let tile = |dots: usize| dots.div_ceil(ROWS) as u16;
+    let bounds = RectU16::new(0, tile(top), tile(width), tile(top + dots.len() / width));
+    let first = strips.partition_point(|strip| usize::from(strip.y) < top);
+    visit_strip_fill_segments(
+        &strips[first..],
+        bounds,
+        &mut dots,
+        |dots, segment| {
+            let columns = alphas[segment.alpha_idx as usize..].chunks_exact(ROWS);
+            for (row, run) in runs(dots, width, top, segment.fill).enumerate() {
+                for (dot, column) in run.iter_mut().zip(columns.clone()) {
+                    let share = f32::from(column[row]) * UNIT;
+                    if share > 0.0 {
+                        *dot = over(*dot, color.map(|channel| channel * share));
+                    }
+                }
+            }
+        },
+        |dots, segment| runs(dots, width, top, segment).for_each(|run| fill(run, color)),
+    );
+}
+
+/// Returns the pixels of a segment row by row, in a band of rows of which `top` is the first.
+fn runs(
+    dots: &mut [Color32],
+    width: usize,
+    top: usize,
+    segment: StripFillSegment,
+) -> impl Iterator<Item = &mut [Color32]> {
+    let rows = dots.chunks_mut(width).skip(usize::from(segment.y()) - top).take(ROWS);
+    let run = usize::from(segment.x0())..usize::from(segment.x1()).min(width);
+    rows.map(move |row| &mut row[run.clone()])
+}
+
 /// Paints paths over a picture of `width` screen pixels per row.
 pub fn paint_paths(paths: &[Path], width: usize, dots: &mut [Color32]) {
-    Fills::of_paths(paths).paint_after(width, dots, |_, _| ());
+    let height = dots.len() / width.max(1);
+    Fills::of_paths(paths, [width, height]).paint_after(width, dots, |_, _| ());
+}
+
+/// Returns an outline without curves.
+fn lines_of(outline: &tiny_skia::Path) -> Vec<PathEl> {
+    let at = |p: tiny_skia::Point| Point::new(p.x.into(), p.y.into());
+    let elements = outline.segments().map(|segment| match segment {
+        PathSegment::MoveTo(to) => PathEl::MoveTo(at(to)),
+        PathSegment::LineTo(to) => PathEl::LineTo(at(to)),
+        PathSegment::QuadTo(a, to) => PathEl::QuadTo(at(a), at(to)),
+        PathSegment::CubicTo(a, b, to) => PathEl::CurveTo(at(a), at(b), at(to)),
+        PathSegment::Close => PathEl::ClosePath,
+    });
+    let mut lines = Vec::new();
+    flatten(elements, FLATNESS, |element| lines.push(element));
+    lines
 }
 
 /// Returns the outline of the area to fill: that of the path or, for a stroke, that of the stroked line.
@@ -203,6 +269,19 @@ mod tests {
             let inside = if (3..97).contains(&row) { 1.0 } else { 0.0 };
             assert!(shares[6..35].iter().all(|share| *share == inside), "{row}");
             assert!((shares[5] - 0.5 * inside).abs() < 0.01, "{row}");
+        }
+    }
+
+    #[test]
+    fn a_small_disc_covers_its_area() {
+        for radius in [2.0_f32, 3.0, 9.0] {
+            let outline = PathOutline::Circle { center: [20.3, 31.6], radius };
+            let path = Path { outline, color: Color32::WHITE, ink: Ink::Fill };
+            let mut dots = vec![Color32::BLACK; WIDTH * 100];
+            paint_paths(&[path], WIDTH, &mut dots);
+            let covered: f32 = dots.iter().map(|dot| f32::from(dot.r()) / 255.0).sum();
+            let area = std::f32::consts::PI * radius * radius;
+            assert!((covered / area - 1.0).abs() < 0.02, "{radius}: {covered}, not {area}");
         }
     }
 

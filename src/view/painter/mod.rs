@@ -17,6 +17,7 @@ use rayon::prelude::*;
 use texture::Texture;
 
 pub use canvas::Canvas;
+pub(crate) use texture::{Rgba, UNIT, fill, over, unpack};
 
 mod canvas;
 mod texture;

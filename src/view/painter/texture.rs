@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use egui::epaint::{ImageData, ImageDelta};
 use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
-use rayon::prelude::*;
 
 /// A texture.
 #[derive(Debug)]
@@ -14,16 +13,13 @@ pub(super) struct Texture {
     /// The image as egui sent it. It is shared with egui, and copied only when a part of it is replaced.
     image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
-    /// True if all texels are opaque, so that copying a texel gives the same result as blending it.
-    pub(super) opaque: bool,
 }
 
 impl Texture {
     /// Creates a texture from its whole image.
     pub(super) fn new(image: ImageData, options: TextureOptions) -> Self {
         let ImageData::Color(image) = image;
-        let opaque = all_opaque(&image.pixels);
-        Self { size: image.size, image, options, opaque }
+        Self { size: image.size, image, options }
     }
 
     /// Returns the texels, row by row from the top.
@@ -45,12 +41,10 @@ impl Texture {
             return;
         }
         self.options = delta.options;
-        let opaque = all_opaque(&image.pixels);
         if image.size == self.size {
-            (self.image, self.opaque) = (Arc::clone(image), opaque);
+            self.image = Arc::clone(image);
             return;
         }
-        self.opaque &= opaque;
         let texels = &mut Arc::make_mut(&mut self.image).pixels;
         for (row, source) in image.pixels.chunks_exact(width).enumerate() {
             let start = (top + row) * self.size[0] + left;
@@ -163,21 +157,21 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
     ]
 }
 
-fn all_opaque(texels: &[Color32]) -> bool {
+/// Returns true if all texels are opaque, so that copying them gives the same result as blending them.
+pub(super) fn all_opaque(texels: &[Color32]) -> bool {
     // The bits are combined chunk by chunk so that the compiler can vectorize the loop.
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };
-    let opaque = |texels: &[Color32]| texels.chunks(256).all(|piece| common(piece) >> 24 == 255);
-    texels.par_chunks(1 << 16).all(opaque)
+    texels.chunks(256).all(|piece| common(piece) >> 24 == 255)
 }
 
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
-pub(super) type Rgba = [f32; 4];
+pub(crate) type Rgba = [f32; 4];
 
 /// Factor that converts a channel from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel does
 /// not change the vertex colour.
-pub(super) const UNIT: f32 = 1.0 / 255.0;
+pub(crate) const UNIT: f32 = 1.0 / 255.0;
 
 /// Number that rounds: added to a number from 0 to 255, it leaves the nearest integer in the lowest bits of
 /// the sum. Without SSE 4.1, `round` would call the C library for each channel.
@@ -185,7 +179,7 @@ const ROUNDING: f32 = 12_582_912.0;
 
 /// Converts a colour to floating-point numbers.
 #[inline(always)]
-pub(super) fn unpack(color: Color32) -> Rgba {
+pub(crate) fn unpack(color: Color32) -> Rgba {
     let [r, g, b, a] = color.to_array();
     [f32::from(r), f32::from(g), f32::from(b), f32::from(a)]
 }
@@ -210,7 +204,7 @@ pub(super) fn modulate(color: Rgba, texel: Rgba) -> Rgba {
 
 /// Blends `source` over `below`: source + (1 - source alpha) * below.
 #[inline(always)]
-pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
+pub(crate) fn over(below: Color32, source: Rgba) -> Color32 {
     let keep = 1.0 - source[3] * UNIT;
     let below = unpack(below);
     pack([
@@ -222,7 +216,7 @@ pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
 }
 
 /// Blends a single colour over a run of pixels.
-pub(super) fn fill(pixels: &mut [Color32], source: Rgba) {
+pub(crate) fn fill(pixels: &mut [Color32], source: Rgba) {
     if source == [0.0; 4] {
         return;
     }

@@ -7,7 +7,7 @@ use egui::epaint::Vertex;
 use egui::{Color32, Rect, TextureFilter, pos2};
 
 use crate::view::painter::texture::{
-    Coordinate, ONE_TEXEL, Rgba, Texture, fill, modulate, over, pack, unpack,
+    Coordinate, ONE_TEXEL, Rgba, Texture, all_opaque, fill, modulate, over, pack, unpack,
 };
 use crate::view::painter::{Band, PixelRect, STEPS, first_centre, limit, snap};
 
@@ -391,7 +391,7 @@ fn draw_textured(band: &mut Band<'_>, area: PixelRect, reading: &Sampling<'_>, c
         };
         let start = (down + row - top) * texture.size[0] + across;
         let texels = &texture.texels()[start..start + right - left];
-        if texture.opaque && color == [255.0; 4] {
+        if color == [255.0; 4] && all_opaque(texels) {
             pixels.copy_from_slice(texels);
         } else {
             pixels.iter_mut().zip(texels).for_each(|(pixel, texel)| tint(pixel, *texel, color));

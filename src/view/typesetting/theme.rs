@@ -1,4 +1,4 @@
-//! The look of the window: bundled fonts, font sizes, colours, the focus ring and the spotlight.
+//! The look of the window: bundled fonts, font sizes, colours and the focus ring.
 //!
 //! The fonts are bundled so that text looks the same on every machine and the signs of the formulas (⟂,
 //! ‖, ⟨, θ) are available. Vectors are written in bold, not with an arrow above (U+20D7): a letter and
@@ -8,8 +8,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, LayerId, Order, Stroke,
-    StrokeKind, TextStyle, Theme, Ui, Visuals,
+    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, Stroke, StrokeKind,
+    TextStyle, Theme, Ui, Visuals,
 };
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
@@ -164,29 +164,6 @@ pub(crate) fn focus_ring(ui: &Ui) {
     let painter = ctx.layer_painter(response.layer_id).with_clip_rect(ctx.content_rect());
     painter.rect_stroke(visible, 4.0, Stroke::new(4.5, casing), StrokeKind::Middle);
     painter.rect_stroke(visible, 4.0, Stroke::new(2.5, color), StrokeKind::Middle);
-}
-
-/// Radius of the spotlight, as a fraction of the window's height.
-const BRIGHT: f32 = 0.17;
-
-/// Dims everything except a circle around the pointer. With reduced motion, draws a large ring around
-/// the pointer instead.
-pub(crate) fn spotlight(ctx: &Context) {
-    let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return };
-    let window = ctx.content_rect();
-    let radius = BRIGHT * window.height();
-    let layer = LayerId::new(Order::Foreground, Id::unique("spotlight"));
-    let painter = ctx.layer_painter(layer);
-    if installed(ctx).reduced_motion {
-        let width = 0.05 * radius;
-        painter.circle_stroke(at, 0.6 * radius, Stroke::new(1.8 * width, Color32::BLACK));
-        painter.circle_stroke(at, 0.6 * radius, Stroke::new(width, Color32::YELLOW));
-    } else {
-        // A stroke that extends beyond the window.
-        let width = window.size().length() + window.distance_to_pos(at);
-        let stroke = Stroke::new(width, Color32::from_black_alpha(170));
-        painter.circle_stroke(at, radius + 0.5 * width, stroke);
-    }
 }
 
 /// Returns the colour of errors, legible on the theme's background.

@@ -135,10 +135,7 @@ impl Walk {
         }
         if !self.in_both_schemes.is_empty() && layout != ViewLayout::Exercises {
             let share = figure::ground(&mut self.window);
-            // A phone's column takes half of it.
-            let most =
-                if self.window.ctx.content_rect().aspect_ratio() < 1.0 { 0.48 } else { 0.45 };
-            if share > most {
+            if share > 0.45 {
                 self.found.push(format!("{name}: {share} of the window is empty ground"));
             }
         }

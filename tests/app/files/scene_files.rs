@@ -200,7 +200,8 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     right.settings.digits = 9;
     right.settings.scheme = pinhole::model::session::Scheme::Grey;
     right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
-    right.selection = Some(pinhole::model::store::RememberedRay::Pixel(3, 4));
+    right.selection =
+        Some(pinhole_core::Selection::Pixel(pinhole_core::Pixel { row: 3, column: 4 }));
     Store::at(&path).save(&right).unwrap();
     let text = fs::read_to_string(&path).unwrap();
     let wrong = [

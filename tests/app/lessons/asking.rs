@@ -182,6 +182,9 @@ fn which_camera_is_wrong_is_not_told_before_the_answer() {
     window.run();
     assert_says(&window, "Camera 1");
     assert_says(&window, "Camera 2");
+    let is_picture =
+        |window: &Window, name: &str| window.query_by_role_and_label(Role::Image, name).is_some();
+    assert!(is_picture(&window, "Camera 2") && !is_picture(&window, "Wrong camera"));
     let of_wrong = ["u′", "w′", "ray′", "wrong camera"].map(str::to_owned);
     assert!(!labels(&window).iter().any(|label| of_wrong.contains(label)));
     key(&mut window, Key::PageDown);

@@ -8,6 +8,7 @@ use pinhole::model::lessons::{StepId, Which};
 use pinhole_core::DVec3;
 
 use super::{Window, at_step, key};
+use crate::app::painted_texts::texts;
 use crate::harness::{texts_with, window};
 
 /// A window on a lesson's step, both counted from 1, with its question open.
@@ -85,6 +86,28 @@ fn each_line_is_shown_alone_before_one_is_put_into_the_other() {
     for window in [implicit, parametric] {
         for text in ["substituted", "They meet"] {
             assert!(texts_with(&window, text).is_empty(), "{text}");
+        }
+    }
+}
+
+#[test]
+fn the_graphs_title_is_the_equation_whose_left_side_is_drawn() {
+    for (step, title) in [
+        (1, "𝐧 · (𝐩 + 𝑡 𝐝 − point), in units of its size at the eye"),
+        (5, "|𝐩 + 𝑡 𝐝 − centre|² − 𝑟², in units of 𝑟²"),
+    ] {
+        let window = at_step(12, step);
+        let is_there = texts(&window).iter().any(|run| run.text == title);
+        assert!(is_there, "12.{step}");
+    }
+}
+
+#[test]
+fn both_axes_of_the_plane_have_their_names_in_every_step() {
+    for step in 1..=6 {
+        let window = at_step(11, step);
+        for name in ["𝑥", "𝑦"] {
+            assert!(texts(&window).iter().any(|run| run.text == name), "11.{step}: {name}");
         }
     }
 }

@@ -125,6 +125,17 @@ fn no_image_is_too_large_for_a_wrong_picture() {
 }
 
 #[test]
+fn compared_pictures_take_the_room_that_is_there() {
+    let mut window = open("canonical");
+    window.set_size(vec2(1024.0, 768.0));
+    window.run();
+    for name in ["Camera view", "Wrong camera"] {
+        let height = window.get_by_role_and_label(Role::Image, name).rect().height();
+        assert!(height > 200.0, "{name}: {height}");
+    }
+}
+
+#[test]
 fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let mut window = open("look-at");
     let before = window.state().derived().second_view.as_ref().unwrap().clone();
@@ -242,12 +253,10 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     let next = open_vote(&window);
     assert_ne!(next.vote.mistake(), mistake);
     assert!(next.answer.is_none() && !next.is_revealed);
-    type_into(&mut window, "vote seed", "1");
-    assert_eq!(open_vote(&window).vote, open.vote, "the same seed");
     click(&mut window, "Reveal");
     click(&mut window, "All mistakes");
     assert_eq!(window.state().session().mistakes_view.open_vote, None);
-    assert_says(&window, &format!("Wrong camera: {}", mistake.name()));
+    assert_says(&window, &format!("Wrong camera: {}", next.vote.mistake().name()));
 }
 
 #[test]
@@ -405,16 +414,16 @@ fn a_vote_that_is_revealed_stays_as_it_was_given() {
 }
 
 #[test]
-fn a_mistake_and_all_its_checks_fit_a_small_window() {
+fn a_mistake_and_what_catches_it_are_in_sight_in_a_small_window() {
     let mut window = open("canonical");
     window.set_size(vec2(1024.0, 768.0));
     window.run();
     let bottom = window.ctx.content_rect().bottom();
     let checks: Vec<egui::Rect> = window
-        .query_all_by(|node| node.value().is_some_and(|value| value.ends_with(" passes")))
+        .query_all_by(|node| node.value().is_some_and(|value| value.ends_with(" catches it")))
         .map(|node| node.rect())
         .collect();
-    assert_eq!(checks.len(), 13);
+    assert!(!checks.is_empty());
     for check in checks {
         assert!(check.bottom() <= bottom, "{check} of {bottom}");
     }

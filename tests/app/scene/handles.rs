@@ -75,15 +75,15 @@ fn assert_near(a: Pos2, b: Pos2) {
 /// Handles that go wherever they are dragged, in which scene, and what a drag of each is called.
 const FREE: [(&str, &str, &str); 10] = [
     ("canonical", "eye handle", "move eye"),
-    ("canonical", "at handle", "move at"),
-    ("canonical", "up handle", "turn up"),
-    ("canonical", "sphere 0 “ball”: centre handle", "move sphere 0 “ball”"),
-    ("canonical", "sphere 0 “ball”: radius handle", "resize sphere 0 “ball”"),
+    ("canonical", "at handle", "turn the camera"),
+    ("canonical", "up handle", "turn the camera"),
+    ("canonical", "sphere 0 “ball”: centre handle", "change spheres"),
+    ("canonical", "sphere 0 “ball”: radius handle", "change spheres"),
     ("look-at", "eye handle", "move eye"),
-    ("look-at", "at handle", "move at"),
-    ("look-at", "up handle", "turn up"),
-    ("canonical", "viewport, top right corner handle", "change the field of view"),
-    ("canonical", "plane 2 “back wall”: point handle", "move plane 2 “back wall”"),
+    ("look-at", "at handle", "turn the camera"),
+    ("look-at", "up handle", "turn the camera"),
+    ("canonical", "viewport, top right corner handle", "change the viewport"),
+    ("canonical", "plane 2 “back wall”: point handle", "change planes"),
 ];
 
 /// Chooses a handle's object in the list, where it has one.

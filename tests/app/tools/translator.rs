@@ -240,16 +240,3 @@ fn code_in_each_language_has_the_cameras_numbers_live() {
     type_into(&mut harness, "eye x", "7.5");
     assert!(shown(&harness).contains("7.5"), "{}", shown(&harness));
 }
-
-#[test]
-fn the_palette_finds_a_format() {
-    let mut harness = window("canonical");
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
-    harness.run();
-    harness.get_by_role_and_label(Role::TextInput, "Command").type_text("translate blender");
-    harness.run();
-    harness.key_press(Key::Enter);
-    harness.run();
-    harness.run();
-    assert!(shown(&harness).starts_with("import bpy"), "{}", shown(&harness));
-}

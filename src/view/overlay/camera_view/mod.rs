@@ -53,7 +53,7 @@ const ROOM_FOR_NAMES: f64 = 160.0;
 /// the caller must draw. If `scene` is `None`, no concept is highlighted.
 pub fn camera(view: &CameraView, scene: Option<&Scene>, dots: &mut [Color32]) -> Drawing {
     let drawing = view.drawing(scene);
-    let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
+    let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing, view.size) };
     view.paint(&marks, dots);
     drawing
 }

@@ -100,6 +100,7 @@ pub(crate) fn place_labels(
     requests.sort_by_key(|request| request.rank);
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
+    let line_ends = line_ends(drawing);
     let mut taken = handle_areas(drawing);
     taken.extend(tips(drawing));
     taken.extend(covered.iter().map(|[left, top, right, bottom]| {
@@ -114,8 +115,10 @@ pub(crate) fn place_labels(
                 center.cmpge(margin).all() && center.cmple((size - margin).max(margin)).all();
             is_inside
                 && taken.iter().all(|(at, h)| (center - *at).abs().cmpgt(half + *h).any())
-                && leader(&request, center, half, scale)
-                    .is_none_or(|ends| taken.iter().all(|area| !crosses(ends, *area)))
+                && leader(&request, center, half, scale).is_none_or(|ends| {
+                    !prolongs(ends, request.anchor, &line_ends)
+                        && taken.iter().all(|area| !crosses(ends, *area))
+                })
         };
         let center = if request.is_fixed {
             Some(request.anchor).filter(|at| free(*at))
@@ -146,6 +149,31 @@ fn crosses([from, to]: [DVec2; 2], (center, half): CenteredBox) -> bool {
     const SAMPLES: usize = 16;
     let is_in = |at: DVec2| (at - center).abs().cmplt(half).all();
     !is_in(from) && (1..=SAMPLES).any(|k| is_in(from.lerp(to, k as f64 / SAMPLES as f64)))
+}
+
+/// Returns the ends of all lines, each with the line's direction there.
+fn line_ends(drawing: &Drawing) -> Vec<(DVec2, DVec2)> {
+    let chains = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+        Shape::Line { points, .. } if points.len() > 1 => Some(points),
+        _ => None,
+    });
+    let ends = |points: &Vec<[f32; 2]>| {
+        let last = points.len() - 1;
+        [[0, 1], [last, last - 1]].map(|[end, next]| {
+            let end = wide(points[end]);
+            (end, (end - wide(points[next])).normalize_or_zero())
+        })
+    };
+    chains.flat_map(ends).collect()
+}
+
+/// Returns true if a leader line would seem to prolong a line that ends at its anchor.
+fn prolongs([from, to]: [DVec2; 2], anchor: DVec2, line_ends: &[(DVec2, DVec2)]) -> bool {
+    const NEAR: f64 = 2.0;
+    const STRAIGHT: f64 = 0.95;
+    let direction = (to - from).normalize_or_zero();
+    let is_straight = |along: DVec2| along.dot(direction) > STRAIGHT;
+    line_ends.iter().any(|(end, along)| end.distance(anchor) < NEAR && is_straight(*along))
 }
 
 /// Returns the areas covered by handles.
@@ -235,4 +263,28 @@ fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
         }
     }
     points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_leader_does_not_prolong_the_line_whose_end_it_names() {
+        let pen = LineStyle::new(Item::SphereFigure, Color32::BLACK, 2.0);
+        let line = vec![[200.0, 300.0], [200.0, 200.0]];
+        let mark = pen.mark(Shape::Line { points: line, width: 2.0 }, Color32::WHITE);
+        let mut drawing = Drawing { scale: 1.0, marks: vec![mark], ..Drawing::default() };
+        let end = DVec2::splat(200.0);
+        let to = [end, -DVec2::Y];
+        let request = Request::new(pen, "foot".to_owned(), to, (14.0, false), Color32::WHITE);
+        // There is no room near the end of the line.
+        let covered = [[150.0, 150.0, 250.0, 250.0]];
+        place_labels(vec![request], &mut drawing, DVec2::splat(400.0), &covered);
+        let [_, Mark { shape: Shape::Line { points, .. }, .. }] = &drawing.marks[..] else {
+            panic!("no leader: {drawing:?}")
+        };
+        let along = (wide(points[1]) - wide(points[0])).normalize();
+        assert!(along.y > -0.95, "{along}");
+    }
 }

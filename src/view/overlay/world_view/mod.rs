@@ -103,7 +103,8 @@ pub fn world(
 ) -> Drawing {
     let layers = view.layers(backdrop);
     let mut drawing = view.sketch(scene, &layers);
-    let marks = if view.without_marks { Fills::default() } else { Fills::new(&drawing) };
+    let marks =
+        if view.without_marks { Fills::default() } else { Fills::new(&drawing, view.size()) };
     if view.without_marks {
         drawing.spheres = view.uncovered(scene.scene, &layers);
     }
