@@ -17,7 +17,8 @@
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! The crate `reference` is the oracle, which computes correct answers independently. Tests use it, and
+//! The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
+//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests use it, and
 //! of the program only `pinhole report`.
 //!
 //! # The path of one edit
@@ -105,7 +106,9 @@
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a link and its QR code | `exchange/link.rs`, `figures/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
-//! | what the window opens with | `platform/desktop/mod.rs` |
+//! | what the window opens with | `platform/mod.rs`, `platform/desktop/mod.rs`, `platform/web/mod.rs` |
+//! | files, where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
+//! | the page of a browser, and a scene or lesson in it | `assets/page.js`; `exchange/page.rs`, `model/page_part.rs` |
 //! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |
 //! | unsaved changes | when they are written: `ui/app/recovery.rs`; what: `model/recovery.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/desktop/file_dialog/` |

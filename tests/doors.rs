@@ -241,8 +241,8 @@ fn pictures_have_the_digest_of_what_is_read_back() {
         let image = ImageSize::new(64, 48).unwrap();
         add(&Document {
             camera: Camera { image, ..camera },
-            spheres: spheres.into_iter().map(Item::plain).collect(),
-            planes: planes.into_iter().map(Item::plain).collect(),
+            spheres: spheres.into_iter().map(Item::plain).collect::<Vec<_>>().into(),
+            planes: planes.into_iter().map(Item::plain).collect::<Vec<_>>().into(),
             ..Document::default()
         });
     }

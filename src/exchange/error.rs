@@ -62,6 +62,11 @@ impl FileError {
         FileError::of_file(path, format!("cannot be read: {}", reason(error)))
     }
 
+    /// Creates an error about a file of which at most `most` bytes are read.
+    pub(crate) fn too_large(path: &Path, most: u64) -> FileError {
+        FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
+    }
+
     /// Creates an error about a file that cannot be written, with the system's reason.
     pub fn unwritable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be written: {}", reason(error)))

@@ -10,7 +10,6 @@ use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 
-use crate::limits::{self, too_large};
 use crate::{FileError, atomic};
 
 /// The modification time and size of a file when it was read or written. A later change of the file is
@@ -39,8 +38,11 @@ pub trait Host: Send + Sync {
     /// # Errors
     /// Returns an error if the file cannot be read, or if it is larger.
     fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+        if self.stamp(path).is_some_and(|stamp| stamp.length > most) {
+            return Err(FileError::too_large(path, most));
+        }
         let bytes = self.read_start(path, most + 1)?;
-        if bytes.len() as u64 > most { Err(too_large(path, most)) } else { Ok(bytes) }
+        if bytes.len() as u64 > most { Err(FileError::too_large(path, most)) } else { Ok(bytes) }
     }
 
     /// Writes a file completely or not at all.
@@ -117,31 +119,22 @@ const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/t
 
 /// Opens a file. Rejects a device, and a pipe that was not opened for the program: reading such a source may
 /// block forever.
-fn open(path: &Path) -> Result<(File, fs::Metadata), FileError> {
+fn open(path: &Path) -> Result<File, FileError> {
     let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
     let data = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
     if !(data.is_file() || data.is_dir() || is_inherited) {
         let problem = "cannot be read: it is a device or a pipe, and must be a file";
         return Err(FileError::of_file(path, problem));
     }
-    let file = File::open(path).map_err(|error| FileError::unreadable(path, &error))?;
-    Ok((file, data))
+    File::open(path).map_err(|error| FileError::unreadable(path, &error))
 }
 
 impl Host for OperatingSystem {
     fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
         let mut bytes = Vec::new();
-        let read = open(path)?.0.take(most).read_to_end(&mut bytes);
+        let read = open(path)?.take(most).read_to_end(&mut bytes);
         read.map_err(|error| FileError::unreadable(path, &error))?;
         Ok(bytes)
-    }
-
-    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-        let (file, data) = open(path)?;
-        if data.is_file() && data.len() > most {
-            return Err(too_large(path, most));
-        }
-        limits::read_from(file, path, most)
     }
 
     fn write(&self, path: &Path, content: &[u8]) -> Result<(), FileError> {
@@ -200,7 +193,7 @@ impl Host for OperatingSystem {
                 folder.display()
             )
         })?;
-        limits::read_text(&page).map_err(|error| error.to_string())
+        fs::read_to_string(&page).map_err(|error| FileError::unreadable(&page, &error).to_string())
     }
 
     fn has_folders(&self) -> bool {

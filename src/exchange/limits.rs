@@ -53,11 +53,7 @@ pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, F
     let read = source.take(most + 1).read_to_end(&mut bytes);
     read.map_err(|error| FileError::unreadable(path, &error))?;
     if bytes.len() as u64 > most {
-        return Err(too_large(path, most));
+        return Err(FileError::too_large(path, most));
     }
     Ok(bytes)
-}
-
-pub(crate) fn too_large(path: &Path, most: u64) -> FileError {
-    FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
 }

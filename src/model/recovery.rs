@@ -193,6 +193,8 @@ pub fn in_words(age: Duration) -> String {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+    use std::fs;
+
     use super::*;
 
     fn changed() -> Unsaved {
