@@ -190,6 +190,11 @@ impl Document {
         }
     }
 
+    /// Returns the name of the object with this index, for headings and labels; `sphere 0` if it has none.
+    pub fn label_of(&self, index: usize) -> String {
+        self.name_of(index as u32).map_or_else(|| self.title_of(index), str::to_owned)
+    }
+
     /// Checks the objects, and returns them as a [`Scene`], without names and colours.
     ///
     /// # Errors

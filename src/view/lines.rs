@@ -315,6 +315,9 @@ impl PlaneView {
         labels.write("x", font, [(right, Align2::RIGHT_BOTTOM)]);
         let top = pos2(axes.x + 7.0, self.rect.top() + 4.0);
         labels.write("y", font, [(top, Align2::LEFT_TOP)]);
+        let both = Rect::from_center_size(self.to_screen(DVec2::ZERO), Vec2::splat(2.0));
+        labels.keep_free(both.with_min_x(self.rect.left()).with_max_x(self.rect.right()));
+        labels.keep_free(both.with_min_y(self.rect.top()).with_max_y(self.rect.bottom()));
         labels
     }
 
@@ -544,11 +547,13 @@ impl PlaneView {
         let direction = lab.ray.d.normalize_or_zero();
         let font = Font { size: SMALL + 2.0, color: self.colors.ray, bold: false };
         for (text, sign) in [("t < 0", -1.0), ("t > 0", 1.0)] {
-            let anchors = [120.0, 170.0, 220.0, 90.0].into_iter().flat_map(|points| {
-                let at = lab.ray.p + sign * points / self.unit() * direction;
-                around(self.to_screen(at), left_of(-lab.ray.d), 10.0).take(3)
+            let anchors = (0..3).flat_map(|turn| {
+                [120.0, 170.0, 220.0, 90.0].map(|points| {
+                    let at = lab.ray.p + sign * points / self.unit() * direction;
+                    around(self.to_screen(at), left_of(-lab.ray.d), 10.0).nth(turn)
+                })
             });
-            labels.write(text, font, anchors);
+            labels.write(text, font, anchors.flatten());
         }
     }
 

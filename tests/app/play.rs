@@ -180,6 +180,8 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     let whole = harness.state().derived().camera_view.clone().unwrap().image;
     let selection = harness.state().session().selection;
     open(&mut harness, "Scan the pixels row by row");
+    let opened = harness.state().session();
+    assert_eq!((opened.selection, opened.scanned_pixels), (selection, Some(0)));
     for _ in 0..27 {
         press(&mut harness, Key::Period);
     }

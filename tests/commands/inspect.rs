@@ -95,8 +95,8 @@ fn the_shape_is_the_contract_s() {
     let text = run("inspect grazing --pixel 200,200 --json").done();
     let keys: Vec<&str> = text.split('"').skip(1).step_by(2).collect();
     let hit = "object sphere index name NAME t distance point normal ";
-    let hits = hit.replace("NAME", "upper")
-        + &hit.replace("NAME", "lower")
+    let hits = hit.replace("NAME", "upper ball")
+        + &hit.replace("NAME", "lower ball")
         + &hit.replace("sphere", "plane").replace("NAME", "back wall");
     let camera = "camera eye u v w up_view_angle_deg conditioning pixel row column uv ray origin direction hits ";
     assert_eq!(keys.join(" "), format!("{camera}{hits}first"));

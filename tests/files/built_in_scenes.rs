@@ -23,7 +23,7 @@ fn built_in_scenes_show_what_their_notes_say() {
     assert_eq!(first("canonical", [0.2, -0.1]), hit("back wall", 6.0));
     assert_eq!(first("canonical", [0.0, 0.0]), hit("ball", 4.0));
     assert_eq!(first("distance-two", [0.2, -0.1]), hit("back wall", 3.0));
-    assert_eq!(first("grazing", [0.0, 0.0]), hit("upper", 5.0));
+    assert_eq!(first("grazing", [0.0, 0.0]), hit("upper ball", 5.0));
     assert_eq!(first("inside", [0.0, 0.0]), hit("room", 5.0));
     assert_eq!(first("tiny-far", [0.0, 0.0]), hit("missed speck", 999.0));
     assert_eq!(first("look-at", [0.0, 0.0]).unwrap().0.as_deref(), Some("target"));

@@ -26,7 +26,7 @@ pub struct Player {
     pub start: Start,
     /// The phase, from 0, the start, to 1, the end.
     pub phase: f64,
-    /// True once the user has started the animation or moved it by hand. Until then, it changes nothing.
+    /// True once the user has started the animation or moved it by hand. Until then, nothing moves.
     pub begun: bool,
     /// True while the animation is running.
     pub running: bool,
@@ -74,7 +74,9 @@ impl Player {
     /// the state at the start.
     pub fn still(&mut self) -> Still {
         if !self.begun {
-            return self.start.still();
+            // Nothing has moved yet. The picture is empty, as none of its pixels is scanned.
+            let scanned_pixels = (self.kind == Kind::Scan).then_some(0);
+            return Still { scanned_pixels, ..self.start.still() };
         }
         let steps = self.kind.steps(&self.start) as f64;
         let phase = match self.reduced && self.running {

@@ -1,7 +1,10 @@
 //! The exercises page: the list, and the question with its answer fields and verdicts. On the right are the
 //! question's scene with the typed and the correct answers, and the derivation as the solution.
 
-use egui::{Align, Color32, Key, Layout, Rect, RichText, ScrollArea, Stroke, TextEdit, Ui, pos2};
+use egui::{
+    Align, Color32, FontSelection, Key, Layout, Rect, RichText, ScrollArea, Stroke, TextEdit, Ui,
+    pos2,
+};
 use pinhole_core::Selection;
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given, QuestionPart};
@@ -19,7 +22,8 @@ use crate::ui::practice::seed_field;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::{
-    ResponseExt as _, ViewTexture, clipped, combo, inside, marked_text, sign, vector_color,
+    ResponseExt as _, ViewTexture, clipped, combo, inside, marked_text, sign, text_width,
+    vector_color,
 };
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::lines::{draw_exercise, substitution};
@@ -369,11 +373,10 @@ impl QuestionScene {
     }
 }
 
-/// Shows the title above the world view, the legend for the typed answers if there are any, and the
+/// Shows the title above the world view if there is room for it, the legend for the typed answers if there are any, and the
 /// button that opens the question's scene.
 fn world_title(ui: &mut Ui, rect: Rect, has_yours: bool, open: &Exercises, document: Document) {
     strip_above(ui, rect, |ui| {
-        ui.strong(views::WORLD);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let hint = "Opens this camera and the objects that its ray meets as a scene";
             if ui.small_button("Show this scene").on_hover_text(hint).clicked() {
@@ -385,6 +388,10 @@ fn world_title(ui: &mut Ui, rect: Rect, has_yours: bool, open: &Exercises, docum
             }
             if has_yours {
                 ui.label(RichText::new("dashed: yours").size(text_size(ui)));
+            }
+            let font = FontSelection::Default.resolve(ui.style());
+            if text_width(ui, views::WORLD, font) < ui.available_width() {
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| ui.strong(views::WORLD));
             }
         });
     });

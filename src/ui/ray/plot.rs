@@ -209,7 +209,7 @@ fn draw(
     drawing.curves(&curves);
     drawing.roots(&mut words);
     drawing.ray_point(&mut words);
-    drawing.numbers(&mut words);
+    drawing.numbers(&curves, &mut words);
     drawing.captions(&curves, &mut words);
     drawing.names(&curves, &mut words);
 }
@@ -413,7 +413,7 @@ impl PlotDrawing<'_> {
     }
 
     /// Writes t at the zeros. At the first hit, also writes that it is the hit, if there is room.
-    fn numbers(&self, words: &mut LabelLayout) {
+    fn numbers(&self, curves: &[DrawnCurve], words: &mut LabelLayout) {
         let ink = self.colors.ink;
         if let Some((_, t)) = self.first_hit() {
             let at = self.at(t, 0.0);
@@ -421,7 +421,11 @@ impl PlotDrawing<'_> {
             let texts = [format!("first hit: t {is}"), format!("hit: t {is}"), number(t, 5)];
             let font = Font { size: DRAWN_TEXT + 1.0, color: ink, bold: true };
             let places = || around(at, Vec2::DOWN, 15.0);
-            let _ = texts.iter().any(|text| words.write(text, font, places()).is_some());
+            let [covered, none] = [self.covered(curves), Vec::new()];
+            let _ = [covered, none].iter().any(|covered| {
+                let mut write = |text| words.write_clear_of(covered, text, font, places());
+                texts.iter().any(|text| write(text).is_some())
+            });
         }
         if let Some((t, _)) = &self.plot.ray_point_t {
             let (x, top) = (self.t.position(*t), self.rect.top() + 3.0);
@@ -452,7 +456,10 @@ impl PlotDrawing<'_> {
         let font = Font { size: DRAWN_TEXT, color: self.colors.ink, bold: true };
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let (name, places) = (&curve.named.name, self.places_at(drawn));
-            let clear = words.write_clear_of(&covered, name, font, places.iter().copied());
+            let broken = name.replace(' ', "\n");
+            let clear = [name, &broken].into_iter().find_map(|name| {
+                words.write_clear_of(&covered, name, font, places.iter().copied())
+            });
             if let Some(name) = clear.or_else(|| words.write(name, font, places)) {
                 let y = name.bottom() - 1.0;
                 stroke(&self.painter, &[pos2(name.left(), y), pos2(name.right(), y)], curve);

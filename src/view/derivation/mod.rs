@@ -338,7 +338,7 @@ fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
 }
 
 fn object_section(document: &Document, object: u32, lines: Vec<DerivedLine>) -> DerivedSection {
-    let title = document.title_of(object as usize);
+    let title = document.label_of(object as usize);
     DerivedSection { section: DerivationSection::Objects, object: Some(object), title, lines }
 }
 

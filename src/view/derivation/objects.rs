@@ -181,7 +181,7 @@ impl ObjectLines<'_> {
         };
         let four = minus(power(parentheses(two(&B)), "2"), row([number("4"), A, C]));
         let sides = [T, solved(two(&B), four, two(&A)), solved(B, DISCRIMINANT, A)];
-        let note = "every 2 cancels, as 𝑏 is half the coefficient of 𝑡";
+        let note = "every factor 2 cancels: 𝑏 is half the coefficient of 𝑡";
         self.noted_line(Solution, sides, note);
         let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
         let sides = [

@@ -80,7 +80,7 @@ fn the_canonical_camera() {
               |𝐝| = √105/10; the distance per unit of t
               𝐩 + t 𝐝 = (0, 0, 0) + t (0.2, −0.1, −1); 𝐩 = eye; t = 1 is on the viewport
 
-            sphere 0 “ball”
+            ball
               centre = (0, 0, −5)
               r = 1
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -93,10 +93,10 @@ fn the_canonical_camera() {
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (0, 0, 5) = −5
               c = |𝐩 − centre|² − r² = |(0, 0, 5)|² − 1² = 24
               1.05 t² − 10 t + 24 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c = (−5)² − 1.05 · 24 = −0.2; D < 0: the line passes by
 
-            sphere 1 “marble”
+            marble
               centre = (−1.2, 0.9, −4)
               r = 0.5
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -109,10 +109,10 @@ fn the_canonical_camera() {
               b = 𝐝 · (𝐩 − centre) = (0.2, −0.1, −1) · (1.2, −0.9, 4) = −3.67
               c = |𝐩 − centre|² − r² = |(1.2, −0.9, 4)|² − 0.5² = 18
               1.05 t² − 7.34 t + 18 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c = (−3.67)² − 1.05 · 18 = −5.4311; D < 0: the line passes by
 
-            plane 2 “back wall”
+            back wall
               point = (0, 0, −6)
               𝐧 = (0, 0, 1)
               𝐧 · (𝐱 − point) = 0; implicit: 𝐱 is on the plane
@@ -160,7 +160,7 @@ fn a_pixel_of_the_look_at_camera() {
               |𝐝| ≈ 1.0311; the distance per unit of t
               𝐩 + t 𝐝 ≈ (20, 4, 10) + t (−0.83617, 0.095117, −0.59573); 𝐩 = eye; t = 1 is on the viewport
 
-            sphere 0 “target”
+            target
               centre = (−1, 0, −5)
               r = 3
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -173,10 +173,10 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (21, 4, 15) ≈ −√682
               c = |𝐩 − centre|² − r² = |(21, 4, 15)|² − 3² = 673
               1.0631 t² − 2 √682 t + 673 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c ≈ (−√682)² − 1.0631 · 673 ≈ −33.485; D < 0: the line passes by
 
-            sphere 1 “left”
+            left
               centre = (−9, −1, 3)
               r = 2
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -189,10 +189,10 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (29, 5, 7) ≈ −27.944
               c = |𝐩 − centre|² − r² = |(29, 5, 7)|² − 2² = 911
               1.0631 t² − 55.887 t + 911 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c ≈ (−27.944)² − 1.0631 · 911 ≈ −187.67; D < 0: the line passes by
 
-            sphere 2 “right”
+            right
               centre = (4, −1.5, −12)
               r = 1.5
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -205,10 +205,10 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (16, 5.5, 22) ≈ −25.962
               c = |𝐩 − centre|² − r² = |(16, 5.5, 22)|² − 1.5² = 768
               1.0631 t² − 51.923 t + 768 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c ≈ (−25.962)² − 1.0631 · 768 ≈ −142.47; D < 0: the line passes by
 
-            sphere 3 “near”
+            near
               centre = (9, −2, 3)
               r = 1
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -221,10 +221,10 @@ fn a_pixel_of_the_look_at_camera() {
               b = 𝐝 · (𝐩 − centre) ≈ (−0.83617, 0.095117, −0.59573) · (11, 6, 7) ≈ −12.797
               c = |𝐩 − centre|² − r² = |(11, 6, 7)|² − 1² = 205
               1.0631 t² − 25.595 t + 205 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c ≈ (−12.797)² − 1.0631 · 205 ≈ −54.17; D < 0: the line passes by
 
-            plane 4 “floor”
+            floor
               point = (0, −3, 0)
               𝐧 = (0, 1, 0)
               𝐧 · (𝐱 − point) = 0; implicit: 𝐱 is on the plane
@@ -263,7 +263,7 @@ fn the_lectures_forty_five_degrees() {
               |𝐝| = √105/10; the distance per unit of t
               𝐩 + t 𝐝 = (0, 0, 0) + t (−2 √2/5, −0.1, −3 √2/5); 𝐩 = eye; t = 1 is on the viewport
 
-            sphere 0 “ball”
+            ball
               centre = (−4, 0, −4)
               r = 1
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -276,10 +276,10 @@ fn the_lectures_forty_five_degrees() {
               b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4, 0, 4) = −4 √2
               c = |𝐩 − centre|² − r² = |(4, 0, 4)|² − 1² = 31
               1.05 t² − 8 √2 t + 31 = 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c = (−4 √2)² − 1.05 · 31 = −0.55; D < 0: the line passes by
 
-            sphere 1 “marble”
+            marble
               centre = (−4.5, 0.9, −2)
               r = 0.5
               |𝐱 − centre|² = r²; implicit: 𝐱 is on the sphere
@@ -292,10 +292,10 @@ fn the_lectures_forty_five_degrees() {
               b = 𝐝 · (𝐩 − centre) = (−2 √2/5, −0.1, −3 √2/5) · (4.5, −0.9, 2) ≈ −4.1526
               c = |𝐩 − centre|² − r² = |(4.5, −0.9, 2)|² − 0.5² = 24.81
               1.05 t² − 8.3053 t + 24.81 ≈ 0
-              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every 2 cancels, as b is half the coefficient of t
+              t = (−2 b ∓ √((2 b)² − 4 a c))/(2 a) = (−b ∓ √D)/a; every factor 2 cancels: b is half the coefficient of t
               D = b² − a c ≈ (−4.1526)² − 1.05 · 24.81 ≈ −8.8061; D < 0: the line passes by
 
-            plane 2 “back wall”
+            back wall
               point = (0, 0, −6)
               𝐧 = (0, 0, 1)
               𝐧 · (𝐱 − point) = 0; implicit: 𝐱 is on the plane
@@ -357,15 +357,15 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
           (u, v) = (0.2, −0.1)
           no ray
 
-        sphere 0 “ball”
+        ball
           centre = (0, 0, −5)
           r = 1
 
-        sphere 1 “marble”
+        marble
           centre = (−1.2, 0.9, −4)
           r = 0.5
 
-        plane 2 “back wall”
+        back wall
           point = (0, 0, −6)
           𝐧 = (0, 0, 1)
     "#]].assert_eq(&derive(&document, WARM_UP, 5, false).to_string());

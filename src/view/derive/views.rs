@@ -409,7 +409,7 @@ impl Plots {
         let ray = selection.exact_ray(resolved).ok()?;
         let named = |object: u32| {
             let title = document.title_of(object as usize);
-            let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
+            let name = document.label_of(object as usize);
             let color = scheme.object(object, document.color_of(object));
             Named { object, title, name, color }
         };

@@ -55,22 +55,27 @@ const UNBROKEN: usize = 30;
 /// Replaces the spaces inside formulas with no-break spaces: around operators, between coordinates, and
 /// between factors. A long formula may still be broken before an operator.
 pub(crate) fn unbroken(text: &str) -> String {
-    const OPERATORS: [&str; 10] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈"];
+    const OPERATORS: [&str; 11] = ["=", "+", "−", "·", "×", "<", ">", "≤", "≥", "≈", "←"];
     let is_operator = |word: &str| OPERATORS.contains(&without_marks(word).as_str());
-    let is_factor = |word: &str| word.starts_with('*') && without_marks(word).chars().count() == 1;
     let is_letter = |word: &str| {
         // A letter may have a subscript.
         let plain = without_marks(word.split_once('_').map_or(word, |(letter, _)| letter));
         plain.chars().count() == 1 && plain.starts_with(|c: char| c.is_alphabetic())
     };
+    let is_factor = |word: &str| {
+        let digits = word.trim_start_matches(['(', '−']);
+        let is_number = !digits.ends_with('.') && digits.parse::<f64>().is_ok();
+        is_number || word.starts_with('*') && without_marks(word).chars().count() == 1
+    };
     let mut joined = String::new();
     let (mut length, mut before, mut is_in_tuple) = (0, "", false);
-    for word in text.split_whitespace() {
+    let breaks = |c: char| c.is_whitespace() && c != '\u{a0}';
+    for word in text.split(breaks).filter(|word| !word.is_empty()) {
         let word_length = without_marks(word).chars().count();
         let operates = is_operator(word) || is_operator(before);
-        let is_vector = begins_tuple(word) || word.starts_with("**");
+        let is_multiplied = word.starts_with('(') || word.starts_with("**") || is_letter(word);
         let are_letters = (is_letter(before) || before.ends_with(')')) && is_letter(word);
-        let joins = operates || is_factor(before) && is_vector || are_letters;
+        let joins = operates || is_factor(before) && is_multiplied || are_letters;
         let has_room = length + 1 + word_length <= UNBROKEN || !is_operator(word);
         if is_in_tuple || joins && has_room && length > 0 {
             joined.push('\u{a0}');
@@ -93,10 +98,11 @@ pub(crate) fn without_marks(text: &str) -> String {
     text.replace(['*', '_'], "")
 }
 
-/// Returns true if a word begins the coordinates of a vector: if it consists of an opening parenthesis, a
-/// number or a letter, and a comma.
+/// Returns true if a word begins the coordinates of a vector, or the arguments of a function: if it consists of
+/// at most one letter, an opening parenthesis, a number or a letter, and a comma.
 fn begins_tuple(word: &str) -> bool {
-    let first = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(','));
+    let (name, rest) = word.split_once('(').unwrap_or((word, ""));
+    let first = rest.strip_suffix(',').filter(|_| without_marks(name).chars().count() < 2);
     first.is_some_and(|first| {
         let first = without_marks(first);
         first.chars().count() == 1 || first.starts_with(|c: char| c == '−' || c.is_ascii_digit())
@@ -146,5 +152,8 @@ mod tests {
         );
         assert_eq!(formulas("= 1 at *t*"), "= 1|at|t");
         assert_eq!(formulas("y = p_y + t d_y, (2·1 − 1·3) t"), "y = py + t dy,|(2·1 − 1·3) t");
+        assert_eq!(formulas("notes print *w* ← normalize(*v*)"), "notes|print|w ← normalize(v)");
+        assert_eq!(formulas("f(x, y) = 2 x + 3 (2 − t)"), "f(x, y) = 2 x + 3 (2 − t)");
+        assert_eq!(formulas("a\u{a0}tie of\n2"), "a tie|of|2");
     }
 }

@@ -1,6 +1,7 @@
 //! The lab of lines: fields, handles, the slider that generates points, and what is said of two lines.
 
 use egui::accesskit::Role;
+use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lines::LinesLab;
@@ -8,6 +9,7 @@ use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::DVec2;
 
+use super::plot::{answered, labels_in};
 use crate::harness::{assert_reads, assert_says, drag_from, says, show, type_into, window};
 
 fn open() -> Harness<'static, App> {
@@ -75,6 +77,23 @@ fn every_example_says_what_it_is_called() {
         window.get_by_role_and_label(Role::Button, name).click();
         window.run();
         assert_says(&window, said);
+    }
+}
+
+#[test]
+fn no_label_lies_on_an_axis() {
+    for step in 1..6 {
+        let mut window = answered((11, step), vec2(1024.0, 768.0));
+        window.key_press(Key::F5);
+        window.run();
+        let plane = window.get_by_label("Plane with both lines").rect();
+        let center = lab(&window).window.center;
+        let from_center = scale(&window) * vec2(-center.x as f32, center.y as f32);
+        let origin = plane.center() + from_center;
+        for (text, rect) in labels_in(&window, "Plane with both lines") {
+            let crosses = rect.x_range().contains(origin.x) || rect.y_range().contains(origin.y);
+            assert!(!crosses, "11.{step}: {text}");
+        }
     }
 }
 

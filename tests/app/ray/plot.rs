@@ -192,9 +192,15 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
 
 /// A window of this size on a step of lesson 12, counted from 1, with its question answered.
 fn lesson(step: usize, size: egui::Vec2) -> Harness<'static, App> {
+    answered((12, step), size)
+}
+
+/// A window of this size on a step of a lesson, both counted from 1, with its question answered.
+pub(super) fn answered((lesson, step): (usize, usize), size: egui::Vec2) -> Harness<'static, App> {
     let mut window = window("canonical");
     window.set_size(size);
-    window.state_mut().open_lesson(StepId { lesson: Which::Builtin(11), step: step - 1 }, None);
+    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
+    window.state_mut().open_lesson(id, None);
     window.run();
     if window.state().session().is_asking {
         window.key_press(Key::PageDown);
@@ -205,7 +211,12 @@ fn lesson(step: usize, size: egui::Vec2) -> Harness<'static, App> {
 
 /// The labels in the plot, without the numbers of its axes.
 fn labels(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
-    let plot = window.get_by_label("Plot of f(p + t d)").rect();
+    labels_in(window, "Plot of f(p + t d)")
+}
+
+/// The labels in a drawing with halos, and where they are.
+pub(super) fn labels_in(window: &Harness<'_, App>, drawing: &str) -> Vec<(String, Rect)> {
+    let plot = window.get_by_label(drawing).rect();
     let label = |shape: &Shape| {
         let Shape::Vec(shapes) = shape else { return None };
         let Some(Shape::Text(text)) = shapes.last() else { return None };
@@ -242,7 +253,7 @@ fn an_open_question_has_the_graph_s_axes_but_no_curve() {
         })
     };
     for answered in [false, true] {
-        assert!(painted(&window, "𝑓(𝐩 + 𝑡 𝐝) / 𝑟²") && painted(&window, "behind"));
+        assert!(painted(&window, "|𝐩 + 𝑡 𝐝 − centre|") && painted(&window, "behind"));
         for part in ["ball", "first hit"] {
             assert_eq!(painted(&window, part), answered, "{part}");
         }
@@ -275,6 +286,27 @@ fn every_root_has_its_number_before_an_audience_too() {
     let shown: Vec<String> = labels(&window).into_iter().map(|(text, _)| text).collect();
     for root in ["−3", "−2", "−1"] {
         assert!(shown.iter().any(|text| text == root), "no {root}: {shown:?}");
+    }
+}
+
+#[test]
+fn no_curve_runs_through_a_word_of_the_lesson_on_many_rays() {
+    for step in [1, 2] {
+        let mut window = answered((13, step), vec2(1024.0, 768.0));
+        window.key_press(Key::F5);
+        window.run();
+        let rect = window.get_by_label("Plot of f(p + t d)").rect();
+        let plot = window.state().derived().plot.clone().unwrap();
+        let (t, length) = (plot.range.start(), plot.range.end() - plot.range.start());
+        let at = |(x, y): &(f64, f64)| {
+            rect.lerp_inside(vec2(((x - t) / length) as f32, ((4.4 - y) / 6.8) as f32))
+        };
+        let samples: Vec<egui::Pos2> = plot.samples.iter().flatten().map(at).collect();
+        for (text, rect) in
+            labels(&window).iter().filter(|(text, _)| text.contains(char::is_alphabetic))
+        {
+            assert!(!samples.iter().any(|at| rect.contains(*at)), "13.{step}: {text}");
+        }
     }
 }
 

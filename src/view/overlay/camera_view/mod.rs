@@ -278,8 +278,9 @@ impl CameraSketch<'_> {
             return;
         }
         if !centered {
-            for axis in [DVec2::X, DVec2::Y] {
-                let arm = 9.0 * scale * axis;
+            // Diagonal, as upright arms would lie on the frames of adjacent pixels.
+            for diagonal in [DVec2::ONE, DVec2::new(1.0, -1.0)] {
+                let arm = 6.5 * scale * diagonal;
                 self.line(&[at - arm, at + arm], pen);
             }
         }
