@@ -34,6 +34,9 @@ _pinhole() {
             pinhole,inspect)
                 cmd="pinhole__subcmd__inspect"
                 ;;
+            pinhole,page)
+                cmd="pinhole__subcmd__page"
+                ;;
             pinhole,render)
                 cmd="pinhole__subcmd__render"
                 ;;
@@ -56,7 +59,7 @@ _pinhole() {
 
     case "${cmd}" in
         pinhole)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export share import completions"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export share import page completions"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -247,6 +250,40 @@ _pinhole() {
                     return 0
                     ;;
                 --uv)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        pinhole__subcmd__page)
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --lesson --step --output --page --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --lesson)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --step)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --output)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -o)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --page)
                     COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;

@@ -39,6 +39,7 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a vi
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene in another program\'s format'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "share" -d 'Print a link to a scene or a lesson\'s step, or draw it as a QR code'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read a camera from a glTF or from numbers, and write a scene file'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "page" -d 'Write the program as a page for a browser, with a scene or a lesson in it'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "completions" -d 'Print the script with which a shell completes commands, options and scenes'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
@@ -131,6 +132,11 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l qr -d 'Draw th
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -l lesson -d 'The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -l step -d 'The lesson\'s step to open' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -s o -l output -d 'The page to write; - writes to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -l page -d 'The page of the program itself; by default, pinhole.html beside the program' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand completions" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand render" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
@@ -140,4 +146,5 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand report" -a "canonical di
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
+complete -c pinhole -n "__fish_pinhole_using_subcommand page" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square" -d 'Built-in scene'
