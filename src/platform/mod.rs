@@ -1,5 +1,5 @@
 //! Where the program runs: in a window of the desktop, or in a page of a browser. Both show the same
-//! [`App`](crate::ui::app::App), and keep files by a [`Host`](pinhole_exchange::host::Host) each.
+//! [`App`], and keep files by a [`Host`](pinhole_exchange::host::Host) each.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod desktop;
