@@ -278,7 +278,7 @@ pub struct ShareArguments {
     /// The ray that is selected.
     #[command(flatten)]
     pub ray: RayArguments,
-    /// The address of the page, such as https://example.org/pinhole.html
+    /// The address of the page, with https://
     #[arg(long, value_name = "URL")]
     pub base: Option<String>,
     /// Draw the link as a QR code; the ending chooses the format, and - writes SVG to standard output

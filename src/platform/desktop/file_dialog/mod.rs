@@ -1,19 +1,39 @@
-//! The desktop's own file dialog, if there is one. On Linux and similar systems it belongs to the
-//! desktop's portal; on Windows and macOS, to the system.
+//! The desktop's own file dialog, if there is one: that of the desktop's portal, on Linux and similar systems.
 //!
 //! The dialog runs on another thread while the window continues to draw, and the answer arrives as an
 //! event.
 //!
-//! The crate `rfd` is used only on Windows and macOS. With a portal, it mistakes an error for a closed
-//! dialog, or starts Zenity, whereas the window would show its own list. Also, `rfd` needs libdbus,
-//! whereas the window already uses zbus for screen readers.
+//! The crate `rfd` is not used: with a portal, it mistakes an error for a closed dialog, or starts Zenity,
+//! whereas the window would show its own list. Also, it needs libdbus, whereas the window already uses zbus for
+//! screen readers.
 
 #[cfg(all(unix, not(target_os = "macos")))]
 mod portal;
-#[cfg(any(windows, target_os = "macos"))]
-mod system;
 
 #[cfg(all(unix, not(target_os = "macos")))]
 pub(super) use self::portal::{FileDialog, ask, detect};
-#[cfg(any(windows, target_os = "macos"))]
-pub(super) use self::system::{FileDialog, ask, detect};
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+pub(super) use self::without::{FileDialog, ask, detect};
+
+/// Replaces the portal on systems without one: the window shows its own list.
+#[cfg(not(all(unix, not(target_os = "macos"))))]
+mod without {
+    use winit::window::Window;
+
+    use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
+
+    /// An open dialog; there is none.
+    pub(crate) struct FileDialog;
+
+    /// Does nothing: there is no dialog to find.
+    pub(crate) fn detect(_: impl FnOnce() + Send + 'static) {}
+
+    /// Opens no dialog. Is not called, because [`detect`] finds none.
+    pub(crate) fn ask(
+        _: &FileRequest,
+        _: &Window,
+        _: impl FnOnce(FileAnswer) + Send + 'static,
+    ) -> FileDialog {
+        FileDialog
+    }
+}
