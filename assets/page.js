@@ -27,16 +27,35 @@ var pinhole = (() => {
   const taken = new Set();
   const releases = new Map();
 
+  // Finds the locks of other pages, and takes that of the first slot for unsaved changes that is free and empty.
   async function findLocks() {
     try {
       for (const lock of (await navigator.locks.query()).held) taken.add(lock.name);
+      for (let slot = 0; slot < 64; slot += 1) {
+        const name = `/browser/unsaved/${slot}.lock`;
+        const isEmpty = !storage()?.getItem(PREFIX + name.replace(".lock", ".toml"));
+        if (isEmpty && !taken.has(PREFIX + name)) {
+          if (await hold(name)) return;
+          taken.add(PREFIX + name);
+        }
+      }
     } catch { /* A browser without locks: its pages share their unsaved changes. */ }
+  }
+
+  // Holds a lock until it is released. Tells whether it was free.
+  function hold(name) {
+    return new Promise((tell, fail) => {
+      const hold = (lock) => {
+        tell(lock !== null);
+        return lock && new Promise((release) => releases.set(name, release));
+      };
+      navigator.locks.request(PREFIX + name, { ifAvailable: true }, hold).catch(fail);
+    });
   }
 
   function lock(name) {
     if (taken.has(PREFIX + name)) return false;
-    const held = new Promise((release) => releases.set(name, release));
-    navigator.locks?.request(PREFIX + name, { ifAvailable: true }, () => held).catch(() => {});
+    if (!releases.has(name) && navigator.locks) hold(name).catch(() => {});
     return true;
   }
 
@@ -53,12 +72,20 @@ var pinhole = (() => {
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
   }
 
+  // The size of the largest file that is read into memory, in bytes.
+  const LARGEST = 100 * 2 ** 20;
+
   // Takes files into the program's memory, and returns the path of the one to open: a scene or lesson, before
   // the tables that it names.
   async function take(files) {
     const paths = [];
     for (const file of files) {
-      paths.push(wasm_bindgen.file_added(file.name, new Uint8Array(await file.arrayBuffer())));
+      try {
+        if (file.size > LARGEST) throw new Error(`it is too large: at most ${LARGEST / 2 ** 20} MiB are read`);
+        paths.push(wasm_bindgen.file_added(file.name, new Uint8Array(await file.arrayBuffer())));
+      } catch (error) {
+        wasm_bindgen.file_refused(`${file.name}: ${error.message}`);
+      }
     }
     return paths.find((path) => path.endsWith(".toml")) ?? paths[0];
   }
@@ -74,13 +101,19 @@ var pinhole = (() => {
   // The program's runner asks for an animation frame after each frame, even if nothing will change. While the
   // page rests, its request waits here.
   const request = window.requestAnimationFrame.bind(window);
+  const WAITING = -1;
   let waiting = null;
   let isResting = false;
   let timer = 0;
   window.requestAnimationFrame = (frame) => {
     if (!isResting) return request(frame);
     waiting = frame;
-    return 0;
+    return WAITING;
+  };
+  const cancel = window.cancelAnimationFrame.bind(window);
+  window.cancelAnimationFrame = (id) => {
+    if (id === WAITING) waiting = null;
+    else cancel(id);
   };
 
   function wake() {
@@ -102,11 +135,24 @@ var pinhole = (() => {
 
   const EVENTS = "pointerdown pointermove pointerup pointercancel pointerleave mousedown mousemove mouseup "
     + "touchstart touchmove touchend touchcancel wheel keydown keyup input compositionstart compositionend "
-    + "copy cut paste dragover dragleave drop focus blur resize hashchange popstate pageshow visibilitychange";
+    + "copy cut paste dragover dragleave drop focus blur resize hashchange popstate pageshow";
   for (const type of EVENTS.split(" ")) window.addEventListener(type, wake, { capture: true, passive: true });
   new ResizeObserver(wake).observe(element("canvas"));
   for (const query of ["(prefers-color-scheme: dark)", `(resolution: ${devicePixelRatio}dppx)`]) {
     window.matchMedia(query).addEventListener("change", wake);
+  }
+
+  // A hidden page has no frames and needs no timers in their place, which the runner would set.
+  window.addEventListener("visibilitychange", (event) => {
+    event.stopImmediatePropagation();
+    if (document.hidden) leave();
+    wake();
+  }, { capture: true });
+  window.addEventListener("pagehide", leave);
+
+  // Stores unsaved changes and settings. Before the program has started, there are none.
+  function leave() {
+    try { wasm_bindgen.page_hidden(); } catch { /* It has not started, or has failed. */ }
   }
 
   window.addEventListener("drop", async (event) => {
@@ -156,11 +202,13 @@ var pinhole = (() => {
     row.querySelector("button")?.focus();
   }
 
-  function failed(message, report) {
-    show("Pinhole ran into an internal error",
-      ["Your scene is kept: unsaved changes are in the storage of this browser."], message,
+  function failed(message, report, isKept) {
+    const kept = isKept ? "Unsaved changes are kept in the storage of this browser."
+      : "Unsaved changes could not be stored: save the report, which has the scene, before you go on.";
+    show("Pinhole ran into an internal error", [kept], message,
       [["Go on", () => location.reload()],
-        ["Copy a report", () => navigator.clipboard.writeText(report)]]);
+        ["Copy a report", () => navigator.clipboard.writeText(report)],
+        ["Save the report", () => download("pinhole-report.txt", report)]]);
   }
 
   // A module with one vector instruction.
@@ -180,7 +228,7 @@ var pinhole = (() => {
     const lacks = missing();
     if (lacks.length) {
       show("This browser cannot run Pinhole", ["It lacks:", ...lacks.map((name) => "• " + name + "."),
-        "Firefox 113, Chrome 91, Edge 91, Safari 16.4 and later ones have them all. If yours is later, the "
+        "Firefox 113, Chrome 113, Edge 113, Safari 16.4 and later ones have them all. If yours is later, the "
         + "settings of the browser or of the computer switch them off."]);
       return;
     }
@@ -192,7 +240,7 @@ var pinhole = (() => {
   }
 
   window.addEventListener("DOMContentLoaded", () => start().catch((error) => {
-    if (element("message").hidden) failed(String(error), String(error.stack || error));
+    if (element("message").hidden) failed(String(error), String(error.stack || error), true);
   }));
 
   return {

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::env;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Read as _, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::SystemTime;
 
@@ -68,6 +68,10 @@ pub trait Host: Send + Sync {
 
     /// Returns the stamp (modification time and size) of a file; `None` if there is no such file.
     fn stamp(&self, path: &Path) -> Option<Stamp>;
+
+    /// Returns the absolute path of a file without links, even if the file does not exist but its folder does.
+    /// Returns `None` if there is no such folder.
+    fn resolved(&self, path: &Path) -> Option<PathBuf>;
 
     /// Returns true if the two paths refer to the same file.
     fn is_same_file(&self, a: &Path, b: &Path) -> bool;
@@ -161,6 +165,14 @@ impl Host for OperatingSystem {
         Some(Stamp { modified, length: data.len() })
     }
 
+    fn resolved(&self, path: &Path) -> Option<PathBuf> {
+        let in_folder = || path.parent()?.canonicalize().ok().zip(path.file_name());
+        path.canonicalize()
+            .ok()
+            .or_else(|| in_folder().map(|(folder, name)| folder.join(name)))
+            .or_else(|| std::path::absolute(path).ok())
+    }
+
     fn is_same_file(&self, a: &Path, b: &Path) -> bool {
         atomic::is_same_file(a, b)
     }
@@ -188,10 +200,7 @@ impl Host for OperatingSystem {
         let folder = atomic::folder_of(&program);
         let found = places.iter().map(|place| folder.join(place).join(PAGE));
         let page = found.into_iter().find(|page| page.is_file()).ok_or_else(|| {
-            format!(
-                "{PAGE} is missing: it belongs into the folder of the program, {}",
-                folder.display()
-            )
+            format!("{PAGE} is missing. It belongs in the program's folder, {}.", folder.display())
         })?;
         fs::read_to_string(&page).map_err(|error| FileError::unreadable(&page, &error).to_string())
     }

@@ -1,6 +1,6 @@
 //! The part of a page: how a scene or a lesson goes into a page that shows the program in a browser.
 
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 
 use pinhole_exchange::document::Document;
 use pinhole_exchange::page::PagePart;
@@ -18,15 +18,16 @@ const SCENE: &str = "scene.toml";
 /// Returns an error if the scene cannot be written, or if its table of spheres cannot be read.
 pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
     let mut part = PagePart { scene: Some(SCENE.to_owned()), ..PagePart::default() };
-    let table = document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
-    // In the folder of its table, the scene names the table alone.
-    let path = table.map_or_else(|| SCENE.into(), |table| table.with_file_name(SCENE));
-    let text = scene_file::prepare(document, &path, None, false)?.text;
-    part.files.insert(SCENE.to_owned(), text);
-    if let Some(table) = table {
-        let name = table.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        part.files.insert(name, limits::read_text(table)?);
+    let mut document = document.clone();
+    let mut path = PathBuf::from(SCENE);
+    if let Some(csv) = &mut document.csv_spheres {
+        // In the folder of its table, the scene names the table alone.
+        path = csv.file.with_file_name(SCENE);
+        csv.path = csv.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        part.files.insert(csv.path.clone(), limits::read_text(&csv.file)?);
     }
+    let text = scene_file::prepare(&document, &path, None, false)?.text;
+    part.files.insert(SCENE.to_owned(), text);
     Ok(part)
 }
 

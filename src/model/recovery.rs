@@ -96,16 +96,19 @@ impl Slot {
     pub fn open(folder: &Path) -> (Option<Slot>, Vec<Found>, Option<FileError>) {
         let (mut own, mut found, mut fault) = (None, Vec::new(), None);
         for number in 0..SLOTS {
-            let is_known = host().stamp(&folder.join(format!("{number}.lock"))).is_some();
-            match Slot::at(folder, number) {
-                Ok(Some(slot)) if host().stamp(&slot.scene).is_some() => {
-                    found.extend(Found::of(slot))
+            let is_there =
+                |ending: &str| host().stamp(&folder.join(format!("{number}.{ending}"))).is_some();
+            if own.is_some() && !is_there("toml") {
+                // A system's slots follow one another; in a browser, any of them may have been left.
+                if host().has_folders() && !is_there("lock") {
+                    break;
                 }
+                continue;
+            }
+            match Slot::at(folder, number) {
+                Ok(Some(slot)) if is_there("toml") => found.extend(Found::of(slot)),
                 Ok(slot) => own = own.or(slot),
                 Err(error) => fault = fault.or(Some(error)),
-            }
-            if !is_known && own.is_some() {
-                break;
             }
         }
         found.sort_by_key(|found| found.age);

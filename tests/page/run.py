@@ -109,6 +109,11 @@ def a_file_is_dropped_changed_and_saved(page, pictures):
     browser.key("s", CTRL)
     saved = browser.downloads()["mine.toml"]
     assert "</script>" in saved and "-5" in saved, saved
+    browser.drop(["table.toml", 'spheres = "balls.csv"\n' + SCENE], ["balls.csv", "x,y,z,r\n0,0,-5,1\n"])
+    assert "hits object 0" in browser.told() or browser.told().startswith("table.toml"), browser.told()
+    browser.key("s", CTRL)
+    assert 'spheres = "balls.csv"' in browser.downloads()["table.toml"], browser.downloads()
+    browser.drop(["mine.toml", SCENE])
     browser.drop(["broken.toml", "pinhole = 1\n[camera]\neye = 3\n"])
     assert browser.told().startswith("mine.toml"), "a broken file replaced the scene"
     browser.shot(pictures / "broken.png")

@@ -159,21 +159,12 @@ pub fn prepare(
 /// path. Returns `None` if the path is not UTF-8.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let file = resolved(file)?;
-    if resolved(&folder.join(written)).as_ref() == Some(&file) {
+    let file = host().resolved(file)?;
+    if host().resolved(&folder.join(written)).as_ref() == Some(&file) {
         return Some(written.to_owned());
     }
-    let relative = resolved(folder).and_then(|folder| relative_path(&folder, &file));
+    let relative = host().resolved(folder).and_then(|folder| relative_path(&folder, &file));
     relative.unwrap_or(file).to_str().map(str::to_owned)
-}
-
-/// Returns the absolute path without links. The file itself need not exist if its folder does.
-fn resolved(path: &Path) -> Option<PathBuf> {
-    let in_folder = || path.parent()?.canonicalize().ok().zip(path.file_name());
-    path.canonicalize()
-        .ok()
-        .or_else(|| in_folder().map(|(folder, name)| folder.join(name)))
-        .or_else(|| std::path::absolute(path).ok())
 }
 
 /// Returns the relative path from a folder to a file, which are both absolute. Returns `None` if they

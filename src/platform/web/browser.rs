@@ -2,7 +2,7 @@
 //! and the program's own files are in the browser's storage.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
@@ -13,6 +13,8 @@ use super::page;
 
 /// The folder of the program's own files, which are in the browser's storage.
 const STORAGE: &str = "/browser";
+/// The folder of unsaved changes.
+const UNSAVED: &str = "/browser/unsaved";
 
 /// Returns the path of a file that stores the program's state.
 pub(super) fn state() -> PathBuf {
@@ -39,14 +41,31 @@ fn files() -> MutexGuard<'static, BTreeMap<PathBuf, MemoryFile>> {
 /// Puts a file into memory. Returns its path.
 pub(super) fn add(name: &str, content: Vec<u8>) -> PathBuf {
     let stamp = Stamp { modified: Some(now()), length: content.len() as u64 };
-    let path = PathBuf::from(name);
+    let path = plain(Path::new(name));
     files().insert(path.clone(), MemoryFile { content, stamp });
     path
 }
 
 /// Returns true if a file belongs to the program: it is in the browser's storage.
 fn is_own(path: &Path) -> bool {
+    let endings = ["json", "lock", "toml"];
     path.starts_with(STORAGE)
+        && path.extension().is_some_and(|own| endings.iter().any(|e| own == *e))
+}
+
+/// Returns the path of a file in memory: without the folder of unsaved changes, which name their tables as if
+/// they stood beside them, and without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let path = path.strip_prefix(UNSAVED).unwrap_or(path);
+    let mut plain = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => drop(plain.pop()),
+            Component::Normal(name) => plain.push(name),
+            _ => {}
+        }
+    }
+    plain
 }
 
 fn key(path: &Path) -> String {
@@ -74,7 +93,7 @@ impl Host for Browser {
         let found = if is_own(path) {
             stored(path).map(|(_, content)| start(content.as_bytes()))
         } else {
-            files().get(path).map(|file| start(&file.content))
+            files().get(&plain(path)).map(|file| start(&file.content))
         };
         found.ok_or_else(|| {
             let problem = "is not in this page: drop it into the window, together with the file \
@@ -110,20 +129,24 @@ impl Host for Browser {
         if is_own(path) {
             page::forget(&key(path));
         } else {
-            files().remove(path);
+            files().remove(&plain(path));
         }
     }
 
     fn stamp(&self, path: &Path) -> Option<Stamp> {
         if !is_own(path) {
-            return files().get(path).map(|file| file.stamp);
+            return files().get(&plain(path)).map(|file| file.stamp);
         }
         let (modified, content) = stored(path)?;
         Some(Stamp { modified: Some(modified), length: content.len() as u64 })
     }
 
+    fn resolved(&self, path: &Path) -> Option<PathBuf> {
+        Some(plain(path))
+    }
+
     fn is_same_file(&self, a: &Path, b: &Path) -> bool {
-        a == b
+        plain(a) == plain(b)
     }
 
     fn lock(&self, path: &Path) -> Result<Option<Lock>, FileError> {

@@ -7,6 +7,7 @@ mod browser;
 mod page;
 pub mod self_test;
 
+use std::any::Any;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::pin::Pin;
@@ -43,6 +44,8 @@ struct Page {
 struct Events {
     /// Files that were dropped.
     dropped: Vec<PathBuf>,
+    /// The reason why a chosen or dropped file cannot be read.
+    refused: Option<String>,
     /// The link that was opened in the page's address.
     link: Option<String>,
     /// The answer of the browser's dialog for files.
@@ -51,20 +54,26 @@ struct Events {
 
 thread_local! {
     static EVENTS: RefCell<Events> = RefCell::default();
+    static RUNNER: RefCell<Option<WebRunner>> = const { RefCell::new(None) };
 }
 
 static CONTEXT: OnceLock<Context> = OnceLock::new();
 
 /// Shows the program in the page's canvas.
 pub fn main() -> ExitCode {
-    fault::watch(|message| page::failed(message, &last_report(message)));
+    fault::watch(|message| {
+        let (report, is_kept) = last_report(message);
+        page::failed(message, &report, is_kept);
+    });
     host::set(browser::Browser);
     wasm_bindgen_futures::spawn_local(async {
         let Some(canvas) = canvas() else { return };
         let app =
             Box::new(|creation: &CreationContext<'_>| Ok(Box::new(Page::new(creation)?) as _));
-        if let Err(error) = WebRunner::new().start(canvas, WebOptions::default(), app).await {
-            page::failed(&format!("{error:?}"), "");
+        let runner = WebRunner::new();
+        RUNNER.set(Some(runner.clone()));
+        if let Err(error) = runner.start(canvas, WebOptions::default(), app).await {
+            page::failed(&format!("{error:?}"), "", true);
         }
     });
     ExitCode::SUCCESS
@@ -84,7 +93,9 @@ impl Page {
         }
         // Files that the user chose in an earlier run are not in this page.
         remembered.recent.clear();
-        remembered.last.take_if(|last| last.extension().is_some());
+        if remembered.last.take_if(|last| last.extension().is_some()).is_some() {
+            remembered.selection = None;
+        }
         App::set_up(&creation.egui_ctx, &remembered.settings);
         creation.egui_ctx.add_plugin(Output);
         let _ = CONTEXT.set(creation.egui_ctx.clone());
@@ -142,6 +153,9 @@ impl eframe::App for Page {
         input
             .dropped_files
             .extend(events.dropped.into_iter().map(|path| Arc::new(Dropped(path)) as _));
+        if let Some(reason) = events.refused {
+            self.app.show_message("This file cannot be read", reason);
+        }
         if let Some(link) = events.link {
             self.app.follow_link(link);
         }
@@ -163,6 +177,10 @@ impl eframe::App for Page {
     fn save(&mut self, _: &mut dyn eframe::Storage) {
         self.app.rest();
         self.app.remember();
+    }
+
+    fn as_any_mut(&mut self) -> Option<&mut dyn Any> {
+        Some(self)
     }
 }
 
@@ -231,6 +249,23 @@ pub fn file_dropped(path: String) {
     wake();
 }
 
+/// Tells the app why a file that the user chose or dropped cannot be read.
+#[wasm_bindgen]
+pub fn file_refused(reason: String) {
+    EVENTS.with_borrow_mut(|events| events.refused = Some(reason));
+    wake();
+}
+
+/// Stores unsaved changes and settings, because the page is hidden or closed.
+#[wasm_bindgen]
+pub fn page_hidden() {
+    let runner = RUNNER.with_borrow(Clone::clone);
+    if let Some(mut page) = runner.as_ref().and_then(|runner| runner.app_mut::<Page>()) {
+        page.app.rest();
+        page.app.remember();
+    }
+}
+
 /// Tells the app which link the user opened in the page.
 #[wasm_bindgen]
 pub fn link_opened(fragment: String) {
@@ -250,15 +285,13 @@ thread_local! {
 }
 
 /// Writes the last changes to their slot, because the program has failed and cannot go on. Returns a report
-/// about the failure.
-fn last_report(message: &str) -> String {
+/// about the failure with the scene, and whether the changes were written.
+fn last_report(message: &str) -> (String, bool) {
     let version = env!("CARGO_PKG_VERSION");
-    let scene = LAST.take().and_then(|(unsaved, slot)| {
-        // If the storage is full, the report still has the scene.
-        let _ = unsaved.write(&slot);
-        unsaved.text(&slot).ok()
-    });
-    format!("Pinhole {version} in a browser\n{message}\n\n{}", scene.unwrap_or_default())
+    let last = LAST.take();
+    let is_kept = last.as_ref().is_none_or(|(unsaved, slot)| unsaved.write(slot).is_ok());
+    let scene = last.and_then(|(unsaved, slot)| unsaved.text(&slot).ok()).unwrap_or_default();
+    (format!("Pinhole {version} in a browser\n{message}\n\n{scene}"), is_kept)
 }
 
 /// Carries out what a frame asks of the window, and lets the page rest until the next one.

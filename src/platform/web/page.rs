@@ -56,6 +56,6 @@ extern "C" {
     /// Rests until the next event, or until this many seconds have passed.
     pub(super) fn rest(seconds: f64);
 
-    /// Shows a page about an error of the program.
-    pub(super) fn failed(message: &str, report: &str);
+    /// Shows a page about an error of the program. `is_kept` is true if unsaved changes are stored.
+    pub(super) fn failed(message: &str, report: &str, is_kept: bool);
 }
