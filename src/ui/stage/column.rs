@@ -85,7 +85,7 @@ fn size_that_fits(
     let step = Id::unique((&open.step().text, width, height, written));
     let slot = Id::unique("size of the column's text");
     let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
-    let fits = |size: &f32| {
+    let mut fits = |size: &f32| {
         let words = words_height(ui, open, texts.width(), *size);
         // Laying out the formulas costs more, and a drag changes them in each frame.
         if words > texts.height() {
@@ -97,8 +97,15 @@ fn size_that_fits(
             None => words + formulas <= texts.height(),
         }
     };
-    let size = SIZES.into_iter().filter(|size| last.is_none_or(|last| *size <= last.1)).find(fits);
-    let size = size.unwrap_or(WRITTEN);
+    let largest = SIZES.partition_point(|size| last.is_some_and(|last| *size > last.1));
+    // Usually the largest; a new step finds its size by halves, because each costs a layout of all texts.
+    let size = match SIZES[largest..].split_first() {
+        Some((size, smaller)) if !fits(size) => {
+            smaller.get(smaller.partition_point(|size| !fits(size)))
+        }
+        first => first.map(|(size, _)| size),
+    };
+    let size = size.copied().unwrap_or(WRITTEN);
     ui.data_mut(|data| data.insert_temp(slot, (step, size)));
     size
 }
