@@ -126,8 +126,11 @@ var pinhole = (() => {
   // The longest delay of a timer, about 24 days.
   const LONGEST = 2 ** 31 - 1;
 
+  let hasPicture = false;
+
   function rest(seconds) {
-    if (!performance.getEntriesByName("first picture").length) performance.mark("first picture");
+    if (!hasPicture) performance.mark("first picture");
+    hasPicture = true;
     clearTimeout(timer);
     isResting = seconds > 0;
     if (isResting && seconds * 1000 < LONGEST) timer = setTimeout(wake, seconds * 1000);
@@ -203,6 +206,13 @@ var pinhole = (() => {
   }
 
   function failed(message, report, isKept) {
+    const lacks = hasPicture ? [] : missing();
+    if (lacks.length) {
+      show("This browser cannot run Pinhole", ["It lacks:", ...lacks.map((name) => "• " + name + "."),
+        "Firefox 113, Chrome 113, Edge 113, Safari 16.4 and later ones have them all. If yours is later, the "
+        + "settings of the browser or of the computer switch them off."]);
+      return;
+    }
     const kept = isKept ? "Unsaved changes are kept in the storage of this browser."
       : "Unsaved changes could not be stored: save the report, which has the scene, before you go on.";
     show("Pinhole ran into an internal error", [kept], message,
@@ -215,6 +225,7 @@ var pinhole = (() => {
   const VECTORS = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0,
     65, 0, 253, 15, 253, 98, 11]);
 
+  // What the program needs and this browser lacks. It is asked after a failure: it takes a tenth of a second.
   function missing() {
     const has = {
       "WebGL 2, which draws the picture": () => document.createElement("canvas").getContext("webgl2"),
@@ -225,13 +236,6 @@ var pinhole = (() => {
   }
 
   async function start() {
-    const lacks = missing();
-    if (lacks.length) {
-      show("This browser cannot run Pinhole", ["It lacks:", ...lacks.map((name) => "• " + name + "."),
-        "Firefox 113, Chrome 113, Edge 113, Safari 16.4 and later ones have them all. If yours is later, the "
-        + "settings of the browser or of the computer switch them off."]);
-      return;
-    }
     await findLocks();
     const letters = atob(element("program").textContent);
     // A loop, because `Uint8Array.from` takes a third of a second for it.
