@@ -137,7 +137,7 @@ impl ExportForm {
 
     /// Shows the choice of the figure's subject.
     fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (k, shown) in self.subjects.iter().enumerate() {
                 if ui.radio(self.chosen == k, shown.subject.title()).clicked() && self.chosen != k {
                     // A file name that was not edited follows the subject.

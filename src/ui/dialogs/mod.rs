@@ -3,7 +3,7 @@
 
 use std::path::PathBuf;
 
-use egui::{Context, Id, Modal, ProgressBar, Ui};
+use egui::{Context, Id, Modal, ProgressBar, ScrollArea, Ui, Vec2};
 
 use crate::ui::action::{Action, request};
 use crate::ui::dialogs::share::ShareForm;
@@ -65,7 +65,7 @@ impl Question {
         }
         ui.add_space(8.0);
         let mut is_answered = false;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (text, hint, action) in &self.answers {
                 let mut button = ui.button(*text);
                 if !hint.is_empty() {
@@ -132,6 +132,34 @@ pub(crate) fn answer(dialog: &mut Option<Dialog>, answer: FileAnswer) {
     }
 }
 
+/// Width of a dialog where there is room for it, and its minimum distance from the window's edges, in points.
+const WIDTH: f32 = 460.0;
+const EDGE: f32 = 12.0;
+
+/// Shows the contents of the dialog. Returns the action of its answer; sets `close` to true if it is closed.
+fn contents(ui: &mut Ui, open: &mut Dialog, close: &mut bool) -> Option<Action> {
+    match open {
+        Dialog::File(field, action) => {
+            ui.heading(field.question.title);
+            field.ui(ui, close).map(action)
+        }
+        Dialog::Export(form) => form.ui(ui, close),
+        Dialog::Share(form) => form.ui(ui, close),
+        Dialog::Progress { done, frames } => {
+            ui.heading("Exporting the animation");
+            ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));
+            ui.label(format!("{done} of {frames} frames"));
+            ui.add_space(8.0);
+            *close |= ui.button("Cancel").clicked();
+            None
+        }
+        Dialog::Question(question) => {
+            *close |= question.ui(ui);
+            None
+        }
+    }
+}
+
 /// Shows the dialog, if one is open, and closes it when it is answered.
 pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>) {
     let Some(open) = dialog else { return };
@@ -140,26 +168,14 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>) {
     let size = || ctx.memory(|memory| memory.area_rect(id)).map(|rect| rect.size());
     let size_before = size();
     let response = Modal::new(id).show(ctx, |ui| {
-        ui.set_width(460.0);
-        let answer = match open {
-            Dialog::File(field, action) => {
-                ui.heading(field.question.title);
-                field.ui(ui, &mut close).map(action)
-            }
-            Dialog::Export(form) => form.ui(ui, &mut close),
-            Dialog::Share(form) => form.ui(ui, &mut close),
-            Dialog::Progress { done, frames } => {
-                ui.heading("Exporting the animation");
-                ui.add(ProgressBar::new(*done as f32 / (*frames).max(1) as f32));
-                ui.label(format!("{done} of {frames} frames"));
-                ui.add_space(8.0);
-                close |= ui.button("Cancel").clicked();
-                None
-            }
-            Dialog::Question(question) => {
-                close |= question.ui(ui);
-                None
-            }
+        let room = ctx.content_rect().size() - Vec2::splat(2.0 * EDGE);
+        ui.set_width(room.x.min(WIDTH));
+        let is_too_high = size_before.is_some_and(|size| size.y > room.y);
+        let answer = if is_too_high {
+            let scrolled = ScrollArea::vertical().max_height(room.y);
+            scrolled.show(ui, |ui| contents(ui, open, &mut close)).inner
+        } else {
+            contents(ui, open, &mut close)
         };
         if let Some(action) = answer {
             close = true;
