@@ -1,6 +1,6 @@
 //! The bar at the top: the menus, the four workspaces, and the pages of the open workspace.
 
-use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::containers::menu::{MenuButton, MenuConfig, SubMenuButton, is_in_menu};
 use egui::{MenuBar, PopupCloseBehavior, RichText, Ui};
 use pinhole_core::Shade;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
@@ -36,7 +36,13 @@ pub(crate) fn ui(
             let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             ui.menu_button("File", |ui| file_menu(ui, recent, there));
             ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
-            MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
+            if is_in_menu(ui) {
+                SubMenuButton::new("View")
+                    .config(stays)
+                    .ui(ui, |ui| view_menu(ui, there, settings));
+            } else {
+                MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
+            }
             ui.menu_button("Lessons", lessons_menu);
             ui.menu_button("Play", play::menu);
             ui.menu_button("Tools", |ui| tools_menu(ui, settings));
