@@ -167,8 +167,16 @@ var pinhole = (() => {
     wake();
   }, { capture: true });
 
+  // Takes the link out of the page's address, so that a reload shows what the user has done since.
+  function fragment() {
+    const link = location.hash.slice(1);
+    if (link) history.replaceState(null, "", location.pathname + location.search);
+    return link;
+  }
+
   window.addEventListener("hashchange", () => {
-    if (location.hash.length > 1) wasm_bindgen.link_opened(location.hash.slice(1));
+    const link = fragment();
+    if (link) wasm_bindgen.link_opened(link);
     wake();
   });
 
@@ -182,6 +190,11 @@ var pinhole = (() => {
     const change = fill ? document.documentElement.requestFullscreen?.() : document.exitFullscreen?.();
     change?.catch(() => { /* Some browsers let no page fill the screen. */ });
   }
+
+  document.addEventListener("fullscreenchange", () => {
+    if (!document.fullscreenElement) wasm_bindgen.screen_left();
+    wake();
+  });
 
   function tell(text) {
     if (element("told").textContent !== text) element("told").textContent = text;
@@ -262,7 +275,7 @@ var pinhole = (() => {
     part: () => element("part").textContent,
     source: () => source,
     address: () => location.href.split("#")[0],
-    fragment: () => location.hash.slice(1),
+    fragment,
     reduced_motion: () => window.matchMedia("(prefers-reduced-motion: reduce)").matches,
     set_title: (title) => { document.title = title; },
     fill_screen: fillScreen,

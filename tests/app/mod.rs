@@ -7,6 +7,7 @@ mod every_step;
 mod failure;
 mod faults;
 mod files;
+mod fingers;
 pub(crate) mod harness;
 mod history;
 mod lessons;

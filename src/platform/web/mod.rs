@@ -46,6 +46,8 @@ struct Events {
     dropped: Vec<PathBuf>,
     /// The reason why a chosen or dropped file cannot be read.
     refused: Option<String>,
+    /// True if the page no longer fills the screen.
+    left_screen: bool,
     /// The link that was opened in the page's address.
     link: Option<String>,
     /// The answer of the browser's dialog for files.
@@ -156,6 +158,9 @@ impl eframe::App for Page {
         if let Some(reason) = events.refused {
             self.app.show_message("This file cannot be read", reason);
         }
+        if events.left_screen {
+            self.app.end_presenting();
+        }
         if let Some(link) = events.link {
             self.app.follow_link(link);
         }
@@ -253,6 +258,13 @@ pub fn file_dropped(path: String) {
 #[wasm_bindgen]
 pub fn file_refused(reason: String) {
     EVENTS.with_borrow_mut(|events| events.refused = Some(reason));
+    wake();
+}
+
+/// Tells the app that the page no longer fills the screen, which the user may have asked of the browser.
+#[wasm_bindgen]
+pub fn screen_left() {
+    EVENTS.with_borrow_mut(|events| events.left_screen = true);
     wake();
 }
 

@@ -38,7 +38,7 @@ extern "C" {
     /// Returns the page's address without its fragment.
     pub(super) fn address() -> String;
 
-    /// Returns the fragment of the page's address, without `#`.
+    /// Takes the fragment out of the page's address. Returns it without `#`.
     pub(super) fn fragment() -> String;
 
     /// Returns true if the user has asked the system for less motion.

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use egui::{Context, ThemePreference, ViewportCommand};
+use egui::{Context, Event, Id, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
 use pinhole_exchange::scenes::SceneSource;
 
@@ -342,7 +342,7 @@ impl App {
 const ZOOM_STEP: f32 = 0.1;
 
 /// Changes how the scene is shown.
-fn change_look(session: &mut Session, action: LookAction) {
+pub(super) fn change_look(session: &mut Session, action: LookAction) {
     let settings = &mut session.settings;
     match action {
         LookAction::Layout(layout) => settings.layout = layout,
@@ -431,7 +431,7 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
         ThemeName::Light => ThemePreference::Light,
     });
     let presenting = session.presenting.is_some();
-    theme::install(ctx, Look::new(settings, presenting));
+    theme::install(ctx, Look { by_touch: is_by_touch(ctx), ..Look::new(settings, presenting) });
     let usual = egui::style::Interaction::default().tooltip_delay;
     let delay = if may_explain(ctx) { usual } else { NEVER };
     if ctx.global_style().interaction.tooltip_delay != delay {
@@ -448,6 +448,22 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
         ctx.set_zoom_factor(zoom);
         ctx.request_repaint();
     }
+}
+
+/// Returns true if the last pointer was a finger. This does not change while a pointer is down, so that nothing
+/// moves under it.
+fn is_by_touch(ctx: &Context) -> bool {
+    let shown = theme::installed(ctx).by_touch;
+    let (touches, moves, is_down) = ctx.input(|input| {
+        let is_any = |kind: fn(&Event) -> bool| input.events.iter().any(kind);
+        let touches = input.any_touches() || is_any(|event| matches!(event, Event::Touch { .. }));
+        let moves = is_any(|event| matches!(event, Event::PointerMoved(_)));
+        (touches, moves, input.pointer.any_down())
+    });
+    let last = Id::unique("the last pointer was a finger");
+    let is_finger = touches || !moves && ctx.data(|data| data.get_temp(last)).unwrap_or(shown);
+    ctx.data_mut(|data| data.insert_temp(last, is_finger));
+    if is_down { shown } else { is_finger }
 }
 
 /// Returns the window's size in points at a zoom of 1, or zero if the window is not on a screen.

@@ -26,10 +26,11 @@ use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
-use crate::ui::stage::Stage;
+use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
+use crate::view::typesetting::theme;
 
 /// Minimum width of the window in which the panel is beside the views, in points.
 const LEAST_WIDTH: f32 = 640.0;
@@ -64,6 +65,9 @@ impl App {
             self.derive(ui, &rects);
             self.outputs(ui, &rects, stage.as_ref());
             self.code_over(ui, stage.as_ref());
+            if self.scene.session.presenting.is_some() && theme::installed(&ctx).by_touch {
+                navigation::for_fingers(&ctx, self.lesson().is_some());
+            }
             is_old |= is_any_requested(&ctx);
             if let Some(pen) = &mut self.scene.session.pen {
                 views::pen(ui, ui.max_rect(), pen);

@@ -33,7 +33,7 @@ use self::window::{AppWindow, FileWatch};
 use crate::model::recovery::{Slot, Unsaved};
 use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::{Lesson, OpenDocument, OpenLesson, Player, Remembered, StepId, Store};
-use crate::ui::action::{Action, FileAction};
+use crate::ui::action::{Action, FileAction, LookAction};
 use crate::ui::dialogs::{Dialog, FileAnswer, FileRequest};
 use crate::ui::frame_times::{FrameWork, WorkTimes};
 use crate::ui::scene::dragging::Dragging;
@@ -132,6 +132,13 @@ impl App {
         if let Some(opened) = self.scene.open_lesson(id, file) {
             self.history.take_as_settled(&self.scene.open.document);
             self.show_opened(opened);
+        }
+    }
+
+    /// Ends presenting, because the window no longer fills the screen.
+    pub fn end_presenting(&mut self) {
+        if self.scene.session.presenting.is_some() {
+            apply::change_look(&mut self.scene.session, LookAction::Present);
         }
     }
 

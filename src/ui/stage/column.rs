@@ -45,7 +45,9 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
     let fill = ui.visuals().panel_fill;
     ui.painter().rect_filled(stage.column, 0.0, fill);
     let whole = stage.column.shrink2(MARGIN.into());
-    let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - FOOT);
+    navigation::swipe(ui, stage.column);
+    let foot = FOOT.max(ui.spacing().interact_size.y);
+    let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - foot);
     let has_two_parts = stage.is_above_column()
         && whole.width() > whole.height()
         && formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;

@@ -17,7 +17,7 @@ use crate::ui::workspaces::{PageContext, foot, hidden, page};
 use crate::view::typesetting::theme;
 
 pub(crate) mod column;
-mod navigation;
+pub(crate) mod navigation;
 
 /// Width of the main figure and of an exercise, which says itself what is asked, as fractions of a wide
 /// window's.

@@ -3,11 +3,13 @@
 use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Button, RichText, ScrollArea, Ui, vec2};
+use egui::{
+    Align2, Area, Button, Context, Id, Order, Rect, RichText, ScrollArea, Sense, Ui, Vec2, vec2,
+};
 
 use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
-use crate::ui::action::{Action, Leave, LessonAction};
+use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
 use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::ResponseExt as _;
 
@@ -43,7 +45,50 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));
 }
 
-/// Number of columns of the table of contents. With this number, all lessons fit into a window that is
+/// Distance of the buttons for a finger from the window's edges, in points.
+const EDGE: f32 = 6.0;
+
+/// Shows, in the lower right corner of the window, what a finger has in place of the presenter's keys: a button
+/// that ends presenting and, in a lesson, those that lead through it.
+pub(crate) fn for_fingers(ctx: &Context, has_lesson: bool) {
+    let area = Area::new(Id::unique("for fingers")).order(Order::Middle);
+    area.anchor(Align2::RIGHT_BOTTOM, Vec2::splat(-EDGE)).show(ctx, |ui| {
+        let button = |ui: &mut Ui, text: &str, name: &str, action: Action| {
+            let side = Vec2::splat(ui.spacing().interact_size.y);
+            ui.add(Button::new(RichText::new(text).size(BUTTON)).min_size(side))
+                .named(name)
+                .asks(action);
+        };
+        ui.horizontal(|ui| {
+            if has_lesson {
+                button(ui, "←", "Previous", LessonAction::Previous.into());
+                button(ui, "→", "Next", LessonAction::Next.into());
+            }
+            button(ui, "×", "End presenting", LookAction::Present.into());
+        });
+    });
+}
+
+/// Minimum distance of a swipe, in points.
+const SWIPE: f32 = 60.0;
+
+/// Goes to the next step if a finger swipes over the column to the left, and back if it swipes to the right.
+pub(super) fn swipe(ui: &Ui, column: Rect) {
+    let response = ui.interact(column, ui.scope_id().with("swipe"), Sense::DRAG);
+    let way = ui.data(|data| data.get_temp::<Vec2>(response.id)).unwrap_or_default();
+    if ui.input(|input| input.any_touches()) {
+        let way = response.total_drag_delta().unwrap_or_default();
+        ui.data_mut(|data| data.insert_temp(response.id, way));
+    } else if way != Vec2::ZERO {
+        ui.data_mut(|data| data.remove::<Vec2>(response.id));
+        if way.x.abs() > SWIPE.max(2.0 * way.y.abs()) {
+            let is_back = way.x > 0.0;
+            request(ui.ctx(), if is_back { LessonAction::Previous } else { LessonAction::Next });
+        }
+    }
+}
+
+/// Maximum number of columns of the table of contents. With this number, all lessons fit into a window that is
 /// 720 points high.
 const COLUMNS: usize = 3;
 /// Width of a column, in points.
@@ -51,11 +96,12 @@ const COLUMN: f32 = 330.0;
 
 /// Shows all lessons with their steps; a lesson from a teacher's file is above the built-in ones.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
-    let width = COLUMNS as f32 * COLUMN;
     // The default limit of a menu is too small for all lessons.
-    ui.set_max_size((ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0)));
+    let room = (ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0));
+    ui.set_max_size(room);
+    let count = ((room.x / COLUMN) as usize).clamp(1, COLUMNS);
     ScrollArea::both().show(ui, |ui| {
-        ui.set_width(width);
+        ui.set_width(count as f32 * COLUMN);
         if let Some(lesson) = file {
             entries(ui, Which::File, lesson, open);
             ui.separator();
@@ -64,12 +110,12 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
             lessons.iter().map(|lesson| lesson.steps.len() + 1).sum()
         };
         let all = builtin::all();
-        ui.columns(COLUMNS, |columns| {
+        ui.columns(count, |columns| {
             for (index, lesson) in all.iter().enumerate() {
                 // All columns form one long column that is cut into equal parts. A lesson belongs to the
                 // part that contains its middle.
                 let middle = rows(&all[..index]) + lesson.steps.len() / 2;
-                let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
+                let column = (count * middle / rows(all).max(1)).min(count - 1);
                 entries(&mut columns[column], Which::Builtin(index), lesson, open);
             }
         });

@@ -26,6 +26,8 @@ pub(crate) struct Look {
     pub(crate) scheme: Scheme,
     /// True while presenting, when text is larger and has more contrast.
     pub(crate) presenting: bool,
+    /// True if the last pointer was a finger, for which buttons and fields are larger.
+    pub(crate) by_touch: bool,
     /// True if animations are turned off.
     pub(crate) reduced_motion: bool,
     /// Number of significant digits in number fields.
@@ -42,9 +44,13 @@ impl Look {
     /// Creates the look that the settings ask for.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, digits, .. } = *settings;
-        Look { scheme, presenting, reduced_motion, digits }
+        Look { scheme, presenting, by_touch: false, reduced_motion, digits }
     }
 }
+
+/// Minimum height of buttons and fields for a finger, in points. egui accepts a press up to 5 points beside
+/// them.
+const FINGER: f32 = 36.0;
 
 fn key() -> Id {
     Id::unique("look")
@@ -85,6 +91,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
             let cursor = style.visuals.text_cursor.clone();
             style.visuals = Visuals { text_cursor: cursor, ..visuals(theme, look) };
             style.text_styles = text_styles(look.presenting);
+            let usual = egui::style::Spacing::default().interact_size.y;
+            style.spacing.interact_size.y = if look.by_touch { FINGER } else { usual };
             if look.reduced_motion {
                 style.animation_time = 0.0;
                 style.scroll_animation = egui::style::ScrollAnimation::none();

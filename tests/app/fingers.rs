@@ -1,0 +1,149 @@
+//! A phone's window, by touch alone: presenting is left, lessons go on, menus open and dialogs are whole.
+
+use egui::accesskit::Role;
+use egui::{Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchPhase, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::lessons::{StepId, Which};
+use pinhole::ui::app::App;
+
+use crate::harness::{command, window};
+
+const PHONE: egui::Vec2 = vec2(390.0, 844.0);
+
+fn phone() -> Harness<'static, App> {
+    let mut harness = window("canonical");
+    harness.set_size(PHONE);
+    harness.run();
+    harness
+}
+
+/// Sends what a browser tells of one finger.
+fn finger(harness: &mut Harness<'_, App>, phase: TouchPhase, pos: Pos2) {
+    let (device_id, id) = (TouchDeviceId(1), TouchId(1));
+    harness.event(Event::Touch { device_id, id, phase, pos, force: None });
+    let button = |pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    match phase {
+        TouchPhase::Start => harness.event(button(true)),
+        TouchPhase::Move => harness.event(Event::PointerMoved(pos)),
+        _ => {
+            harness.event(button(false));
+            harness.event(Event::PointerGone);
+        }
+    }
+    harness.step();
+}
+
+fn tap(harness: &mut Harness<'_, App>, at: Pos2) {
+    finger(harness, TouchPhase::Start, at);
+    finger(harness, TouchPhase::End, at);
+    harness.run_ok();
+}
+
+fn tap_button(harness: &mut Harness<'_, App>, name: &str) {
+    let button = harness.get_by_role_and_label(Role::Button, name).rect();
+    assert!(button.height() >= 36.0, "{name} is too small for a finger: {button}");
+    tap(harness, button.center());
+}
+
+fn swipe(harness: &mut Harness<'_, App>, from: Pos2, by: f32) {
+    finger(harness, TouchPhase::Start, from);
+    for k in 1..=4 {
+        finger(harness, TouchPhase::Move, from + vec2(0.25 * k as f32 * by, 0.0));
+    }
+    finger(harness, TouchPhase::End, from + vec2(by, 0.0));
+    harness.run_ok();
+}
+
+fn step(harness: &Harness<'_, App>) -> (usize, bool) {
+    let state = harness.state();
+    (state.lesson().unwrap().id().step, state.session().is_asking)
+}
+
+#[test]
+fn presenting_goes_on_and_ends_by_touch() {
+    let mut harness = phone();
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 0 }, None);
+    harness.run();
+    harness.key_press(egui::Key::F5);
+    harness.run();
+    assert!(harness.query_by_label("End presenting").is_none(), "a mouse's hand has keys");
+    tap(&mut harness, pos2(200.0, 100.0));
+    let begun = step(&harness);
+    tap_button(&mut harness, "Next");
+    assert_ne!(step(&harness), begun);
+    tap_button(&mut harness, "Previous");
+    tap_button(&mut harness, "End presenting");
+    assert!(harness.state().session().presenting.is_none());
+    assert!(harness.state().lesson().is_some());
+}
+
+#[test]
+fn a_swipe_over_the_text_leads_through_a_lesson_and_a_short_one_does_not() {
+    let mut harness = phone();
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 2 }, None);
+    harness.run();
+    let text = pos2(250.0, 560.0);
+    let begun = step(&harness);
+    swipe(&mut harness, text, -30.0);
+    assert_eq!(step(&harness), begun);
+    swipe(&mut harness, text, -150.0);
+    assert_ne!(step(&harness), begun);
+    swipe(&mut harness, text - vec2(150.0, 0.0), 150.0);
+    assert_eq!(step(&harness).0, begun.0);
+}
+
+#[test]
+fn presenting_ends_when_the_window_no_longer_fills_the_screen() {
+    let mut harness = phone();
+    harness.state_mut().end_presenting();
+    assert!(harness.state().session().presenting.is_none(), "it does not begin");
+    harness.key_press(egui::Key::F5);
+    harness.run();
+    harness.state_mut().end_presenting();
+    harness.run();
+    assert!(harness.state().session().presenting.is_none());
+}
+
+#[test]
+fn every_menu_opens_by_touch() {
+    for (menu, entry) in [("File", "Share…"), ("View", "Frame the camera"), ("Tools", "Translator")]
+    {
+        let mut harness = phone();
+        let at = harness.get_by_label("Menu").rect().center();
+        tap(&mut harness, at);
+        let button = |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == Role::Button;
+        let at = harness.query_all_by_label_contains(menu).find(button).unwrap().rect().center();
+        tap(&mut harness, at);
+        let shown = harness.query_all_by_label_contains(entry).next();
+        let rect = shown.unwrap_or_else(|| panic!("{menu} does not open")).rect();
+        assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{entry}: {rect}");
+    }
+}
+
+#[test]
+fn dialogs_and_the_contents_are_whole_on_a_phone() {
+    for title in ["Share", "Export a figure", "Save as", "About Pinhole"] {
+        let mut harness = phone();
+        command(&mut harness, title);
+        let buttons = harness.query_all_by_role(Role::Button);
+        let right = buttons.map(|button| button.rect().right()).fold(0.0, f32::max);
+        assert!(right <= PHONE.x, "{title}: {right}");
+        let fields = harness.query_all_by_role(Role::TextInput);
+        let right = fields.map(|field| field.rect().right()).fold(0.0, f32::max);
+        assert!(right <= PHONE.x, "{title}: {right}");
+    }
+    let mut harness = phone();
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 2 }, None);
+    harness.run();
+    harness.get_by_label("Contents").click();
+    harness.run();
+    for entry in harness.query_all_by_label_contains("1. ") {
+        assert!(entry.rect().right() <= PHONE.x, "{:?}", entry.rect());
+    }
+}
