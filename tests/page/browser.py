@@ -111,6 +111,17 @@ class Browser:
         time.sleep(0.3)
         return times
 
+    def measured_drag(self, start, end, button):
+        """Drags. Returns the milliseconds of the main thread's own work a frame, and those that each frame took."""
+        self.cdp("Performance.enable", timeDomain="threadTicks")
+        before = self.script_seconds()
+        times = self.drag(start, end, button)
+        return 1000 * (self.script_seconds() - before) / len(times), times
+
+    def script_seconds(self):
+        metrics = self.cdp("Performance.getMetrics")["metrics"]
+        return next(metric["value"] for metric in metrics if metric["name"] == "ScriptDuration")
+
     def touch(self, kind, *points):
         self.cdp("Input.dispatchTouchEvent", type=kind,
                  touchPoints=[{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(points)])
