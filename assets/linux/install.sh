@@ -101,6 +101,9 @@ case ":${XDG_DATA_HOME:-${HOME-}/.local/share}:${XDG_DATA_DIRS:-/usr/local/share
 esac
 
 if [ "$assets" = "$here" ]; then put "$here/pinhole" bin/pinhole 755; fi
+for page in "$here/pinhole.html" "$assets/target/pinhole.html"; do
+  if $remove || [ -e "$page" ]; then put "$page" share/pinhole/pinhole.html 644; fi
+done
 icon_file=share/icons/hicolor/256x256/apps/pinhole.png
 put "$assets/icon.png" "$icon_file" 644
 put_desktop_entry
