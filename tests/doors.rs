@@ -6,6 +6,7 @@ use std::cell::Cell;
 use std::path::Path;
 
 use pinhole::model::digest::picture_digest;
+use pinhole::model::lessons::{LessonArgument, OpenLesson};
 use pinhole::model::inspection::Inspection;
 use pinhole_core::Selection;
 use pinhole_core::*;
@@ -220,8 +221,8 @@ fn scenes_at_the_ends_of_single_precision() {
     ask_many(any_objects(), at_the_origin(), (Just(0), prop_oneof![120..155_i32, -132..-120_i32]));
 }
 
-/// Scenes with their digests, for `tests/page/run.py`, which asks a page for the same: the built-in ones and
-/// 1000 random ones. `PINHOLE_PAGE_SCENES` names the file to write.
+/// Scenes with their digests, for `tests/page/run.py`, which asks a page for the same: step 3 of lesson 7, the
+/// built-in ones and 1000 random ones. `PINHOLE_PAGE_SCENES` names the file to write.
 #[test]
 fn pictures_have_the_digest_of_what_is_read_back() {
     let mut scenes: Vec<(String, String)> = Vec::new();
@@ -232,6 +233,8 @@ fn pictures_have_the_digest_of_what_is_read_back() {
         assert_eq!(picture_digest(&read), Ok(digest), "{text}");
         scenes.push((text, format!("{digest:016x}")));
     };
+    let (step, _) = LessonArgument::parse("7.3").unwrap().load().unwrap();
+    add(&OpenLesson::at(step, None).unwrap().step().document);
     BuiltinScene::all().iter().for_each(|scene| add(&scene.load().unwrap()));
     let objects = prop_oneof![any_objects(), touching(), alike()];
     let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1), ..Config::default() });

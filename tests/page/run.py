@@ -242,6 +242,11 @@ def a_full_storage_is_told_once(page, pictures):
     browser.close()
 
 
+def saved_scene(browser):
+    browser.key("s", CTRL)
+    return next(text for name, text in browser.downloads().items() if name.endswith(".toml"))
+
+
 def every_pixel_is_the_desktops(page, pictures):
     scenes = tempfile.NamedTemporaryFile(suffix=".json")
     command = ["cargo", "test", "--quiet", "--package", "pinhole", "--test", "pinhole", "--", "doors::pictures"]
@@ -254,6 +259,14 @@ def every_pixel_is_the_desktops(page, pictures):
     differing = sum(digest != own for digest, (_, own) in zip(found, wanted))
     print(f"scenes whose pictures differ from the desktop's in any bit: {differing} of {len(wanted)}")
     assert not differing and len(found) == len(wanted)
+    digest = "return wasm_bindgen.picture_digest(arguments[0])"
+    with tempfile.TemporaryDirectory() as folder:
+        lesson = Path(folder) / "lesson.html"
+        command = ["cargo", "run", "--quiet", "--", "page", "--lesson", "7.3", "--page", page, "-o", lesson]
+        subprocess.run(command, check=True)
+        for opened, fragment in ((page, "7.3"), (lesson, "")):
+            browser.open(opened, fragment)
+            assert browser.run(digest, saved_scene(browser)) == wanted[0][1], f"7.3 differs in {opened}"
     browser.close()
 
 
