@@ -46,6 +46,11 @@ def choose(browser, command):
     browser.key("Enter")
 
 
+def saved_scene(browser):
+    browser.key("s", CTRL)
+    return next(text for name, text in browser.downloads().items() if name.endswith(".toml"))
+
+
 def sizes(page):
     text = Path(page).read_text()
     packed = re.search(r'id="program">([^<]*)<', text).group(1)
@@ -201,6 +206,24 @@ def a_page_is_saved_and_opens_at_its_step(page, pictures):
     browser.close()
 
 
+def a_scene_in_a_page_runs_no_script(page, pictures):
+    script = "</script><script>document.title = 'run'</script>"
+    scene = f"# {script}\n{SCENE}[[sphere]]\nname = \"{script}\"\ncenter = [0, 0, -5]\nradius = 1\n"
+    browser = Browser((1280, 800))
+    browser.open(page)
+    browser.drop(["script.toml", scene])
+    choose(browser, "Save as a page")
+    time.sleep(1)
+    text = next(text for name, text in browser.downloads().items() if name.endswith(".html"))
+    with tempfile.TemporaryDirectory() as folder:
+        saved = Path(folder) / "script.html"
+        saved.write_text(text)
+        browser.open(saved)
+        assert browser.run("return document.title") != "run", "a name or a note was run"
+        assert saved_scene(browser).count(script) == 2
+    browser.close()
+
+
 def unsaved_changes_outlive_the_page(page, pictures):
     profile = tempfile.mkdtemp()
     browser = Browser((1600, 900), profile=profile)
@@ -240,11 +263,6 @@ def a_full_storage_is_told_once(page, pictures):
     browser.key("s", CTRL)
     assert browser.downloads(), "saving needs no storage"
     browser.close()
-
-
-def saved_scene(browser):
-    browser.key("s", CTRL)
-    return next(text for name, text in browser.downloads().items() if name.endswith(".toml"))
 
 
 def every_pixel_is_the_desktops(page, pictures):
@@ -309,7 +327,7 @@ def main():
     the_first_picture_comes_at_once(arguments.page)
     checks = [a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
               a_file_is_dropped_changed_and_saved,
-              a_link_is_shared_and_opened, a_page_is_saved_and_opens_at_its_step,
+              a_link_is_shared_and_opened, a_page_is_saved_and_opens_at_its_step, a_scene_in_a_page_runs_no_script,
               every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone,
               it_stands_at_three_sizes]
     if arguments.beside:
