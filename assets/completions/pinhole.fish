@@ -63,6 +63,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The r
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row for each ray; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, whose header says what they are; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l codes -d 'Count the mistakes of a class instead, in codes of answers to exercises; - reads standard input' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'The kind of answers that is asked for; answers of another kind are an error' -r -f -a "basis\t''
 rays\t''
 hits\t''

@@ -66,6 +66,8 @@ pub enum Command {
     /// Grade a student's basis, rays, hits or picture, and name the mistake
     #[command(
         long_about = include_str!("about/check.txt"),
+        override_usage = "pinhole check [OPTIONS] --answers <IN.csv|IN.png> <SCENE>\n       \
+                          pinhole check --codes <CODES.txt> [--json]",
         after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
                       cannot be read."
     )]
@@ -323,14 +325,22 @@ pub struct PageArguments {
 #[derive(Args, Clone, Debug)]
 pub struct CheckArguments {
     /// A scene file, or the name of a built-in scene
-    pub scene: PathBuf,
+    #[arg(required_unless_present = "codes")]
+    pub scene: Option<PathBuf>,
     /// The answers, whose header says what they are; - reads them from standard input
     ///
     /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
     /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
     /// shaded in one of the ways of render.
-    #[arg(long, value_name = "IN.csv|IN.png")]
-    pub answers: PathBuf,
+    #[arg(long, value_name = "IN.csv|IN.png", required_unless_present = "codes")]
+    pub answers: Option<PathBuf>,
+    /// Count the mistakes of a class instead, in codes of answers to exercises; - reads standard input
+    ///
+    /// Students get their code by Copy my answer in Practice. Other words in the text are ignored.
+    #[arg(long, value_name = "CODES.txt")]
+    #[arg(conflicts_with_all = ["scene", "answers", "kind", "columns", "complete"])]
+    #[arg(conflicts_with_all = ["tolerance", "count_from", "map"])]
+    pub codes: Option<PathBuf>,
     /// The kind of answers that is asked for; answers of another kind are an error
     #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
     pub kind: Option<String>,

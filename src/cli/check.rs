@@ -11,6 +11,7 @@ use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Wo
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::check_codes;
 use super::console::{CommandError, is_standard, named, read, scene_fault, to_json, to_stdout};
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
@@ -18,15 +19,22 @@ use crate::cli::arguments::CheckArguments;
 /// Runs `pinhole check`. If the scene or another input cannot be read, the exit status is not that of wrong
 /// answers, because the student is not to blame.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
-    let graded = graded(arguments).map_err(unreadable)?;
-    let text = if arguments.json {
-        to_json(&Check::new(&graded)).map_err(unreadable)?
-    } else {
-        text(&graded)
+    let (text, all_agree) = match (&arguments.codes, &arguments.scene, &arguments.answers) {
+        (Some(codes), ..) => check_codes::graded(codes, arguments.json).map_err(unreadable)?,
+        (None, Some(scene), Some(answers)) => {
+            let graded = graded(arguments, scene, answers).map_err(unreadable)?;
+            let text = match arguments.json {
+                true => to_json(&Check::new(&graded)).map_err(unreadable)?,
+                false => text(&graded),
+            };
+            (text, graded.grade.all_agree())
+        }
+        // clap requires them.
+        _ => return Ok(()),
     };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
         // The exit status reports the grade, even if nobody reads the output.
-        Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
+        Ok(()) | Err(CommandError::ReaderGone) if all_agree => Ok(()),
         Ok(()) | Err(CommandError::ReaderGone) => Err(CommandError::Disagrees),
         Err(error) => Err(unreadable(error)),
     }
@@ -39,23 +47,27 @@ fn unreadable(error: CommandError) -> CommandError {
     }
 }
 
-fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
+fn graded(
+    arguments: &CheckArguments,
+    scene_path: &Path,
+    answers_path: &Path,
+) -> Result<Graded, CommandError> {
     if let Some(map) = &arguments.map {
         named(map, "png", "--map writes PNG")?;
         atomic::check(map)?;
     }
-    refuse_reading_twice(&arguments.scene, ("--answers", &arguments.answers))?;
+    refuse_reading_twice(scene_path, ("--answers", answers_path))?;
     if arguments.map.as_deref().is_some_and(is_standard) {
         let problem = "--map needs a file: the grade goes to standard output";
         return Err(CommandError::Arguments(problem.to_owned()));
     }
-    let document = load(&arguments.scene)?;
-    let resolved = pose(&arguments.scene, &document)?;
-    let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
+    let document = load(scene_path)?;
+    let resolved = pose(scene_path, &document)?;
+    let scene = document.scene().map_err(|error| scene_fault(scene_path, error))?;
     let image = resolved.image();
-    let (path, bytes) = read(&arguments.answers, limits::TABLE)?;
-    let mut inputs = files_of(&arguments.scene, &document);
-    inputs.push(arguments.answers.clone());
+    let (path, bytes) = read(answers_path, limits::TABLE)?;
+    let mut inputs = files_of(scene_path, &document);
+    inputs.push(answers_path.to_owned());
     refuse_overwriting(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;
     if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
         && asked != kind.name()
@@ -76,7 +88,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let color_of = |object| document.color_of(object);
     let truth = Truth { camera: &document.camera, scene: &scene, color_of: &color_of };
     let grade: Grade = grade(&truth, &answers, arguments.tolerance)
-        .map_err(|error| scene_fault(&arguments.scene, error))?;
+        .map_err(|error| scene_fault(scene_path, error))?;
     let graded = Graded { answers, grade, image, count_from: arguments.count_from };
     let graded = if arguments.complete { graded.complete() } else { graded };
     if let Some(map) = &arguments.map {

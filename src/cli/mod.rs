@@ -7,6 +7,7 @@
 
 pub mod arguments;
 mod check;
+mod check_codes;
 mod console;
 mod figure;
 mod inspect;

@@ -13,6 +13,7 @@
 //! - [`programs`]: writes cameras and scenes for other programs by templates, and reads a camera from a
 //!   glTF or from literal numbers.
 //! - [`link`]: a scene or a lesson's step in a URL.
+//! - [`seal`]: a text's version and check, by which a link that was cut off is noticed.
 //! - [`code`]: the current camera as a short program in six languages.
 //! - [`host`](mod@host): the operating system or browser that keeps the files.
 //!
@@ -37,6 +38,7 @@ pub mod page;
 pub mod programs;
 pub mod scene_file;
 pub mod scenes;
+pub mod seal;
 mod template;
 
 pub use document::Document;

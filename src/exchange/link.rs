@@ -8,9 +8,8 @@
 //! v1/Zc5aq.../5b21...               any other scene
 //! ```
 //!
-//! All but a step alone begin with the version of the form, and end with a check: the CRC-32 of what
-//! precedes the last slash, in hexadecimal. So a link that was cut off or mistyped is noticed. A scene is
-//! the text of its scene file: packed by DEFLATE (RFC 1951) with `PRESET` before it, then written in
+//! All but a step alone begin with the version of the form, and end with a check ([`seal`](crate::seal)). A
+//! scene is the text of its scene file: packed by DEFLATE (RFC 1951) with `PRESET` before it, then written in
 //! base64url (RFC 4648) without padding. Reading it is reading a scene file, with the same checks.
 
 use std::io::{self, Read as _, Write as _};
@@ -23,13 +22,14 @@ use flate2::read::DeflateDecoder;
 use flate2::write::DeflateEncoder;
 use pinhole_core::{DVec2, Pixel, Selection};
 
+use crate::seal::Form;
 use crate::{BuiltinScene, Document, FileError, Location, limits, scene_file};
-
-/// The version of the form that this program writes, and the newest that it reads.
-pub const VERSION: u32 = 1;
 
 /// Maximum number of characters after the `#`. A QR code holds less: 2,953 bytes with the page's address.
 pub const LONGEST: usize = 8000;
+
+/// The form of what follows the `#`.
+const FORM: Form = Form { prefix: "v", version: 1 };
 
 /// The text that every packed scene may refer to: what most scenes have in common. It is part of version 1
 /// and must never change.
@@ -37,9 +37,6 @@ const PRESET: &str = include_str!("link_preset.txt");
 
 /// The name of a link in messages.
 const NAME: &str = "link";
-
-/// The number of characters of the check.
-const CHECK: usize = 8;
 
 /// A link to what the window shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,8 +100,7 @@ impl Link {
         if matches!(self.shown, Linked::Step { .. }) && ray.is_empty() && page.is_empty() {
             return Ok(shown);
         }
-        let body = format!("v{VERSION}/{shown}{ray}{page}");
-        let fragment = format!("{body}/{:08x}", crc32fast::hash(body.as_bytes()));
+        let fragment = FORM.seal(&format!("{shown}{ray}{page}"));
         if fragment.len() > LONGEST {
             return Err(too_large(&format!("it needs {} characters", fragment.len())));
         }
@@ -125,37 +121,17 @@ impl Link {
             let problem = format!("{} characters long: it has at most {LONGEST}", fragment.len());
             return Err(FileError::of_file(Path::new(NAME), problem));
         }
-        let fault = |at: &str, problem: String| Err(fault_at(fragment, at, problem));
         if fragment.starts_with(|c: char| c.is_ascii_digit()) {
             return Ok(Link { shown: step(fragment, fragment)?, ray: None, page: None });
         }
-        let numbered = fragment.strip_prefix('v').filter(|rest| !rest.is_empty());
-        let version = numbered.map(|rest| rest.split('/').next().unwrap_or_default());
-        let Some(version) = version.filter(|digits| digits.bytes().all(|b| b.is_ascii_digit()))
-        else {
-            return fault(
-                fragment,
-                format!(
-                    "not a link of Pinhole: after # comes a lesson's step, such as 7.3, or v{VERSION}/"
-                ),
-            );
-        };
-        if version != VERSION.to_string() {
-            let problem = format!(
-                "of version {version}, and this program reads version {VERSION}: a newer Pinhole opens it"
-            );
-            return fault(version, problem);
+        if !FORM.is_meant(fragment) {
+            let problem = "not a link that Pinhole has made: copy the whole link again, to its end, or \
+                           type a lesson's step, such as 7.3";
+            return Err(fault_at(fragment, fragment, problem));
         }
-        let Some((body, check)) = fragment.rsplit_once('/').filter(|(_, end)| end.len() >= CHECK)
-        else {
-            let problem = format!("cut off: its end, a slash and {CHECK} characters, is missing");
-            return fault(&fragment[fragment.len()..], problem);
-        };
-        if check != format!("{:08x}", crc32fast::hash(body.as_bytes())) {
-            let problem = "cut off or mistyped: its end is not the check of what precedes it";
-            return fault(check, problem.to_owned());
-        }
-        parts(fragment, body)
+        let content =
+            FORM.open(fragment).map_err(|(at, problem)| fault_at(fragment, at, problem))?;
+        parts(fragment, content)
     }
 }
 
@@ -194,8 +170,8 @@ fn too_large(what: &str) -> FileError {
 }
 
 /// Reads what stands between the version and the check.
-fn parts(fragment: &str, body: &str) -> Result<Link, FileError> {
-    let mut parts = body.split('/').skip(1).peekable();
+fn parts(fragment: &str, content: &str) -> Result<Link, FileError> {
+    let mut parts = content.split('/').peekable();
     let shown = parts.next().unwrap_or_default();
     let shown = match shown.strip_prefix('Z') {
         Some(packed) => Linked::Scene(Box::new(unpack(fragment, packed)?)),

@@ -160,7 +160,7 @@ pub enum ExchangeAction {
     Save(PathBuf),
 }
 
-/// Shares what the window shows as a link, or opens a link.
+/// Shares what the window shows as a link, or the answers to an exercise as a code; opens a link.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShareAction {
     /// Show the link to what the window shows. While presenting, its code fills the figure; again to end.
@@ -169,9 +169,11 @@ pub enum ShareAction {
     Follow(String),
     /// Copy this link to the clipboard.
     Copy(String),
+    /// Copy the code of the answers to the open exercise to the clipboard.
+    CopyAnswer,
 }
 
-/// Opens, grades or closes a student's answers.
+/// Opens, grades or closes a student's answers, and collects codes of a class's.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswersAction {
     /// Ask for the path of their file.
@@ -180,6 +182,8 @@ pub enum AnswersAction {
     Check(PathBuf),
     /// Close the answers.
     PutAway,
+    /// Add a text with codes of a class's answers.
+    AddCodes(String),
 }
 
 /// Opens or controls an animation.

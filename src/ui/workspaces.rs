@@ -11,7 +11,7 @@ use crate::ui::action::LessonAction;
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::exercises::QuestionScene;
-use crate::ui::practice::{answers, exercises, mistakes};
+use crate::ui::practice::{answers, class, exercises, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
@@ -36,6 +36,7 @@ pub(crate) fn page(layout: ViewLayout) -> &'static Page {
         ViewLayout::Translator => &TRANSLATOR,
         ViewLayout::Exercises => &EXERCISES,
         ViewLayout::Answers => &ANSWERS,
+        ViewLayout::Class => &CLASS,
         ViewLayout::Accuracy => &ACCURACY,
     }
 }
@@ -249,6 +250,13 @@ const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
     rest: |ui, context| exercises::ui(ui, context.session, &mut context.tools.question),
+    ..Page::VIEWS
+};
+
+const CLASS: Page = Page {
+    has_panel: false,
+    areas: |divider| divider.no_views(),
+    rest: |ui, context| class::ui(ui, context.session),
     ..Page::VIEWS
 };
 

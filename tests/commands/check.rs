@@ -1,5 +1,6 @@
 //! `pinhole check`
 
+mod codes;
 mod written;
 
 use std::fmt::Write as _;

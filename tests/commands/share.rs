@@ -90,5 +90,5 @@ fn a_wrong_link_as_argument_is_refused_before_a_window_opens() {
     run("https://a.b/pinhole.html#14.1")
         .failed(1, "link: there is no lesson 14: there are lessons 1 to 13");
     run("#v1/canonical/00000000")
-        .failed(1, "link:1:14: cut off or mistyped: its end is not the check of what precedes it");
+        .failed(1, "link:1:14: mistyped or cut off: copy it again as a whole");
 }

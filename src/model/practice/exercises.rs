@@ -19,6 +19,8 @@ pub struct Exercises {
     pub(crate) answers: Vec<TypedAnswer>,
     /// True if the solution is shown.
     pub(crate) is_solved: bool,
+    /// True if the solution was shown since the question was opened or cleared.
+    pub(crate) saw_solution: bool,
     /// The other questions for which the user has typed answers. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
@@ -80,7 +82,14 @@ impl Exercises {
         let typed =
             |count| TypedAnswer { fields: vec![String::new(); count], ..TypedAnswer::default() };
         let answers = question.parts.iter().map(|part| typed(part.count())).collect();
-        Exercises { question, seed, answers, is_solved: false, kept: Vec::new() }
+        Exercises {
+            question,
+            seed,
+            answers,
+            is_solved: false,
+            saw_solution: false,
+            kept: Vec::new(),
+        }
     }
 
     /// Opens this question, with the answers that were typed in it before. The answers to the question that
@@ -124,6 +133,12 @@ impl Exercises {
     /// Returns the seed of the question; `None` for the lecture's own question.
     pub fn seed(&self) -> Option<u64> {
         self.seed
+    }
+
+    /// Shows or hides the solution.
+    pub(crate) fn toggle_solution(&mut self) {
+        self.is_solved = !self.is_solved;
+        self.saw_solution = true;
     }
 
     /// Checks all typed answers.

@@ -8,6 +8,8 @@ use pinhole_lecture::{AnswerKind, Mistake, Vote};
 use vote::OpenVote;
 
 pub mod answer_marks;
+pub mod class;
+pub mod code;
 pub mod exercises;
 pub mod vote;
 

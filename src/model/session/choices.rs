@@ -57,7 +57,7 @@ impl Workspace {
             Workspace::Scene => &[Both, World, Camera, Compare],
             Workspace::Derivation => &[Derivation],
             Workspace::Ray => &[Lines, Plot],
-            Workspace::Practice => &[Exercises, Mistakes, Answers],
+            Workspace::Practice => &[Exercises, Mistakes, Class, Answers],
         }
     }
 }
@@ -95,16 +95,18 @@ pub enum ViewLayout {
     DerivationAlone,
     /// A student's answers and their grade.
     Answers,
+    /// The mistakes in a class's answers to exercises.
+    Class,
 }
 
 impl ViewLayout {
     /// The layouts that the user can choose at any time. Not among them are the derivation alone, which is
     /// for presenting, and the layout for graded answers, which needs a file of answers.
-    pub const LISTED: [ViewLayout; 11] = {
+    pub const LISTED: [ViewLayout; 12] = {
         use ViewLayout::*;
         [
             Both, World, Camera, Derivation, Plot, Lines, Mistakes, Compare, Translator, Exercises,
-            Accuracy,
+            Class, Accuracy,
         ]
     };
 
@@ -121,6 +123,9 @@ impl ViewLayout {
             Compare => ["Ghost", "The camera against its ghost, which G freezes", "compare"],
             Translator => ["Translator", "The camera in other programs' terms", "translator"],
             Exercises => ["Exercises", "Questions, and what is wrong with an answer", "exercises"],
+            Class => {
+                ["Class", "How many of a class made which mistake, from the codes they send", ""]
+            }
             Accuracy => ["Accuracy", "How right each method is here, and how fast", ""],
             DerivationAlone => {
                 ["Derivation alone", "Every number's derivation, without the views", ""]

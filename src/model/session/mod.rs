@@ -5,6 +5,7 @@ use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
 use serde::{Deserialize, Serialize};
 
+use crate::model::practice::class::ClassCodes;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::{
     Concept, DerivationSections, Exercises, Formulas, HandleState, HoverSource, Hovered, LinesLab,
@@ -61,6 +62,8 @@ pub struct Session {
     pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
     pub exercises: Exercises,
+    /// The codes of a class's answers.
+    pub class: ClassCodes,
     /// A student's answers that are graded.
     pub answers: Option<StudentAnswers>,
     /// The state of presenter mode, while it is on.

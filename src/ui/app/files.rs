@@ -10,6 +10,7 @@ use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, limits, link
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
+use crate::model::practice::code::codes_in;
 use crate::model::translator::with;
 use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
@@ -21,8 +22,8 @@ use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
 use crate::view::overlay::Style;
 
-/// Returns the action for a text that was pasted while no text field had the focus: a link is opened, and of
-/// anything else, the camera is read.
+/// Returns the action for a text that was pasted while no text field had the focus: a link is opened, codes of
+/// answers are counted, and of anything else, the camera is read.
 pub(super) fn pasted(ctx: &Context) -> Option<Action> {
     if ctx.text_edit_focused() {
         return None;
@@ -30,6 +31,9 @@ pub(super) fn pasted(ctx: &Context) -> Option<Action> {
     let pasted = |event: &Event| match event {
         Event::Paste(text) if link::is_meant(text) => {
             Some(ShareAction::Follow(text.clone()).into())
+        }
+        Event::Paste(text) if codes_in(text).next().is_some() => {
+            Some(AnswersAction::AddCodes(text.clone()).into())
         }
         Event::Paste(text) => Some(ExchangeAction::Paste(text.clone()).into()),
         _ => None,
@@ -143,6 +147,10 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
             if session.settings.layout == ViewLayout::Answers {
                 session.settings.layout = ViewLayout::Both;
             }
+        }
+        AnswersAction::AddCodes(text) => {
+            session.class.add(&text);
+            session.settings.layout = ViewLayout::Class;
         }
     }
     None

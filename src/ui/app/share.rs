@@ -52,7 +52,7 @@ impl App {
         self.waiting.push(ShareAction::Follow(text).into());
     }
 
-    /// Applies an action on links. Returns a dialog if the user must answer a question or read a message.
+    /// Applies an action on links and codes. Returns a dialog if the user must answer a question or read a message.
     pub(super) fn share(&mut self, ctx: &Context, action: ShareAction) -> Option<Dialog> {
         match action {
             ShareAction::Show => return self.show_link(),
@@ -65,6 +65,11 @@ impl App {
             ShareAction::Copy(url) => {
                 ctx.copy_text(url);
                 self.say("The link is on the clipboard".to_owned(), Vec::new());
+            }
+            ShareAction::CopyAnswer => {
+                ctx.copy_text(self.session().exercises.to_code());
+                let note = "Send it to your lecturer in any way: it has no name in it.".to_owned();
+                self.say("The code of your answer is on the clipboard".to_owned(), vec![note]);
             }
         }
         None

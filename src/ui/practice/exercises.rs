@@ -16,7 +16,7 @@ use crate::model::{
     DerivationSections, Exercises, Feedback, Hovered, Observer, OverlayItems, Session, Settings,
     TypedAnswer, ViewLayout, ViewSize,
 };
-use crate::ui::action::{Leave, MadeUp, request};
+use crate::ui::action::{Leave, MadeUp, ShareAction, request};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::view_rects::strip_above;
@@ -175,8 +175,10 @@ fn buttons(ui: &mut Ui, exercises: &mut Exercises) -> bool {
         wants_check = ui.button("Check").on_hover_text("Or Enter in a field").clicked();
         let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
         if ui.button(text).clicked() {
-            exercises.is_solved = !exercises.is_solved;
+            exercises.toggle_solution();
         }
+        let copy = ui.add_enabled(exercises.is_begun(), egui::Button::new("Copy my answer"));
+        copy.on_hover_text("As a code that you can send").asks(ShareAction::CopyAnswer);
     });
     if exercises.is_right() {
         ui.horizontal(|ui| {

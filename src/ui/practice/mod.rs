@@ -1,6 +1,8 @@
-//! The practice workspace: exercises, mistakes in cameras with votes on them, and a student's answers.
+//! The practice workspace: exercises, mistakes in cameras with votes on them, a student's answers, and a
+//! class's.
 
 pub mod answers;
+pub mod class;
 pub mod exercises;
 pub mod mistakes;
 pub mod vote;

@@ -99,7 +99,7 @@ fn a_wrong_link_says_why_and_loses_nothing() {
     let mut window = window("canonical");
     type_into(&mut window, "eye x", "0.25");
     let broken = [
-        ("#v1/look-at/0", "link:1:13: cut off: its end, a slash and 8 characters, is missing"),
+        ("#v1/look-at/0", "link:1:13: cut off: copy it again as a whole"),
         ("#14", "link: there is no lesson 14: there are lessons 1 to 13"),
         (
             "#v3/look-at/12345678",

@@ -20,7 +20,7 @@ fn click(window: &mut Harness<'_, App>, label: &str) {
     window.run();
 }
 
-fn open(exercise: Exercise) -> Harness<'static, App> {
+pub(crate) fn open(exercise: Exercise) -> Harness<'static, App> {
     let mut window = window("canonical");
     show(&mut window, ViewLayout::Exercises);
     if exercise != Exercise::WarmUpRay {

@@ -125,13 +125,13 @@ fn what_is_wrong_is_told_at_its_place() {
     ];
     let told: Vec<String> = cases.iter().map(|case| problem(case)).collect();
     expect![[r#"
-        link:1:1: not a link of Pinhole: after # comes a lesson's step, such as 7.3, or v1/
-        link:1:1: not a link of Pinhole: after # comes a lesson's step, such as 7.3, or v1/
+        link:1:1: not a link that Pinhole has made: copy the whole link again, to its end, or type a lesson's step, such as 7.3
+        link:1:1: not a link that Pinhole has made: copy the whole link again, to its end, or type a lesson's step, such as 7.3
         link:1:1: not a lesson's step, such as 7.3
-        link:1:1: not a link of Pinhole: after # comes a lesson's step, such as 7.3, or v1/
+        link:1:1: not a link that Pinhole has made: copy the whole link again, to its end, or type a lesson's step, such as 7.3
         link:1:2: of version 2, and this program reads version 1: a newer Pinhole opens it
-        link:1:17: cut off: its end, a slash and 8 characters, is missing
-        link:1:12: cut off or mistyped: its end is not the check of what precedes it
+        link:1:17: cut off: copy it again as a whole
+        link:1:12: mistyped or cut off: copy it again as a whole
         link:1:4: this program has no scene "lock-at"
         link:1:12: not a ray, such as p99,199 or uv0.2,-0.1
         link:1:12: not a ray, such as p99,199 or uv0.2,-0.1

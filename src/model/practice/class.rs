@@ -1,0 +1,159 @@
+//! The answers of a class: how many are right, and how many show which mistake.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use pinhole_lecture::Mistake;
+use pinhole_lecture::exercises::{Exercise, Verdict};
+use serde::Serialize;
+
+use super::code::codes_in;
+use super::exercises::{Exercises, Feedback};
+
+/// The answers of a class, counted, each graded by its own question.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct ClassAnswers {
+    /// The exercises with an answer, in the lecture's order.
+    pub exercises: Vec<ClassExercise>,
+    /// The codes that cannot be read, each with its line, counted from 1, and the reason.
+    pub not_readable: Vec<(usize, String)>,
+    /// The lines without a code that are not empty.
+    pub lines_without: Vec<usize>,
+}
+
+/// The answers of a class to an exercise.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ClassExercise {
+    /// The exercise's name in files.
+    pub exercise: &'static str,
+    /// The exercise's title and the number of answers.
+    pub title: String,
+    /// The number of answers.
+    pub answers: usize,
+    /// The number of answers that were sent after the solution was shown.
+    pub saw_solution: usize,
+    /// How often each outcome was found: [`RIGHT`] first, then the most common one. A mistake has the name that
+    /// `pinhole check` uses. An answer with several mistakes counts for each.
+    pub counts: Vec<(String, usize)>,
+    /// The name of each mistake that was found, and what is wrong.
+    pub explanations: Vec<String>,
+}
+
+/// The outcome of an answer that is right in all parts.
+pub const RIGHT: &str = "right";
+/// The outcome of a wrong answer that no known mistake explains.
+const OTHER: &str = "another mistake";
+/// The outcome of an answer in which nothing is wrong, but something is missing.
+const INCOMPLETE: &str = "not complete";
+
+impl ClassAnswers {
+    /// Reads and grades all codes in a text.
+    pub fn read(text: &str) -> ClassAnswers {
+        let mut class = ClassAnswers::default();
+        let mut all = Vec::new();
+        for (line, text) in (1..).zip(text.lines()) {
+            let mut codes = codes_in(text).peekable();
+            if codes.peek().is_none() && !text.trim().is_empty() {
+                class.lines_without.push(line);
+            }
+            for code in codes {
+                match code {
+                    Ok(answers) => all.push(answers),
+                    Err(problem) => class.not_readable.push((line, problem)),
+                }
+            }
+        }
+        let of = |exercise: &Exercise| {
+            let is_own = |answers: &&Exercises| answers.question().exercise == *exercise;
+            ClassExercise::of(*exercise, &all.iter().filter(is_own).collect::<Vec<_>>())
+        };
+        class.exercises = Exercise::ALL.iter().filter_map(of).collect();
+        class
+    }
+
+    /// Returns true if there are codes, and each is that of a right answer.
+    pub fn all_right(&self) -> bool {
+        let mut counts = self.exercises.iter().flat_map(|own| &own.counts);
+        self.not_readable.is_empty()
+            && !self.exercises.is_empty()
+            && counts.all(|(it, _)| it == RIGHT)
+    }
+
+    /// Returns a sentence for each code that cannot be read, and one about the lines without a code.
+    pub fn problems(&self) -> impl Iterator<Item = String> {
+        let lines: Vec<String> = self.lines_without.iter().map(usize::to_string).collect();
+        let without = format!("There is no code in line {}.", lines.join(", "));
+        let broken = self.not_readable.iter();
+        let broken = broken.map(|(line, problem)| format!("The code in line {line} is {problem}."));
+        broken.chain(Some(without).filter(|_| !lines.is_empty()))
+    }
+}
+
+impl ClassExercise {
+    fn of(exercise: Exercise, all: &[&Exercises]) -> Option<ClassExercise> {
+        let answers = all.len();
+        let saw_solution = all.iter().filter(|own| own.saw_solution).count();
+        let plural = if answers == 1 { "answer" } else { "answers" };
+        let seen = match saw_solution {
+            0 => String::new(),
+            count => format!(", {count} after a look at the solution"),
+        };
+        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+        let mut mistakes = BTreeSet::new();
+        for outcome in all.iter().flat_map(|own| outcomes(own, &mut mistakes)) {
+            *counts.entry(outcome).or_default() += 1;
+        }
+        let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
+        counts.sort_by_key(|(outcome, count)| (outcome != RIGHT, usize::MAX - count));
+        let explained = |one: &Mistake| format!("{}: {}", one.id(), one.exercise_feedback());
+        (answers > 0).then(|| ClassExercise {
+            exercise: exercise.id(),
+            title: format!("{}: {answers} {plural}{seen}", exercise.title()),
+            answers,
+            saw_solution,
+            counts,
+            explanations: mistakes.iter().map(explained).collect(),
+        })
+    }
+}
+
+/// Returns all that is found in checked answers, and adds the mistakes.
+fn outcomes(own: &Exercises, mistakes: &mut BTreeSet<Mistake>) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let feedback = || own.answers.iter().filter_map(|typed| typed.feedback.as_ref());
+    for said in feedback() {
+        if let Feedback::Judged(Verdict::Mistakes(any)) = said {
+            // Which one of them was made cannot be told.
+            found.insert(any.iter().map(|one| one.id()).collect::<Vec<_>>().join(" or "));
+            mistakes.extend(any);
+        }
+    }
+    let is_open = |said: &Feedback| matches!(said, Feedback::NotAnswered | Feedback::Missing);
+    if found.is_empty() {
+        let is_wrong = feedback().any(|said| !said.is_good() && !is_open(said));
+        let outcome = if own.is_right() { RIGHT } else { INCOMPLETE };
+        found.insert(if is_wrong { OTHER } else { outcome }.to_owned());
+    }
+    found
+}
+
+/// The codes that a lecturer has collected, and what they say.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ClassCodes {
+    /// The text with the codes.
+    pub text: String,
+    /// The answers in it, as of the last [`update`](Self::update).
+    pub answers: ClassAnswers,
+}
+
+impl ClassCodes {
+    /// Adds a text with codes.
+    pub(crate) fn add(&mut self, text: &str) {
+        self.text = [&self.text, text].join("\n").trim().to_owned();
+        self.update();
+    }
+
+    /// Reads the text again.
+    pub(crate) fn update(&mut self) {
+        self.answers = ClassAnswers::read(&self.text);
+    }
+}
