@@ -19,7 +19,7 @@ use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
 use crate::ui::widgets::{ViewTexture, clipped, inside};
 use crate::view::derive::{Derived, SecondPicture};
-use crate::view::typesetting::theme;
+use crate::view::typesetting::theme::{self, STACKED};
 
 /// Returns the page of a layout.
 pub(crate) fn page(layout: ViewLayout) -> &'static Page {
@@ -223,6 +223,9 @@ fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
 const PLOT: Page = Page {
     follows_pointer: true,
     areas: |divider| {
+        if divider.whole.width() < STACKED {
+            return divider.stack_beside();
+        }
         let (views, rest) = divider.above(Split::Plot);
         let (left, right) = divider.across(views, Split::Views, "views handle");
         Areas { world: Some(left), camera: Some(right), second: None, rest }

@@ -19,7 +19,7 @@ use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation;
-use crate::view::typesetting::theme::{self, error_color};
+use crate::view::typesetting::theme::{self, STACKED, error_color};
 
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
@@ -47,8 +47,12 @@ pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// Returns two parts of an area: that of the plane, and that of the numbers to its right.
+/// Returns two parts of an area: that of the plane, and that of the numbers to its right or, in a narrow area,
+/// below it.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
+    if area.width() < STACKED {
+        return area.split_top_bottom_at_y(area.center().y);
+    }
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
     (left, Rect::from_min_max(pos2(middle, area.top()), area.max))

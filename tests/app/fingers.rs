@@ -5,11 +5,14 @@ use egui::{Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchP
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
-use crate::harness::{command, window};
+use crate::harness::{command, show, window};
 
 const PHONE: egui::Vec2 = vec2(390.0, 844.0);
+/// Height of the bar at the top, in which the scene's name is cut off.
+const BAR: f32 = 30.0;
 
 fn phone() -> Harness<'static, App> {
     let mut harness = window("canonical");
@@ -123,6 +126,29 @@ fn every_menu_opens_by_touch() {
         let shown = harness.query_all_by_label_contains(entry).next();
         let rect = shown.unwrap_or_else(|| panic!("{menu} does not open")).rect();
         assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{entry}: {rect}");
+    }
+}
+
+#[test]
+fn pages_are_stacked_on_a_phone_and_no_text_is_cut() {
+    use ViewLayout::{Compare, Derivation, Lines, Mistakes, Plot};
+    for layout in [Compare, Derivation, Lines, Mistakes, Plot] {
+        let mut harness = phone();
+        harness.key_press(egui::Key::G);
+        show(&mut harness, layout);
+        let is_below = |node: &egui_kittest::Node<'_>| node.rect().top() > BAR;
+        for node in harness.query_all_by_role(Role::Label).filter(is_below) {
+            let rect = node.rect();
+            assert!(
+                rect.right() <= PHONE.x,
+                "{layout:?}: {:?} {rect}",
+                node.accesskit_node().value()
+            );
+        }
+        if layout != Lines {
+            let world = harness.get_by_role_and_label(Role::Image, "World view").rect();
+            assert!(world.width() > 180.0, "{layout:?}: {world}");
+        }
     }
 }
 

@@ -218,10 +218,11 @@ impl App {
         // again.
         start.session.ray_point_t = session.ray_point_t;
         start.session.scanned_pixels = session.scanned_pixels;
-        // On a phone the panel is below, and a lesson's step has all the space.
+        // On a phone the panel is below, and what is not about the scene has all the space.
         let is_narrow = ui.available_width() < LEAST_WIDTH;
-        let is_alone = presenting || is_narrow && self.scene.has_stage();
-        let hidden = is_alone || session.settings.hides_panel;
+        let is_scene = session.settings.layout.workspace() == Some(Workspace::Scene);
+        let is_alone = is_narrow && (self.scene.has_stage() || !is_scene);
+        let hidden = presenting || is_alone || session.settings.hides_panel;
         if !hidden && self.page().has_panel {
             let panel = match is_narrow {
                 true => Panel::bottom("panel below").default_size(0.3 * ui.available_height()),

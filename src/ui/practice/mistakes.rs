@@ -15,9 +15,9 @@ use crate::model::{Concept, MistakesView, NumberStyle, Session};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
-use crate::ui::widgets::{self, ResponseExt as _, cell, sign, vector_color};
+use crate::ui::widgets::{self, ResponseExt as _, cell, combo, sign, vector_color};
 use crate::view::derive::Derived;
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{STACKED, error_color};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
@@ -129,7 +129,8 @@ fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
     Some(format!("{} of the picture differs", percent(shares.differing, shares.pixels)))
 }
 
-/// Shows the gallery, the explanation and the checks side by side, or the vote instead of them.
+/// Shows the gallery, the explanation and the checks side by side, or the vote instead of them. In a narrow
+/// area, a menu replaces the gallery.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &mut Session) {
     let style = NumberStyle::new(&session.settings);
     let mistakes_view = &mut session.mistakes_view;
@@ -150,14 +151,25 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
         Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
     };
     let is_narrow = whole.width() < NARROW;
+    let is_stacked = whole.width() < STACKED;
     let checks_width = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
-    let (left, right) = (whole.left() + GALLERY, whole.right() - checks_width);
-    column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-        vote::button(ui, mistakes_view, inputs);
-        list(ui, mistakes_view);
-    });
+    let gallery = if is_stacked { 0.0 } else { GALLERY };
+    let (left, right) = (whole.left() + gallery, whole.right() - checks_width);
+    if !is_stacked {
+        column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
+            vote::button(ui, mistakes_view, inputs);
+            list(ui, mistakes_view);
+        });
+    }
     let Some(wrong) = derived.wrong_camera.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
+        if is_stacked {
+            ui.horizontal_wrapped(|ui| {
+                let name = mistakes_view.chosen.name();
+                combo(ui, "mistake", GALLERY, name, |ui| list(ui, mistakes_view));
+                vote::button(ui, mistakes_view, inputs);
+            });
+        }
         if is_narrow {
             ui.spacing_mut().item_spacing.y = 1.0;
         }

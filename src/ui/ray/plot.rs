@@ -17,7 +17,7 @@ use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation::{self, formula};
-use crate::view::typesetting::theme;
+use crate::view::typesetting::theme::{self, STACKED};
 
 /// Size of the text, in points; it is legible from the back row of a classroom.
 const TEXT: f32 = 15.5;
@@ -36,18 +36,22 @@ pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     draw(ui, area.shrink(2.0), plot, first, t);
 }
 
-/// Shows the plot, and the text on its right.
+/// Shows the plot, and the text on its right or, in a narrow area, below it.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     let (ray_point_t, digits) = (&mut session.ray_point_t, session.settings.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
-    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
-    let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
-    draw(ui, left, plot, first, Some(ray_point_t));
-    inside(ui, right, |ui| {
+    let (graph, words) = if area.width() < STACKED {
+        area.split_top_bottom_at_y(area.center().y)
+    } else {
+        let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
+        let (left, right) = area.split_left_right_at_x(middle);
+        (left.with_max_x(middle - 10.0).with_max_y(area.bottom() - 4.0), right)
+    };
+    draw(ui, graph, plot, first, Some(ray_point_t));
+    inside(ui, words, |ui| {
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.ray_point_t {

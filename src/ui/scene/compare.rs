@@ -1,7 +1,7 @@
 //! The comparison of the camera with the ghost, a frozen copy of it. Next to the camera view is the ghost's
 //! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
-use egui::{Grid, Rect, RichText, ScrollArea, Ui};
+use egui::{Align, Grid, Layout, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
@@ -12,6 +12,7 @@ use crate::model::{Ghost, Inspection, NumberStyle, Session};
 use crate::ui::action::GhostAction;
 use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived};
+use crate::view::typesetting::theme::STACKED;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
@@ -19,8 +20,8 @@ const TEXT: f32 = 15.5;
 /// Width of a character of a number, in points.
 const LETTER: f32 = 8.2;
 
-/// Maximum number of significant digits.
-const DIGITS: usize = 4;
+/// Maximum number of significant digits, where the tables are side by side and where they are stacked.
+const DIGITS: [usize; 2] = [4, 2];
 
 /// Text that is shown if there is no ghost.
 const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
@@ -65,8 +66,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let against = derived.against_ghost.as_deref();
     // More digits do not fit side by side.
-    let style = style.at_most(DIGITS);
-    ui.horizontal(|ui| {
+    let is_stacked = ui.available_width() < STACKED;
+    let style = style.at_most(DIGITS[usize::from(is_stacked)]);
+    ui.horizontal_wrapped(|ui| {
         buttons(ui, ghost.is_some());
         if let Some(against) = against {
             ui.add_space(8.0);
@@ -81,7 +83,11 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let all = (against, ghost, &derived.resolved);
     let (Some(against), Some(ghost), Some(now)) = all else { return };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        ui.horizontal_top(|ui| {
+        let layout = match is_stacked {
+            true => Layout::top_down(Align::LEFT),
+            false => Layout::left_to_right(Align::TOP),
+        };
+        ui.with_layout(layout, |ui| {
             let moved = moved(&document.camera, ghost, against, style);
             let vectors = [turned(now, against, style), moved].concat();
             // As wide as the widest numbers, so that nothing moves sideways while they change.
@@ -121,8 +127,9 @@ fn name_of(ui: &mut Ui, (name, ghost, now, between): &ComparedLine) {
 
 /// Shows quantities of both cameras, one per line. The values have columns of this many characters.
 fn table(ui: &mut Ui, name: &str, lines: &[ComparedLine], characters: f32) {
-    Grid::new(name).num_columns(4).spacing([10.0, 2.0]).min_col_width(0.0).show(ui, |ui| {
-        for head in ["", "ghost", "now", "difference"] {
+    let grid = Grid::new(name).num_columns(4).spacing([10.0, 2.0]);
+    grid.min_col_width(0.0).min_row_height(0.0).show(ui, |ui| {
+        for head in ["", "ghost", "now", "change"] {
             ui.weak(head);
         }
         ui.end_row();

@@ -6,6 +6,7 @@ use pinhole_core::ImageSize;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
+use crate::view::typesetting::theme::STACKED;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -113,16 +114,27 @@ impl Divider<'_> {
         self.whole.split_top_bottom_at_y(boundary)
     }
 
-    /// Puts the world view, the camera view and a second picture side by side, above the rest.
+    /// Puts the world view, the camera view and a second picture side by side, above the rest. In a narrow area,
+    /// the world view is above both pictures.
     pub(crate) fn three_above(&mut self, split: Split) -> Areas {
         let (views, rest) = self.above(split);
-        let (left, right) = self.across(views, Split::PracticeViews, "views handle");
+        let (left, right) = match views.width() < STACKED {
+            true => self.down(views, Split::Stack),
+            false => self.across(views, Split::PracticeViews, "views handle"),
+        };
         let (middle, right) = halves(right);
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
     }
 
-    /// Stacks both views, with the rest to their right.
+    /// Stacks both views, with the rest to their right. In a narrow area, puts them side by side, with the rest
+    /// below.
     pub(crate) fn stack_beside(&mut self) -> Areas {
+        if self.whole.width() < STACKED {
+            let (views, rest) = self.down(self.whole, Split::Derivation);
+            let (left, right) = halves(views);
+            let rest = rest.shrink2(vec2(MARGIN, 0.0));
+            return Areas { world: Some(left), camera: Some(right), second: None, rest };
+        }
         let (views, rest) = self.across(self.whole, Split::Derivation, "derivation handle");
         let (top, bottom) = self.down(views, Split::Stack);
         Areas { world: Some(top), camera: Some(bottom), second: None, rest: rest.shrink(MARGIN) }

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use egui::accesskit::{Node, Role};
 use egui::{
-    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, Key, Layout, Painter, Rect,
-    Response, RichText, Sense, Stroke, TextStyle, TextureHandle, TextureId, TextureOptions, Ui,
-    UiBuilder, Vec2, vec2,
+    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, FontSelection, Key, Layout,
+    Painter, Rect, Response, RichText, Sense, Stroke, TextStyle, TextureHandle, TextureId,
+    TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
 
 use crate::model::symbols::typeset_message;
@@ -115,7 +115,10 @@ pub(crate) fn clipped(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
 /// Shows a cell of fixed width in a row; its text wraps.
 pub(crate) fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
     let layout = Layout::top_down(Align::LEFT);
-    let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+    let font = FontSelection::Default.resolve(ui.style());
+    // A row in whose middle the cell stands must know its height before its contents.
+    let height = ui.fonts_mut(|fonts| fonts.row_height(&font));
+    let inner = ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| {
         ui.set_width(width);
         content(ui)
     });

@@ -48,6 +48,9 @@ impl Look {
     }
 }
 
+/// Width of an area, in points, below which what is usually side by side is stacked.
+pub(crate) const STACKED: f32 = 480.0;
+
 /// Minimum height of buttons and fields for a finger, in points. egui accepts a press up to 5 points beside
 /// them.
 const FINGER: f32 = 36.0;

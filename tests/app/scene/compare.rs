@@ -56,6 +56,23 @@ fn a_ghost_is_frozen_and_dropped_by_key() {
 }
 
 #[test]
+fn the_names_stand_in_the_rows_of_their_numbers() {
+    let harness = comparing("canonical");
+    let heights = |text: &str| -> Vec<f32> {
+        let all = harness.query_all_by_role(Role::Label);
+        let reads = |node: &egui_kittest::Node<'_>| {
+            node.accesskit_node().value().is_some_and(|value| value.starts_with(text))
+        };
+        all.filter(reads).map(|node| node.rect().center().y).collect()
+    };
+    let vectors = heights("(0, 1, 0)");
+    for name in ["v: ghost", "up: ghost"] {
+        let here = heights(name)[0];
+        assert!(vectors.iter().any(|there| (there - here).abs() < 2.0), "{here}: {vectors:?}");
+    }
+}
+
+#[test]
 fn the_ghost_is_dashed() {
     let mut harness = window("canonical");
     let before = harness.state().derived().world_view.clone().unwrap();
