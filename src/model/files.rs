@@ -234,7 +234,11 @@ impl OpenDocument {
     pub fn file_name(&self) -> String {
         match &self.origin {
             Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
-            Origin::Step(_) => "scene.toml".to_owned(),
+            Origin::Step(title) => {
+                let words = title.split(|letter: char| !letter.is_alphanumeric());
+                let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+                format!("{}.toml", words.join("-").to_lowercase())
+            }
             file => title_of(file),
         }
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pinhole::model::files::OpenDocument;
+use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 const SCENE: &str = "# Many balls.\n\npinhole = 1\nspheres = \"data/balls.csv\" # measured\n\n\
@@ -24,6 +25,12 @@ fn folder() -> tempfile::TempDir {
     fs::write(folder.path().join("data/balls.csv"), "x,y,z,r\n1,2,3,4\n").unwrap();
     fs::write(folder.path().join("scene.toml"), SCENE).unwrap();
     folder
+}
+
+#[test]
+fn a_step_is_saved_under_its_own_name() {
+    let step = OpenDocument::of_step(Document::default(), "Lesson 7, step 3".to_owned());
+    assert_eq!(step.file_name(), "lesson-7-step-3.toml");
 }
 
 #[test]

@@ -54,7 +54,7 @@ pub(crate) fn ui(
             menus(ui);
         }
         ui.separator();
-        workspaces(ui, settings);
+        workspaces(ui, there, settings);
         pages(ui, there, settings);
         ui.separator();
         // The same text as in the window's title.
@@ -70,15 +70,22 @@ const NARROW: f32 = 480.0;
 /// Minimum width of the scene's name, in points.
 const TITLE: f32 = 64.0;
 
-/// Shows the four workspaces side by side or, if they do not fit, in a menu.
-fn workspaces(ui: &mut Ui, settings: &mut Settings) {
+/// Shows the four workspaces side by side or, if they do not fit, in a menu. A lesson's stage has lines of the
+/// derivation beside its figure; there, the whole derivation replaces the figure, and the other way round.
+fn workspaces(ui: &mut Ui, there: Available, settings: &mut Settings) {
     let open = settings.layout.workspace();
     let width: f32 = Workspace::ALL.iter().map(|one| button_width(ui, one.label())).sum();
     let mut choices = |ui: &mut Ui| {
         for workspace in Workspace::ALL {
             let is_open = open == Some(workspace);
             let tab = ui.selectable_label(is_open, RichText::new(workspace.label()).strong());
-            if tab.on_hover_text(workspace.about()).clicked() && !is_open {
+            if !tab.on_hover_text(workspace.about()).clicked() {
+                continue;
+            }
+            let on_stage = there.lesson && workspace == Workspace::Derivation;
+            if on_stage && settings.layout != ViewLayout::DerivationAlone {
+                settings.layout = ViewLayout::DerivationAlone;
+            } else if on_stage || !is_open {
                 settings.layout = workspace.pages()[0];
             }
         }

@@ -7,8 +7,8 @@ use pinhole::model::Remembered;
 use pinhole::model::lessons::builtin;
 use pinhole_core::{Pixel, Selection};
 
-use super::{answer, at_step, key, shown_step};
-use crate::harness::{assert_says, command, says, type_into, window, window_with};
+use super::{Window, answer, at_step, key, press, shown_step};
+use crate::harness::{assert_says, command, says, texts_with, type_into, window, window_with};
 
 #[test]
 fn keys_go_through_the_lessons_unless_a_view_wants_them() {
@@ -77,4 +77,17 @@ fn the_hint_names_only_what_is_there_to_be_dragged() {
     assert_says(&window, "Drag eye, at or up. Click a pixel.");
     command(&mut window, "Overlay: view and up");
     assert_says(&window, "Drag eye. Click a pixel.");
+}
+
+#[test]
+fn the_whole_derivation_replaces_the_figure_and_the_other_way_round() {
+    let mut window = at_step(7, 3);
+    let figure =
+        |window: &Window| window.query_by_role_and_label(Role::Image, "World view").is_some();
+    assert!(figure(&window));
+    press(&mut window, "Derivation");
+    assert!(!figure(&window));
+    assert!(!texts_with(&window, "Decimals").is_empty());
+    press(&mut window, "Derivation");
+    assert!(figure(&window));
 }
