@@ -63,7 +63,10 @@ impl Workspace {
 }
 
 /// The layouts that are tools. They belong to no workspace.
-pub const TOOLS: &[ViewLayout] = &[ViewLayout::Translator, ViewLayout::Accuracy];
+pub const TOOLS: &[ViewLayout] = match cfg!(feature = "report") {
+    true => &[ViewLayout::Translator, ViewLayout::Accuracy],
+    false => &[ViewLayout::Translator],
+};
 
 /// A layout of the window. Some layouts cannot be shown by lessons and have no name in lesson files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

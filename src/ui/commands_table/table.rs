@@ -9,7 +9,7 @@ use pinhole_lecture::{Exercise, Mistake};
 use crate::model::Item;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::play::Kind;
-use crate::model::session::{Scheme, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
     HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
@@ -288,7 +288,8 @@ fn choices() -> Vec<UiCommand> {
     let mut add = |group, name: &str, about: &str, action: Action| {
         commands.push(command(group, name, about, action));
     };
-    for layout in ViewLayout::LISTED {
+    let is_there = |layout: &ViewLayout| layout.workspace().is_some() || TOOLS.contains(layout);
+    for layout in ViewLayout::LISTED.into_iter().filter(is_there) {
         add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
     }
     for shade in Shade::ALL {
