@@ -27,13 +27,12 @@ var pinhole = (() => {
   const taken = new Set();
   const releases = new Map();
 
-  // Finds the locks of other pages, and takes that of the first slot for unsaved changes that is free and empty.
-  async function findLocks() {
+  // Finds the locks of other pages, and takes the first of these that is free and whose file is not stored.
+  async function findLocks(names, files) {
     try {
       for (const lock of (await navigator.locks.query()).held) taken.add(lock.name);
-      for (let slot = 0; slot < 64; slot += 1) {
-        const name = `/browser/unsaved/${slot}.lock`;
-        const isEmpty = !storage()?.getItem(PREFIX + name.replace(".lock", ".toml"));
+      for (const [slot, name] of names.entries()) {
+        const isEmpty = !storage()?.getItem(PREFIX + files[slot]);
         if (isEmpty && !taken.has(PREFIX + name)) {
           if (await hold(name)) return;
           taken.add(PREFIX + name);
@@ -64,9 +63,9 @@ var pinhole = (() => {
     releases.delete(name);
   }
 
-  function download(name, content, type = "application/octet-stream") {
+  function download(name, content) {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([content], { type }));
+    link.href = URL.createObjectURL(new Blob([content], { type: "application/octet-stream" }));
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 60000);
@@ -196,6 +195,14 @@ var pinhole = (() => {
     wake();
   });
 
+  // Chooses the keyboard on the screen for the element that takes the program's text. An iPhone's keyboard of
+  // numbers lacks the minus.
+  const NUMBERS = /iPhone|iPod/.test(navigator.userAgent) ? "text" : "decimal";
+
+  function typeNumbers(isNumber) {
+    document.querySelector("input").inputMode = isNumber ? NUMBERS : "text";
+  }
+
   function tell(text) {
     if (element("told").textContent !== text) element("told").textContent = text;
   }
@@ -249,7 +256,6 @@ var pinhole = (() => {
   }
 
   async function start() {
-    await findLocks();
     const letters = atob(element("program").textContent);
     // A loop, because `Uint8Array.from` takes a third of a second for it.
     const packed = new Uint8Array(letters.length);
@@ -268,6 +274,7 @@ var pinhole = (() => {
     stored: (key) => storage()?.getItem(PREFIX + key) ?? undefined,
     store,
     forget: (key) => storage()?.removeItem(PREFIX + key),
+    find_locks: findLocks,
     lock,
     unlock,
     download,
@@ -279,6 +286,8 @@ var pinhole = (() => {
     reduced_motion: () => window.matchMedia("(prefers-reduced-motion: reduce)").matches,
     set_title: (title) => { document.title = title; },
     fill_screen: fillScreen,
+    type_numbers: typeNumbers,
+    is_touched: () => window.matchMedia("(pointer: coarse)").matches,
     tell,
     rest,
     failed,

@@ -115,10 +115,18 @@ impl Slot {
         (own, found, fault)
     }
 
+    /// Returns the paths of all scene files in the folder, each with that of its lock.
+    pub fn all_paths(folder: &Path) -> impl Iterator<Item = [PathBuf; 2]> {
+        (0..SLOTS).map(|number| Slot::paths(folder, number))
+    }
+
+    fn paths(folder: &Path, number: usize) -> [PathBuf; 2] {
+        ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")))
+    }
+
     /// Locks the slot with this number. Returns `None` if another window has locked it.
     fn at(folder: &Path, number: usize) -> Result<Option<Slot>, FileError> {
-        let [scene, lock] =
-            ["toml", "lock"].map(|ending| folder.join(format!("{number}.{ending}")));
+        let [scene, lock] = Slot::paths(folder, number);
         host().make_folder(folder)?;
         Ok(host().lock(&lock)?.map(|lock| Slot { scene, _lock: lock }))
     }

@@ -7,7 +7,9 @@ Every check is a function whose name says what holds.
 """
 import argparse
 import base64
+import functools
 import gzip
+import http.server
 import json
 import os
 import re
@@ -16,6 +18,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -176,10 +179,40 @@ def a_link_is_shared_and_opened(page, pictures):
         browser.shot(pictures / f"link-{wrong[:4].replace('/', '-')}.png")
     browser.open(page, "7.3")
     assert browser.told() == there
+    assert browser.run("return location.hash") == "", "a reload would go back to the link"
     browser.run("location.hash = '8.1'")
     time.sleep(0.5)
     assert browser.told().startswith("Lesson 8, step 1"), browser.told()
+    browser.driver.refresh()
+    browser.started()
+    assert browser.told().startswith("Lesson 8, step 1"), browser.told()
     browser.close()
+
+
+def another_program_reads_the_code_of_a_link(page, pictures):
+    """From a server, because a file has no address that others could open; on a phone, whose dialog is narrow."""
+    folder = functools.partial(QuietHandler, directory=Path(page).resolve().parent)
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), folder) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        address = f"http://127.0.0.1:{server.server_port}/{Path(page).name}"
+        browser = Browser((390, 844), touch=True)
+        browser.driver.get(address + "#7.3")
+        browser.started()
+        browser.key("q")
+        time.sleep(0.5)
+        picture = pictures / "code.png"
+        browser.shot(picture)
+        read = subprocess.run(["zbarimg", "--quiet", "--raw", picture], capture_output=True, text=True).stdout.strip()
+        assert read == address + "#7.3", f"read {read!r}"
+        browser.close()
+        server.shutdown()
+
+
+class QuietHandler(http.server.SimpleHTTPRequestHandler):
+    """Serves a folder, and logs nothing."""
+
+    def log_message(self, *_):
+        pass
 
 
 def a_page_is_saved_and_opens_at_its_step(page, pictures):
@@ -188,6 +221,8 @@ def a_page_is_saved_and_opens_at_its_step(page, pictures):
     there = browser.told()
     assert there
     choose(browser, "Save as a page")
+    browser.shot(pictures / "name.png")
+    browser.key("Enter")
     time.sleep(1)
     name, text = next(iter(browser.downloads().items()))
     assert name.endswith(".html"), name
@@ -261,6 +296,7 @@ def a_full_storage_is_told_once(page, pictures):
     time.sleep(2)
     browser.shot(pictures / "full.png")
     browser.key("s", CTRL)
+    browser.key("Enter")
     assert browser.downloads(), "saving needs no storage"
     browser.close()
 
@@ -327,7 +363,8 @@ def main():
     the_first_picture_comes_at_once(arguments.page)
     checks = [a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
               a_file_is_dropped_changed_and_saved,
-              a_link_is_shared_and_opened, a_page_is_saved_and_opens_at_its_step, a_scene_in_a_page_runs_no_script,
+              a_link_is_shared_and_opened, another_program_reads_the_code_of_a_link,
+              a_page_is_saved_and_opens_at_its_step, a_scene_in_a_page_runs_no_script,
               every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone,
               it_stands_at_three_sizes]
     if arguments.beside:

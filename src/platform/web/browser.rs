@@ -10,6 +10,7 @@ use pinhole_exchange::FileError;
 use pinhole_exchange::host::{Host, Lock, Stamp};
 
 use super::page;
+use crate::model::recovery::Slot;
 
 /// The folder of the program's own files, which are in the browser's storage.
 const STORAGE: &str = "/browser";
@@ -19,6 +20,11 @@ const UNSAVED: &str = "/browser/unsaved";
 /// Returns the path of a file that stores the program's state.
 pub(super) fn state() -> PathBuf {
     Path::new(STORAGE).join("state.json")
+}
+
+/// Returns the keys of all files of unsaved changes and, in the same order, of their locks.
+pub(super) fn slots() -> (Vec<String>, Vec<String>) {
+    Slot::all_paths(Path::new(UNSAVED)).map(|[scene, lock]| (key(&scene), key(&lock))).unzip()
 }
 
 /// A file in memory.

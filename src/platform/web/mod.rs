@@ -26,8 +26,10 @@ use web_sys::HtmlCanvasElement;
 use crate::model::lessons::{Lesson, LessonArgument, OpenLesson, StepId};
 use crate::model::recovery::{Slot, Unsaved};
 use crate::model::{Remembered, Store, fault};
-use crate::ui::app::App;
+use crate::ui::app::{App, SpokenAbout};
 use crate::ui::dialogs::{FileAnswer, FileRequest};
+use crate::ui::widgets::number;
+use crate::view::typesetting::theme::{self, Look};
 
 /// The identifier of the page's canvas.
 const CANVAS: &str = "canvas";
@@ -37,6 +39,8 @@ struct Page {
     app: App,
     /// True while the browser's dialog for files is open.
     is_choosing: bool,
+    /// What the screen reader was told about last.
+    told: Option<SpokenAbout>,
 }
 
 /// What the script has done since the last frame.
@@ -70,6 +74,8 @@ pub fn main() -> ExitCode {
     host::set(browser::Browser);
     wasm_bindgen_futures::spawn_local(async {
         let Some(canvas) = canvas() else { return };
+        let (files, locks) = browser::slots();
+        page::find_locks(locks, files).await;
         let app =
             Box::new(|creation: &CreationContext<'_>| Ok(Box::new(Page::new(creation)?) as _));
         let runner = WebRunner::new();
@@ -99,7 +105,9 @@ impl Page {
             remembered.selection = None;
         }
         App::set_up(&creation.egui_ctx, &remembered.settings);
-        creation.egui_ctx.add_plugin(Output);
+        let look = Look { by_touch: page::is_touched(), ..Look::new(&remembered.settings, false) };
+        theme::install(&creation.egui_ctx, look);
+        creation.egui_ctx.add_plugin(Output::default());
         let _ = CONTEXT.set(creation.egui_ctx.clone());
         let address = page::address();
         if address.starts_with("http") {
@@ -112,7 +120,7 @@ impl Page {
         }
         app.set_renderer_name("WebGL".to_owned());
         app.use_desktop_dialog();
-        Ok(Page { app, is_choosing: false })
+        Ok(Page { app, is_choosing: false, told: None })
     }
 }
 
@@ -173,9 +181,13 @@ impl eframe::App for Page {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         LAST.set(self.app.unsaved());
         self.app.ui(ui);
-        self.ask_for_file(ui.ctx());
+        self.ask_for_file();
         if !ui.input(|input| input.pointer.any_down()) {
-            page::tell(&self.app.spoken());
+            let about = self.app.spoken_about();
+            if self.told.as_ref() != Some(&about) {
+                page::tell(&self.app.spoken());
+                self.told = Some(about);
+            }
         }
     }
 
@@ -190,31 +202,19 @@ impl eframe::App for Page {
 }
 
 impl Page {
-    /// Opens the browser's dialog for files if the app asks for a file to read. A file to write is a
-    /// download, for which the browser chooses the folder.
-    fn ask_for_file(&mut self, ctx: &Context) {
-        let Some(FileRequest { question, name, .. }) = self.app.file_request() else {
+    /// Opens the browser's dialog for files if the app asks for a file to read.
+    fn ask_for_file(&mut self) {
+        let Some(FileRequest { question, .. }) = self.app.file_request() else {
             self.is_choosing = false;
             return;
         };
         if std::mem::replace(&mut self.is_choosing, true) {
             return;
         }
-        match question.writes {
-            Some(ending) => {
-                let name = if name.is_empty() { &format!("pinhole.{ending}") } else { name };
-                EVENTS.with_borrow_mut(|events| {
-                    events.choice = Some(FileAnswer::Chosen(name.into()));
-                });
-                ctx.request_repaint();
-            }
-            None => {
-                // A scene may name a table, which must be chosen together with it.
-                let endings = question.endings.iter().chain(&["csv"]);
-                let extensions: Vec<_> = endings.map(|ending| format!(".{ending}")).collect();
-                page::choose(&extensions.join(","));
-            }
-        }
+        // A scene may name a table, which must be chosen together with it.
+        let endings = question.endings.iter().chain(&["csv"]);
+        let extensions: Vec<_> = endings.map(|ending| format!(".{ending}")).collect();
+        page::choose(&extensions.join(","));
     }
 }
 
@@ -307,14 +307,22 @@ fn last_report(message: &str) -> (String, bool) {
 }
 
 /// Carries out what a frame asks of the window, and lets the page rest until the next one.
-struct Output;
+#[derive(Default)]
+struct Output {
+    /// True if a number is typed.
+    types_number: bool,
+}
 
 impl egui::Plugin for Output {
     fn debug_name(&self) -> &'static str {
         "page"
     }
 
-    fn output_hook(&mut self, _: &Context, output: &mut FullOutput) {
+    fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
+        let types_number = number::is_typed(ctx);
+        if std::mem::replace(&mut self.types_number, types_number) != types_number {
+            page::type_numbers(types_number);
+        }
         let Some(window) = output.viewport_output.get_mut(&ViewportId::ROOT) else { return };
         for command in window.commands.drain(..) {
             match command {

@@ -16,6 +16,9 @@ extern "C" {
     /// Removes a text from the browser's storage.
     pub(super) fn forget(key: &str);
 
+    /// Finds the locks of other pages, and takes the first of these that is free and whose file is not stored.
+    pub(super) async fn find_locks(names: Vec<String>, files: Vec<String>);
+
     /// Locks a name for this page. Returns false if another page holds the lock.
     pub(super) fn lock(name: &str) -> bool;
 
@@ -49,6 +52,12 @@ extern "C" {
 
     /// Makes the page fill the screen, or not.
     pub(super) fn fill_screen(fill: bool);
+
+    /// Chooses the keyboard on the screen: for a number, or for any text.
+    pub(super) fn type_numbers(is_number: bool);
+
+    /// Returns true if the main pointer is a finger.
+    pub(super) fn is_touched() -> bool;
 
     /// Tells a screen reader what the page shows.
     pub(super) fn tell(text: &str);

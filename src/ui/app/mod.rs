@@ -42,6 +42,7 @@ use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::{self, Look};
 
+pub use self::spoken::SpokenAbout;
 pub use self::window::complain;
 
 /// The program's state: the open document, the session that views it, and everything derived from them.

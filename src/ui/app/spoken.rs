@@ -1,13 +1,39 @@
 //! The window's contents in words, for a host that shows screen readers no widgets.
 
-use crate::model::NumberStyle;
+use std::sync::Arc;
+
 use crate::model::files::title_of;
 use crate::model::readings::{Reading, of_basis};
+use crate::model::{Fault, Inspection, NumberStyle, Settings, StepId};
 use crate::ui::app::App;
 use crate::ui::scene::views;
 use crate::view::typesetting::notation::{plain, without_marks};
 
+/// What the words depend on.
+#[derive(PartialEq)]
+pub struct SpokenAbout {
+    title: String,
+    step: Option<StepId>,
+    is_asking: bool,
+    settings: Settings,
+    fault: Option<Fault>,
+    inspection: Option<Arc<Inspection>>,
+}
+
 impl App {
+    /// Returns what [`spoken`](App::spoken) depends on.
+    pub fn spoken_about(&self) -> SpokenAbout {
+        let (session, derived) = (&self.scene.session, &self.views.derived);
+        SpokenAbout {
+            title: title_of(self.scene.open.origin()),
+            step: self.lesson().map(|lesson| lesson.id()),
+            is_asking: session.is_asking,
+            settings: session.settings,
+            fault: derived.fault,
+            inspection: derived.inspection.clone(),
+        }
+    }
+
     /// Returns the window's title, the text of the lesson's step, and the numbers of the selected ray, a line
     /// each. Numbers are left out while a question is open, because they may answer it.
     pub fn spoken(&self) -> String {

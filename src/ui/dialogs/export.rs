@@ -142,9 +142,12 @@ impl ExportForm {
                 if ui.radio(self.chosen == k, shown.subject.title()).clicked() && self.chosen != k {
                     // A file name that was not edited follows the subject.
                     let before = self.subjects[self.chosen].subject.name();
-                    let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
-                    if let Some(folder) = renamed {
-                        self.field.text = format!("{folder}{}.svg", shown.subject.name());
+                    let path = Path::new(&self.field.text);
+                    if let (Some(stem), Some(ending)) = (path.file_stem(), path.extension())
+                        && stem == before
+                    {
+                        let name = Path::new(shown.subject.name()).with_extension(ending);
+                        self.field.text = path.with_file_name(name).display().to_string();
                     }
                     (self.chosen, self.size) = (k, shown.dots());
                 }

@@ -93,8 +93,12 @@ impl PathField {
     }
 
     /// Lets the user choose the file in the desktop's dialog. If `at_once` is true, that dialog opens
-    /// immediately; otherwise, when the button is clicked.
+    /// immediately; otherwise, when the button is clicked. A browser chooses the folder of a download, but not
+    /// its name.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
+        if self.question.writes.is_some() && !host().has_folders() {
+            return;
+        }
         (self.is_desktops, self.request) = (true, None);
         if at_once {
             let name = Path::new(&self.text).file_name().unwrap_or_default();
@@ -161,6 +165,40 @@ impl PathField {
         if !entered && ui.memory(|memory| memory.focused().is_none()) {
             response.request_focus();
         }
+        match host().has_folders() {
+            true => chosen = self.folder_ui(ui),
+            false => self.endings_ui(ui),
+        }
+        let typed = self.text.trim();
+        let mut ready = entered;
+        ui.horizontal(|ui| {
+            let verb = Button::new(self.question.verb);
+            ready |= ui.add_enabled(!typed.is_empty(), verb).clicked();
+            *cancel |= ui.button("Cancel").clicked();
+        });
+        if ready && !typed.is_empty() {
+            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
+        }
+        chosen
+    }
+
+    /// Shows a choice of the file's kind, if there are several.
+    fn endings_ui(&mut self, ui: &mut Ui) {
+        let endings = self.question.endings;
+        ui.horizontal_wrapped(|ui| {
+            for ending in endings.iter().filter(|_| endings.len() > 1) {
+                let path = Path::new(&self.text);
+                let is_chosen = path.extension().is_some_and(|chosen| chosen == *ending);
+                if ui.radio(is_chosen, *ending).clicked() {
+                    self.text = path.with_extension(ending).display().to_string();
+                }
+            }
+        });
+    }
+
+    /// Shows the folder and its files. Returns the path of a file that was clicked twice.
+    fn folder_ui(&mut self, ui: &mut Ui) -> Option<PathBuf> {
+        let mut chosen = None;
         ui.horizontal_wrapped(|ui| {
             if let Some(parent) = self.folder.parent().map(Path::to_owned)
                 && ui.button("Up").on_hover_text("The folder above").clicked()
@@ -189,16 +227,6 @@ impl PathField {
         });
         if let Some(folder) = enter {
             self.list(folder);
-        }
-        let typed = self.text.trim();
-        let mut ready = entered;
-        ui.horizontal(|ui| {
-            let verb = Button::new(self.question.verb);
-            ready |= ui.add_enabled(!typed.is_empty(), verb).clicked();
-            *cancel |= ui.button("Cancel").clicked();
-        });
-        if ready && !typed.is_empty() {
-            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
         }
         chosen
     }

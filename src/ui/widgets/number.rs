@@ -88,6 +88,9 @@ impl<'a> NumberField<'a> {
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
+        if typing {
+            ui.data_mut(|data| data.insert_temp(typed(), id));
+        }
         let speed = if self.is_whole { 1.0 } else { drag_speed(ui, id, *self.value) };
         let is_given_up = is_given_up(ui, id);
         let fault: RefCell<Option<String>> = RefCell::new(None);
@@ -136,6 +139,16 @@ impl<'a> NumberField<'a> {
         let (hint, exact) = (self.hint, written_whole(exact));
         response.on_hover_text(format!("{hint} = {exact}{suffix}"))
     }
+}
+
+fn typed() -> Id {
+    Id::unique("the typed number")
+}
+
+/// Returns true if a number field has the focus.
+pub fn is_typed(ctx: &Context) -> bool {
+    let last = ctx.data(|data| data.get_temp::<Id>(typed()));
+    last.is_some() && last == ctx.memory(|memory| memory.focused())
 }
 
 /// Formats the number with the settings' digits, or with as many as fit into `room`, in points. If the field
