@@ -6,8 +6,8 @@ use std::cell::Cell;
 use std::path::Path;
 
 use pinhole::model::digest::picture_digest;
-use pinhole::model::lessons::{LessonArgument, OpenLesson};
 use pinhole::model::inspection::Inspection;
+use pinhole::model::lessons::{LessonArgument, OpenLesson};
 use pinhole_core::Selection;
 use pinhole_core::*;
 use pinhole_exchange::document::Item;

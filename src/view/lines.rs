@@ -329,8 +329,8 @@ impl PlaneView {
     fn axes(&self) -> Pos2 {
         let (origin, rect) = (self.to_screen(DVec2::ZERO), self.rect);
         pos2(
-            origin.x.clamp(rect.left() + 40.0, rect.right() - 4.0),
-            origin.y.clamp(rect.top() + 2.0, rect.bottom() - 26.0),
+            origin.x.min(rect.right() - 4.0).max(rect.left() + 40.0),
+            origin.y.min(rect.bottom() - 26.0).max(rect.top() + 2.0),
         )
     }
 

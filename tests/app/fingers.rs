@@ -173,3 +173,18 @@ fn dialogs_and_the_contents_are_whole_on_a_phone() {
         assert!(entry.rect().right() <= PHONE.x, "{:?}", entry.rect());
     }
 }
+
+#[test]
+fn a_lesson_is_closed_by_touch_and_the_page_from_before_comes_back() {
+    for layout in [ViewLayout::Both, ViewLayout::Lines] {
+        let mut harness = phone();
+        show(&mut harness, layout);
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 2 }, None);
+        harness.run();
+        tap(&mut harness, pos2(200.0, 100.0));
+        tap_button(&mut harness, "Close the lesson");
+        assert!(harness.state().lesson().is_none());
+        let failed = harness.query_by_label("Pinhole ran into an internal error").is_some();
+        assert!(!failed, "{layout:?}");
+    }
+}

@@ -248,6 +248,7 @@ def a_scene_in_a_page_runs_no_script(page, pictures):
     browser.open(page)
     browser.drop(["script.toml", scene])
     choose(browser, "Save as a page")
+    browser.key("Enter")
     time.sleep(1)
     text = next(text for name, text in browser.downloads().items() if name.endswith(".html"))
     with tempfile.TemporaryDirectory() as folder:

@@ -158,6 +158,9 @@ fn lesson_of(name: &str, step: Option<usize>) -> Result<(StepId, Option<Arc<Less
 
 impl eframe::App for Page {
     fn raw_input_hook(&mut self, _: &Context, input: &mut RawInput) {
+        // eframe does not say how large the window is, although a page always has a size.
+        let size = input.screen_rect;
+        input.viewports.entry(ViewportId::ROOT).or_default().inner_rect = size;
         let events = EVENTS.take();
         input.dropped_files.clear();
         input

@@ -228,7 +228,10 @@ pub(crate) fn above(area: Rect) -> Rect {
 
 /// Shows a title in this rectangle.
 pub(crate) fn strip(ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui)) {
-    inside(ui, rect.shrink2(vec2(4.0, 0.0)), |ui| ui.horizontal_centered(content));
+    inside(ui, rect.shrink2(vec2(4.0, 0.0)), |ui| {
+        ui.spacing_mut().interact_size.y = ui.spacing().interact_size.y.min(STRIP);
+        ui.horizontal_centered(content)
+    });
 }
 
 /// Clamps a fraction of a length so that both parts are large enough. If the length is too small for

@@ -96,6 +96,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
             style.text_styles = text_styles(look.presenting);
             let usual = egui::style::Spacing::default().interact_size.y;
             style.spacing.interact_size.y = if look.by_touch { FINGER } else { usual };
+            // A finger that moves over a text swipes or scrolls.
+            style.interaction.selectable_labels = !look.by_touch;
             if look.reduced_motion {
                 style.animation_time = 0.0;
                 style.scroll_animation = egui::style::ScrollAnimation::none();
