@@ -26,5 +26,6 @@ mod ray;
 mod scene;
 mod selection;
 mod snapshots;
+mod spoken;
 mod teaching;
 mod tools;

@@ -152,7 +152,7 @@ def a_file_is_dropped_changed_and_saved(page, pictures):
     saved = browser.downloads()["mine.toml"]
     assert "</script>" in saved and "-5" in saved, saved
     browser.drop(["table.toml", 'spheres = "balls.csv"\n' + SCENE], ["balls.csv", "x,y,z,r\n0,0,-5,1\n"])
-    assert "hits object 0" in browser.told() or browser.told().startswith("table.toml"), browser.told()
+    assert "hits sphere 0" in browser.told() or browser.told().startswith("table.toml"), browser.told()
     browser.key("s", CTRL)
     assert 'spheres = "balls.csv"' in browser.downloads()["table.toml"], browser.downloads()
     browser.drop(["mine.toml", SCENE])

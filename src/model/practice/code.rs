@@ -30,7 +30,7 @@ const YES_NO: [&str; 2] = ["yes", "no"];
 impl Exercises {
     /// Returns the code of the typed answers.
     pub fn to_code(&self) -> String {
-        let texts: Vec<String> = self.answers.iter().flat_map(texts).collect();
+        let texts: Vec<String> = self.answers.iter().flat_map(TypedAnswer::texts).collect();
         let packed = URL_SAFE_NO_PAD.encode(texts.join("\n"));
         let seed = self.seed().map_or_else(|| LECTURE.to_owned(), |seed| seed.to_string());
         let seen = SEEN[usize::from(self.saw_solution)];
@@ -39,7 +39,7 @@ impl Exercises {
 
     /// Returns true if anything was typed or chosen.
     pub(crate) fn is_begun(&self) -> bool {
-        self.answers.iter().flat_map(texts).any(|text| !text.trim().is_empty())
+        self.answers.iter().flat_map(TypedAnswer::texts).any(|text| !text.trim().is_empty())
     }
 
     /// Opens a question, types these texts into its fields, yes or no where it asks for that, and checks them.
@@ -77,12 +77,14 @@ impl Exercises {
     }
 }
 
-/// Returns the text of each field, on one line, or of the answer to a yes-or-no question.
-fn texts(typed: &TypedAnswer) -> Vec<String> {
-    if typed.fields.is_empty() {
-        return vec![typed.yes.map_or("", |yes| YES_NO[usize::from(!yes)]).to_owned()];
+impl TypedAnswer {
+    /// Returns the text of each field, on one line, or of the answer to a yes-or-no question.
+    pub(crate) fn texts(&self) -> Vec<String> {
+        if self.fields.is_empty() {
+            return vec![self.yes.map_or("", |yes| YES_NO[usize::from(!yes)]).to_owned()];
+        }
+        self.fields.iter().map(|field| field.replace('\n', " ")).collect()
     }
-    typed.fields.iter().map(|field| field.replace('\n', " ")).collect()
 }
 
 /// Reads the codes in a line of text, which may have other words in it. Each is the checked answers, or the reason

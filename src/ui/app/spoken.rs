@@ -2,19 +2,23 @@
 
 use std::sync::Arc;
 
+use pinhole_lecture::exercises;
+
 use crate::model::files::title_of;
 use crate::model::readings::{Reading, of_basis};
-use crate::model::{Fault, Inspection, NumberStyle, Settings, StepId};
+use crate::model::{
+    Exercises, Fault, Inspection, MistakesView, NumberStyle, Settings, ViewLayout, Workspace,
+};
 use crate::ui::app::App;
+use crate::ui::dialogs::Dialog;
+use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::scene::views;
 use crate::view::typesetting::notation::{plain, without_marks};
 
-/// What the words depend on.
+/// What the contents in words depend on: the words without the numbers, and what the numbers are of.
 #[derive(PartialEq)]
 pub struct SpokenAbout {
-    title: String,
-    step: Option<StepId>,
-    is_asking: bool,
+    words: String,
     settings: Settings,
     fault: Option<Fault>,
     inspection: Option<Arc<Inspection>>,
@@ -23,22 +27,36 @@ pub struct SpokenAbout {
 impl App {
     /// Returns what [`spoken`](App::spoken) depends on.
     pub fn spoken_about(&self) -> SpokenAbout {
-        let (session, derived) = (&self.scene.session, &self.views.derived);
+        let derived = &self.views.derived;
         SpokenAbout {
-            title: title_of(self.scene.open.origin()),
-            step: self.lesson().map(|lesson| lesson.id()),
-            is_asking: session.is_asking,
-            settings: session.settings,
+            words: self.words().join("\n"),
+            settings: self.scene.session.settings,
             fault: derived.fault,
             inspection: derived.inspection.clone(),
         }
     }
 
-    /// Returns the window's title, the text of the lesson's step, and the numbers of the selected ray, a line
-    /// each. Numbers are left out while a question is open, because they may answer it.
+    /// Returns the window's title, the open dialog, the last notice, the text of the lesson's step, and the
+    /// contents of the page, a line each. While a question is open, only its text is told, because the rest may
+    /// answer it.
     pub fn spoken(&self) -> String {
-        let (open, session, derived) = (&self.scene.open, &self.scene.session, &self.views.derived);
+        let session = &self.scene.session;
+        let mut lines = self.words();
+        if !session.is_asking && session.settings.layout.workspace() != Some(Workspace::Practice) {
+            self.numbers(&mut lines);
+        }
+        lines.join("\n")
+    }
+
+    /// Returns what is told but for the numbers of the selected ray.
+    fn words(&self) -> Vec<String> {
+        let (open, session) = (&self.scene.open, &self.scene.session);
         let mut lines = vec![title_of(open.origin())];
+        lines.extend(self.over.dialog.as_ref().map(Dialog::spoken));
+        if let Some(notice) = &session.translator.notice {
+            lines.push(notice.title.clone());
+            lines.extend(notice.notes.iter().cloned());
+        }
         if let Some(step) = self.lesson().map(|lesson| lesson.step()) {
             lines.push(without_marks(&step.text));
             if let Some(question) = &step.question {
@@ -46,11 +64,23 @@ impl App {
                 lines.push(without_marks(said));
             }
         }
-        if session.is_asking {
-            return lines.join("\n");
+        if !session.is_asking {
+            match session.settings.layout {
+                ViewLayout::Exercises => exercise(&session.exercises, &mut lines),
+                ViewLayout::Mistakes => self.mistake(&session.mistakes_view, &mut lines),
+                ViewLayout::Answers => lines.push(answers::spoken(&self.views.derived, session)),
+                ViewLayout::Class => lines.extend(class::spoken(&session.class.answers)),
+                _ => {}
+            }
         }
-        lines.push(views::spoken(derived));
-        let style = NumberStyle::new(&session.settings);
+        lines
+    }
+
+    /// Tells the numbers of the selected ray and of its camera.
+    fn numbers(&self, lines: &mut Vec<String>) {
+        let (document, derived) = (&self.scene.open.document, &self.views.derived);
+        let style = NumberStyle::new(&self.scene.session.settings);
+        lines.push(views::spoken(derived, document, style));
         let line = |reading: &Reading| {
             format!("{} {}", plain(reading.long_name), style.equated_value(&reading.value))
         };
@@ -61,6 +91,30 @@ impl App {
                 inspection.flat_map(|seen| seen.ray_readings(resolved.image())).map(|r| line(&r)),
             );
         }
-        lines.join("\n")
+    }
+
+    /// Tells the comparison with a wrong camera, or the vote on it.
+    fn mistake(&self, view: &MistakesView, lines: &mut Vec<String>) {
+        if let Some(open) = &view.open_vote {
+            lines.push("Which mistake made the wrong picture?".to_owned());
+            let options = open.vote.options.iter().zip(["A", "B", "C", "D"]);
+            lines.extend(options.map(|(mistake, letter)| format!("{letter}: {}", mistake.name())));
+        }
+        let wrong = self.views.derived.wrong_camera.as_deref();
+        lines.extend(wrong.map(|wrong| mistakes::spoken(wrong, view, false)));
+    }
+}
+
+/// Tells an exercise, what was typed and what was said about it.
+fn exercise(open: &Exercises, lines: &mut Vec<String>) {
+    let question = open.question();
+    lines.push(question.exercise.title().to_owned());
+    lines.extend(exercises::question(&question.given).iter().map(|text| without_marks(text)));
+    for (part, typed) in question.parts.iter().zip(&open.answers) {
+        let texts = typed.texts();
+        let answer = Some(texts.join(", ")).filter(|_| texts.iter().any(|text| !text.is_empty()));
+        let said = typed.feedback.as_ref().map(|said| said.sentence(part));
+        let told: Vec<String> = answer.into_iter().chain(said).collect();
+        lines.push(format!("{}: {}", part.asked.id(), told.join(". ")));
     }
 }

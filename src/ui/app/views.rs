@@ -8,7 +8,7 @@ use pinhole_core::Selection;
 use super::App;
 use super::glide::Glide;
 use crate::model::symbols::typeset_message;
-use crate::model::{Fault, Session, ViewSize};
+use crate::model::{Fault, NumberStyle, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, views};
 use crate::ui::widgets::ViewTexture;
@@ -97,7 +97,11 @@ impl App {
         let derived = &shown.derived;
         let session = &scene.session;
         let picture = rects.camera.or(rects.world);
-        let spoken = if session.is_asking { String::new() } else { views::spoken(derived) };
+        let style = NumberStyle::new(&session.settings);
+        let spoken = match session.is_asking {
+            true => String::new(),
+            false => views::spoken(derived, &scene.open.document, style),
+        };
         let has_world_inset = rects.has_world_inset();
         // An inset is drawn over the other view.
         for is_world in [!has_world_inset, has_world_inset] {

@@ -87,6 +87,21 @@ impl Dialog {
         Dialog::Question(Question::message(title, text))
     }
 
+    /// Returns the dialog in words, for screen readers.
+    pub(crate) fn spoken(&self) -> String {
+        match self {
+            Dialog::File(field, _) => field.question.title.to_owned(),
+            Dialog::Export(form) => form.field.question.title.to_owned(),
+            Dialog::Progress { .. } => "Exporting the animation".to_owned(),
+            Dialog::Share(_) => "Share".to_owned(),
+            Dialog::Question(Question { title, text, file, answers }) => {
+                let answers = answers.iter().map(|(answer, ..)| *answer);
+                let texts = [title, &text[..], file].into_iter().chain(answers);
+                texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join("\n")
+            }
+        }
+    }
+
     /// Creates a dialog that asks for a file and then requests the action for its path.
     pub(crate) fn file<A: Into<Action>>(
         field: PathField,

@@ -8,7 +8,7 @@ use egui::{
 };
 
 use crate::model::Session;
-use crate::model::practice::class::{ClassAnswers, RIGHT};
+use crate::model::practice::class::{ClassAnswers, ClassExercise, RIGHT};
 use crate::ui::widgets::{ResponseExt as _, clipped, fault_text};
 use crate::view::typesetting::theme::error_color;
 
@@ -45,6 +45,16 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {
     let (left, right) = whole.split_left_right_at_x(whole.left() + column);
     clipped(ui, left, |ui| codes(ui, session));
     clipped(ui, right.with_min_x(right.left() + GAP), |ui| answers(ui, &session.class.answers));
+}
+
+/// Returns the page's contents for screen readers.
+pub(crate) fn spoken(class: &ClassAnswers) -> Vec<String> {
+    let counts = |(outcome, count): &(String, usize)| format!("{outcome}: {count}");
+    let exercise = |own: &ClassExercise| {
+        let counts = own.counts.iter().map(counts);
+        [own.title.clone()].into_iter().chain(counts).collect::<Vec<_>>()
+    };
+    class.exercises.iter().flat_map(exercise).chain(class.problems()).collect()
 }
 
 fn codes(ui: &mut Ui, session: &mut Session) {

@@ -13,9 +13,10 @@ use egui::{
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::numbers::{grouped, written_whole};
+use pinhole_lecture::numbers::grouped;
 
 use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
+use crate::model::readings::ReadingValue;
 use crate::model::session::presenting::{PEN_COLORS, Pen};
 use crate::model::symbols::typeset_message;
 use crate::model::{
@@ -160,22 +161,23 @@ pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
 }
 
 /// Returns the description of the selected ray for screen readers.
-pub(crate) fn spoken(shown: &Derived) -> String {
+pub(crate) fn spoken(shown: &Derived, document: &Document, style: NumberStyle) -> String {
     if let Some(fault) = shown.fault {
         return typeset_message(fault);
     }
     let Some(inspection) = &shown.inspection else { return String::new() };
     let position = match inspection.pixel() {
-        Some(pixel) => format!("row {}, column {}", pixel.row, pixel.column),
+        Some(pixel) => style.pixel(pixel),
         None => {
-            let [u, v] = inspection.uv.to_array().map(written_whole);
+            let [u, v] = inspection.uv.to_array().map(|x| style.number(x));
             format!("u {u}, v {v}")
         }
     };
     match inspection.first_hit() {
         Some(hit) => {
-            let t = written_whole(hit.t);
-            format!("{position}: hits object {} at t = {t}", hit.object)
+            let object = document.title_of(hit.object as usize);
+            let (t, point) = (style.equated(hit.t), ReadingValue::Vector(hit.point));
+            format!("{position}: hits {object} at t {t}, point {}", style.equated_value(&point))
         }
         None => format!("{position}: hits nothing"),
     }
