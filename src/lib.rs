@@ -18,8 +18,8 @@
 //! ```
 //!
 //! The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
-//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests use it, and
-//! of the program only `pinhole report`.
+//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests
+//! use it, and of the program only `pinhole report`.
 //!
 //! # The path of one edit
 //!

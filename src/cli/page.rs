@@ -24,8 +24,7 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
             let open = OpenLesson::at(id, file.as_ref()).ok_or_else(|| {
                 CommandError::Arguments(format!("the lesson has no step {}", id.step + 1))
             })?;
-            let read = open.lesson().file.clone().into_iter().collect();
-            (page_part::of_step(&open)?, read)
+            (page_part::of_step(&open)?, page_part::files_of(&open)?)
         }
         (None, Some(_)) if step.is_some() => {
             let problem = "--step is for a lesson: name a lesson, or leave it out";

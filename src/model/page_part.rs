@@ -1,13 +1,13 @@
 //! The part of a page: how a scene or a lesson goes into a page that shows the program in a browser.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use pinhole_exchange::document::Document;
-use pinhole_exchange::page::PagePart;
+use pinhole_exchange::page::{self, PagePart};
 use pinhole_exchange::{FileError, limits, scene_file};
 use toml_edit::Table;
 
-use super::lessons::{OpenLesson, Which};
+use super::lessons::{OpenLesson, Which, load};
 
 /// The name of a scene in a page.
 const SCENE: &str = "scene.toml";
@@ -24,7 +24,11 @@ pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
         // In the folder of its table, the scene names the table alone.
         path = csv.file.with_file_name(SCENE);
         csv.path = csv.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        part.files.insert(csv.path.clone(), limits::read_text(&csv.file)?);
+        let text = limits::read_text(&csv.file).map_err(|error| {
+            let problem = "the scene's spheres are in this table: put it back, then save the page";
+            FileError { problem: format!("{}; {problem}", error.problem), ..error }
+        })?;
+        part.files.insert(csv.path.clone(), text);
     }
     let text = scene_file::prepare(&document, &path, None, false)?.text;
     part.files.insert(SCENE.to_owned(), text);
@@ -34,7 +38,8 @@ pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
 /// Returns the part of a page that opens the step of a lesson.
 ///
 /// # Errors
-/// Returns an error if the lesson's file or a scene that it names cannot be read.
+/// Returns an error if the lesson's file or a scene that it names cannot be read, or if the lesson's file was
+/// changed since.
 pub fn of_step(open: &OpenLesson) -> Result<PagePart, FileError> {
     let (id, step) = (open.id(), open.id().step + 1);
     match (id.lesson, &open.lesson().file) {
@@ -42,21 +47,46 @@ pub fn of_step(open: &OpenLesson) -> Result<PagePart, FileError> {
             let lesson = Some(format!("{}.{step}", index + 1));
             Ok(PagePart { lesson, ..PagePart::default() })
         }
-        (Which::File, Some(path)) => of_lesson_file(path, step),
+        (Which::File, Some(path)) => of_lesson_file(path, open),
         (Which::File, None) => Ok(PagePart::default()),
     }
 }
 
-fn of_lesson_file(path: &Path, step: usize) -> Result<PagePart, FileError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let mut part = PagePart { lesson: Some(name.clone()), step: Some(step), ..PagePart::default() };
-    let text = limits::read_text(path)?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    for scene in scenes_of(&text) {
-        add_scene(&mut part, folder, &scene)?;
+fn of_lesson_file(path: &Path, open: &OpenLesson) -> Result<PagePart, FileError> {
+    if load(path)? != *open.lesson() {
+        let problem = "was changed since the lesson was opened: open it again, then save the page";
+        return Err(FileError::of_file(path, problem));
     }
-    part.files.insert(name, text);
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let mut part = PagePart { lesson: name, step: Some(open.id().step + 1), ..PagePart::default() };
+    for (name, file) in named_files(path)? {
+        add(&mut part, &name, &file)?;
+    }
     Ok(part)
+}
+
+/// Returns the files from which a lesson is read; none if it is built in.
+///
+/// # Errors
+/// Returns an error if a file cannot be read.
+pub fn files_of(open: &OpenLesson) -> Result<Vec<PathBuf>, FileError> {
+    let files =
+        open.lesson().file.as_ref().map_or_else(|| Ok(Vec::new()), |path| named_files(path))?;
+    Ok(files.into_iter().map(|(_, file)| file).collect())
+}
+
+/// Returns the files from which a lesson's file is read, itself included: their paths from its folder, and their
+/// paths.
+fn named_files(lesson: &Path) -> Result<Vec<(PathBuf, PathBuf)>, FileError> {
+    let own = lesson.file_name().unwrap_or_default();
+    let mut files = vec![(own.into(), lesson.to_owned())];
+    for scene in scenes_of(&limits::read_text(lesson)?) {
+        let (name, file) = (PathBuf::from(&scene), lesson.with_file_name(&scene));
+        let table = scene_file::load(&file)?.csv_spheres;
+        files.extend(table.map(|table| (name.with_file_name(&table.path), table.file)));
+        files.push((name, file));
+    }
+    Ok(files)
 }
 
 /// Returns the paths of the scene files that a lesson's text names.
@@ -71,27 +101,16 @@ fn scenes_of(text: &str) -> Vec<String> {
     names.filter(|name| name.ends_with(".toml")).collect()
 }
 
-/// Adds the files of a scene that a lesson names, relative to the lesson's folder.
-fn add_scene(part: &mut PagePart, folder: &Path, scene: &str) -> Result<(), FileError> {
-    let path = folder.join(scene);
-    let document = scene_file::load(&path)?;
-    let below = |file: &Path| {
-        let is_plain = |part| matches!(part, Component::Normal(_) | Component::CurDir);
-        let inside = file.strip_prefix(folder).ok();
-        inside.filter(|file| file.components().all(is_plain)).map(Path::to_path_buf).ok_or_else(
-            || {
-                FileError::of_file(
-                    file,
-                    "a page has only files from the lesson's own folder: move it there",
-                )
-            },
-        )
-    };
-    let mut files = vec![path.clone()];
-    files.extend(document.csv_spheres.map(|csv| csv.file));
-    for file in files {
-        let name = below(&file)?.to_string_lossy().into_owned();
-        part.files.insert(name, limits::read_text(&file)?);
+/// Adds a file. In a page, no folder is above the lesson's own.
+fn add(part: &mut PagePart, name: &Path, file: &Path) -> Result<(), FileError> {
+    let text = limits::read_text(file)?;
+    let name = page::plain(name).to_string_lossy().into_owned();
+    match part.files.insert(name.clone(), text.clone()) {
+        Some(other) if other != text => {
+            let problem =
+                format!("would be {name} in the page, as another file: rename one of them");
+            Err(FileError::of_file(file, problem))
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }

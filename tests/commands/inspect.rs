@@ -280,7 +280,7 @@ fn errors_say_what_is_wrong() {
         "s.toml:4:6: camera.at: eye and at are the same point (1, 2, 3): move one of them",
     );
     write("pinhole = 1\n[camera]\neye = [1, 2, x]\n");
-    inspect().failed(1, "s.toml:3:14: not TOML: x is no value: write a number, or text in quotes");
+    inspect().failed(1, "s.toml:3:14: x is no value: write a number, or text in quotes");
 }
 
 #[test]

@@ -87,3 +87,63 @@ fn what_cannot_be_written_is_refused() {
     let reason = "other.html: not a page of Pinhole: it has no place for a scene";
     run_in(folder.path(), &other).failed(1, reason);
 }
+
+const FAR: &str = "pinhole = 1\n[camera]\neye = [0, 0, 2]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
+
+/// A lesson in a folder of its own, with a step for each of these scenes.
+fn lesson(folder: &Path, scenes: &[&str]) {
+    let mut text = "pinhole_lesson = 1\ntitle = \"Mine\"\n".to_owned();
+    for scene in scenes {
+        text += &format!("[[step]]\ntitle = \"A\"\ntext = \"Look.\"\nscene = \"{scene}\"\n");
+    }
+    fs::create_dir(folder.join("own")).unwrap();
+    fs::write(folder.join("own/mine.toml"), text).unwrap();
+}
+
+/// In a page, no folder is above the lesson's own.
+#[test]
+fn scenes_are_found_in_the_page_whatever_way_their_paths_take() {
+    let folder = tempfile::tempdir().unwrap();
+    lesson(folder.path(), &["./near.toml", "up/../near.toml", "../far/far.toml"]);
+    fs::create_dir(folder.path().join("own/up")).unwrap();
+    fs::create_dir(folder.path().join("far")).unwrap();
+    fs::write(folder.path().join("own/near.toml"), FAR.replace('2', "1")).unwrap();
+    let far = FAR.replace("[camera]", "spheres = \"../own/./many.csv\"\n[camera]");
+    fs::write(folder.path().join("far/far.toml"), &far).unwrap();
+    fs::write(folder.path().join("own/many.csv"), "x,y,z,r\n0,0,-9,1\n").unwrap();
+    page(folder.path(), "own/mine.toml -o mine.html").done();
+    let (part, _) = read(folder.path(), "mine.html");
+    let names: Vec<&str> = part.files.keys().map(String::as_str).collect();
+    assert_eq!(names, ["far/far.toml", "mine.toml", "near.toml", "own/many.csv"]);
+    assert_eq!(part.files["far/far.toml"], far);
+    // Two files of one name.
+    fs::create_dir(folder.path().join("own/far")).unwrap();
+    fs::write(folder.path().join("own/far/far.toml"), FAR).unwrap();
+    let text = fs::read_to_string(folder.path().join("own/mine.toml")).unwrap();
+    let text = text.replace("\"./near.toml", "\"far/far.toml");
+    fs::write(folder.path().join("own/mine.toml"), text).unwrap();
+    page(folder.path(), "own/mine.toml -o mine.html").failed(
+        1,
+        "own/../far/far.toml: would be far/far.toml in the page, as another file: rename one of them",
+    );
+}
+
+#[test]
+fn the_scenes_of_a_lesson_are_not_written_over() {
+    let folder = tempfile::tempdir().unwrap();
+    lesson(folder.path(), &["near.toml"]);
+    fs::write(folder.path().join("own/near.toml"), FAR).unwrap();
+    page(folder.path(), "own/mine.toml -o own/near.toml").refused("which is read");
+    assert_eq!(fs::read_to_string(folder.path().join("own/near.toml")).unwrap(), FAR);
+}
+
+#[test]
+fn a_missing_table_is_named_with_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.toml"), format!("spheres = \"many.csv\"\n{FAR}")).unwrap();
+    page(folder.path(), "a.toml -o a.html").failed(
+        1,
+        "a.toml:1:11: spheres is \"many.csv\": the table of the scene's spheres must be there, but many.csv: \
+         cannot be read: no such file or directory",
+    );
+}

@@ -270,10 +270,7 @@ const WHOLE_FILES: Cases = &[
         "pinhole_lesson = 1\ntitle = \"A\"\n[[step]]\ntext = \"B\"\n",
         "3:1: step 1.title is missing: write title = \"What the step is about\"",
     ),
-    (
-        "pinhole_lesson = 1\ntitle = A\n",
-        "2:9: not TOML: A is no value: write a number, or text in quotes",
-    ),
+    ("pinhole_lesson = 1\ntitle = A\n", "2:9: A is no value: write a number, or text in quotes"),
 ];
 
 /// Behind [`HEAD`], which is five lines.

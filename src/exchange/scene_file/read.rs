@@ -140,9 +140,20 @@ fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
             word => format!("{word} is no value: write a number, or text in quotes"),
         },
         message if message.ends_with("overflowed") => format!("{found} is too large a number"),
-        message => message.trim_end_matches(", expected nothing").to_owned(),
+        message if message.starts_with("key with no value") => {
+            "after a name comes = and its value, such as width = 1.0: is it a scene's file?"
+                .to_owned()
+        }
+        "unclosed array, expected `]`" => "the ] after the last number is missing".to_owned(),
+        message if message.starts_with("unexpected key or value") => {
+            "only one name and one value fit in a line: begin a new line here".to_owned()
+        }
+        message => {
+            let message = message.trim_end_matches(", expected nothing");
+            format!("mistyped, as the format TOML has it: {message}")
+        }
     };
-    source.error(&span, format!("not TOML: {message}"))
+    source.error(&span, message)
 }
 
 fn read_camera(section: &Section) -> Result<Camera, FileError> {
@@ -260,7 +271,9 @@ fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> 
         Some(_) => load_spheres(&file).map_err(|error| match error.location {
             Some(_) => error,
             // The path is wrong, so the error points to the scene file's field with the path.
-            None => field.error(&error.to_string()),
+            None => {
+                field.error(&format!("the table of the scene's spheres must be there, but {error}"))
+            }
         })?,
     };
     Ok(CsvSpheres { path: path.to_owned(), file, items: Arc::new(items) })

@@ -2,7 +2,7 @@
 //! and the program's own files are in the browser's storage.
 
 use std::collections::BTreeMap;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
@@ -62,16 +62,7 @@ fn is_own(path: &Path) -> bool {
 /// Returns the path of a file in memory: without the folder of unsaved changes, which name their tables as if
 /// they stood beside them, and without `.` and `..`.
 fn plain(path: &Path) -> PathBuf {
-    let path = path.strip_prefix(UNSAVED).unwrap_or(path);
-    let mut plain = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::ParentDir => drop(plain.pop()),
-            Component::Normal(name) => plain.push(name),
-            _ => {}
-        }
-    }
-    plain
+    pinhole_exchange::page::plain(path.strip_prefix(UNSAVED).unwrap_or(path))
 }
 
 fn key(path: &Path) -> String {

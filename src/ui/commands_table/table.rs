@@ -63,13 +63,23 @@ fn plain(when: When, k: Key) -> Keys {
 
 /// Returns every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
-    let parts =
-        [program, presenting, voting, playing, steps, zooms, objects_and_drags, switches, choices];
+    let parts = [
+        files,
+        program,
+        presenting,
+        voting,
+        playing,
+        steps,
+        zooms,
+        objects_and_drags,
+        switches,
+        choices,
+    ];
     parts.into_iter().flat_map(|part| part()).collect()
 }
 
 #[rustfmt::skip]
-fn program() -> Vec<UiCommand> {
+fn files() -> Vec<UiCommand> {
     use When::*;
     commands![
         File, "Open…", "Asks which scene or lesson to open.",
@@ -96,6 +106,13 @@ fn program() -> Vec<UiCommand> {
             [], ExchangeAction::AskSave;
         File, "Quit", "Closes the window.",
             [key(Anywhere, CTRL, Key::Q)], Leave::Quit;
+    ]
+}
+
+#[rustfmt::skip]
+fn program() -> Vec<UiCommand> {
+    use When::*;
+    commands![
         Edit, "Undo", "Undoes the last change to the scene.",
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
         Edit, "Redo", "Redoes the change that was undone last.",

@@ -26,8 +26,8 @@ use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
 use crate::view::derive::{
-    Derived, Enclosing, GoodPicture, Inputs, Memo, Objects, OnWork, Purpose, Shown, SpareImages,
-    WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture, watched,
+    Derived, Enclosing, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork, Purpose, Shown,
+    SpareImages, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture, watched,
 };
 use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
@@ -52,50 +52,12 @@ impl WorldViews {
         objects: &mut Objects,
         last_good: Option<&GoodPicture>,
     ) -> Option<(Arc<WorldPicture>, Shown)> {
-        let Inputs { document, session, sizes, watch } = inputs;
-        let (size, observer, good) = (sizes.world?, session.observer?, objects.good()?.clone());
-        let observer_camera = observer.camera(size[0], size[1]).resolve().ok()?;
+        let Inputs { session, sizes, watch, .. } = inputs;
+        let (size, good) = (sizes.world?, objects.good()?.clone());
+        let observer_camera = session.observer?.camera(size[0], size[1]).resolve().ok()?;
         let WorldViews { pictures, view, buffers } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
-        let is_highlighted = |concept| session.highlighted() == Some(concept);
-        let placing = HandleInputs {
-            document,
-            resolved: derived.resolved.as_ref(),
-            selection: session.shown_selection(),
-            items: session.settings.items,
-            observer: world.frame.camera(),
-            scale: sizes.scale,
-        };
-        let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
-        let without_marks = sizes.purpose != Purpose::Window;
-        let shown = WorldView {
-            camera: document.camera,
-            resolved: derived.resolved,
-            picture: picture.cloned().map(Same),
-            inspection: derived.inspection.clone().map(Same),
-            generations: [good.generation, good.palette],
-            enclosing: Arc::clone(&world.enclosing),
-            observer,
-            frame: Same(Arc::clone(&world.frame)),
-            items: session.settings.items,
-            first_number: u32::from(session.settings.count_from_one),
-            scale: sizes.scale,
-            style: sizes.style,
-            ray_point_t: session.ray_point_t,
-            ghost: ghost_camera(inputs, derived),
-            answer_marks: Arc::clone(&derived.answer_marks),
-            highlighted: highlighted(inputs),
-            handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
-            is_clear: sizes.purpose.is_clear(),
-            names_all: session.spoken.is_some() || without_marks,
-            shows_normal: is_highlighted(Concept::Normal)
-                || session
-                    .spoken
-                    .as_ref()
-                    .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
-            covered: sizes.covered.into_iter().flatten().collect(),
-            without_marks,
-        };
+        let shown = described(derived, inputs, &good, &world, last_good)?;
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
         let view = view.get(shown, |view| {
             let backdrop = view.backdrop(scene);
@@ -108,6 +70,57 @@ impl WorldViews {
         });
         Some((world, view))
     }
+}
+
+/// Returns everything on which the world view's marks depend.
+fn described(
+    derived: &Derived,
+    inputs: Inputs<'_>,
+    good: &GoodWorld,
+    world: &WorldPicture,
+    last_good: Option<&GoodPicture>,
+) -> Option<WorldView> {
+    let Inputs { document, session, sizes, .. } = inputs;
+    let observer = session.observer?;
+    let is_highlighted = |concept| session.highlighted() == Some(concept);
+    let placing = HandleInputs {
+        document,
+        resolved: derived.resolved.as_ref(),
+        selection: session.shown_selection(),
+        items: session.settings.items,
+        observer: world.frame.camera(),
+        scale: sizes.scale,
+    };
+    let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
+    let without_marks = sizes.purpose != Purpose::Window;
+    Some(WorldView {
+        camera: document.camera,
+        resolved: derived.resolved,
+        picture: picture.cloned().map(Same),
+        inspection: derived.inspection.clone().map(Same),
+        generations: [good.generation, good.palette],
+        enclosing: Arc::clone(&world.enclosing),
+        observer,
+        frame: Same(Arc::clone(&world.frame)),
+        items: session.settings.items,
+        first_number: u32::from(session.settings.count_from_one),
+        scale: sizes.scale,
+        style: sizes.style,
+        ray_point_t: session.ray_point_t,
+        ghost: ghost_camera(inputs, derived),
+        answer_marks: Arc::clone(&derived.answer_marks),
+        highlighted: highlighted(inputs),
+        handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
+        is_clear: sizes.purpose.is_clear(),
+        names_all: session.spoken.is_some() || without_marks,
+        shows_normal: is_highlighted(Concept::Normal)
+            || session
+                .spoken
+                .as_ref()
+                .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
+        covered: sizes.covered.into_iter().flatten().collect(),
+        without_marks,
+    })
 }
 
 /// A cache of the camera view.

@@ -7,7 +7,7 @@ use pinhole_core::DVec3;
 
 use super::press;
 use crate::app::files::scene_files::drop_file;
-use crate::harness::{assert_says, window};
+use crate::harness::{assert_says, command, window};
 
 /// 1 / sqrt 2.
 const S: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -67,4 +67,29 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
             .u
             .abs_diff_eq(DVec3::new(S, 0.0, -S), 1e-15)
     );
+}
+
+/// The page would have other steps than the window.
+#[test]
+fn a_lesson_that_was_changed_meanwhile_is_not_saved_as_a_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let step = "[[step]]\ntitle = \"One\"\ntext = \"Look.\"\nscene = \"roll\"\n";
+    let text = format!("pinhole_lesson = 1\ntitle = \"Mine\"\n{step}");
+    std::fs::write(&path, &text).unwrap();
+    let mut window = window("canonical");
+    drop_file(&mut window, &path);
+    std::fs::write(&path, text.replace("roll", "grazing")).unwrap();
+    command(&mut window, "Save as a page");
+    window.get_by_role_and_label(Role::TextInput, "path").focus();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    let page = folder.path().join("mine.html");
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(page.to_str().unwrap());
+    window.run();
+    window.key_press(egui::Key::Enter);
+    window.run();
+    assert_says(&window, "The page was not saved");
+    let reason = "was changed since the lesson was opened: open it again, then save the page";
+    assert_says(&window, &format!("{}: {reason}", path.display()));
 }

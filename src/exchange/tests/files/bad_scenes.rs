@@ -46,16 +46,19 @@ const WHOLE_FILES: Cases = &[
     ),
     (
         "pinhole = 1\nspheres = \"no-such.csv\"\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
-        "2:11: spheres is \"no-such.csv\": no-such.csv: cannot be read: no such file or directory",
+        "2:11: spheres is \"no-such.csv\": the table of the scene's spheres must be there, but no-such.csv: cannot be read: no such file or directory",
     ),
-    ("pinhole 1\n", "1:9: not TOML: key with no value, expected `=`"),
+    (
+        "pinhole 1\n",
+        "1:9: after a name comes = and its value, such as width = 1.0: is it a scene's file?",
+    ),
     (
         "\u{feff}pinhole = 3\n",
         "1:11: pinhole is 3: this scene format is newer than this program, which reads 1: get a newer Pinhole",
     ),
     (
         "pinhole = 1\r\n[camera]\r\neye = [0, 0, x]\r\n",
-        "3:14: not TOML: x is no value: write a number, or text in quotes",
+        "3:14: x is no value: write a number, or text in quotes",
     ),
 ];
 
@@ -127,13 +130,16 @@ const CAMERAS: Cases = &[
         "eye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, inf]\n",
         "5:13: camera.up[2] is inf: it must be a finite number",
     ),
-    ("eye = [0, 0, 0\n", "3:15: not TOML: unclosed array, expected `]`"),
-    ("eye = \n", "3:7: not TOML: the value after = is missing"),
-    ("eye = [0, 0, 0]\neye = [0, 0, 1]\n", "4:1: not TOML: eye is given twice"),
-    ("[camera]\n", "3:2: not TOML: camera is given twice"),
-    ("eye = [0, 0, 1e999]\n", "3:14: not TOML: 1e999 is too large a number"),
-    ("eye = [0, 0, 01]\n", "3:14: not TOML: unexpected leading zero"),
-    ("name = \"ö\" eye = 1\n", "3:12: not TOML: unexpected key or value, expected newline, `#`"),
+    ("eye = [0, 0, 0\n", "3:15: the ] after the last number is missing"),
+    ("eye = \n", "3:7: the value after = is missing"),
+    ("eye = [0, 0, 0]\neye = [0, 0, 1]\n", "4:1: eye is given twice"),
+    ("[camera]\n", "3:2: camera is given twice"),
+    ("eye = [0, 0, 1e999]\n", "3:14: 1e999 is too large a number"),
+    ("eye = [0, 0, 01]\n", "3:14: mistyped, as the format TOML has it: unexpected leading zero"),
+    (
+        "name = \"ö\" eye = 1\n",
+        "3:12: only one name and one value fit in a line: begin a new line here",
+    ),
     (
         "eye = [0, 0, 0]\nat = [\n  0.0,\n  # the depth\n  nan,\n  1,\n]\n",
         "7:3: camera.at[1] is nan: it must be a finite number",
@@ -255,7 +261,7 @@ const BEHIND_THE_CAMERA: Cases = &[
     ),
     (
         "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1.\n",
-        "8:12: not TOML: invalid fraction, expected digits",
+        "8:12: mistyped, as the format TOML has it: invalid fraction, expected digits",
     ),
 ];
 

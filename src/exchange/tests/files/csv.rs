@@ -139,8 +139,8 @@ fn the_path_is_relative_to_the_scene_file() {
     assert_eq!(
         message,
         format!(
-            "{scene_text}:2:11: spheres is \"data/balls.csv\": {csv_text}: cannot be read: no such \
-             file or directory"
+            "{scene_text}:2:11: spheres is \"data/balls.csv\": the table of the scene's spheres must be there, \
+             but {csv_text}: cannot be read: no such file or directory"
         )
     );
 
