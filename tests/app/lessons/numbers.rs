@@ -245,13 +245,21 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         )],
     ),
     // 10 - 2 and 10 + 2; 5 - 1 and 5 + 1; the wall.
-    (13, 1, &[("World view", "u 0, v 0: hits object 1 at t = 4"), ("t₁", "4"), ("t₂", "6")]),
+    (
+        13,
+        1,
+        &[
+            ("World view", "u 0, v 0: hits sphere 1 “near ball” at t = 4, point = (0, 0, −4)"),
+            ("t₁", "4"),
+            ("t₂", "6"),
+        ],
+    ),
     // -5 - 1 and -5 + 1.
     (
         13,
         2,
         &[
-            ("World view", "u 0, v 0: hits object 1 at t = 4"),
+            ("World view", "u 0, v 0: hits sphere 1 “near ball” at t = 4, point = (0, 0, −4)"),
             ("t₁", "4"),
             ("t₁", "−6"),
             ("t₂", "−4"),
