@@ -1,7 +1,9 @@
 //! The open document and its origin, and how it is read and saved.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use pinhole_core::Camera;
 use pinhole_exchange::host::{Stamp, host};
 use pinhole_exchange::{Document, SceneSource, limits, scene_file};
 
@@ -56,6 +58,8 @@ fn csv_stamp(document: &Document) -> Option<Stamp> {
 pub struct OpenDocument {
     /// The document as edited.
     pub document: Document,
+    /// The camera from before the open animation, which moves that of the document; `None` without one.
+    pub before_animation: Option<Camera>,
     /// The document as it was opened or last saved.
     saved: Document,
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
@@ -81,14 +85,30 @@ impl OpenDocument {
             file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
         };
         let (origin, saved) = (Origin::Scene(source), document.clone());
-        OpenDocument { document, saved, text, stamps, origin, forgiving: false }
+        OpenDocument {
+            document,
+            before_animation: None,
+            saved,
+            text,
+            stamps,
+            origin,
+            forgiving: false,
+        }
     }
 
     /// Opens the lesson step with this title. While the lesson is open, changes to the document do not
     /// count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
         let (origin, saved) = (Origin::Step(title), document.clone());
-        OpenDocument { document, saved, text: None, stamps: [None; 2], origin, forgiving: true }
+        OpenDocument {
+            document,
+            before_animation: None,
+            saved,
+            text: None,
+            stamps: [None; 2],
+            origin,
+            forgiving: true,
+        }
     }
 
     /// Opens a document with unsaved changes. It belongs to `source` if that can still be read, and
@@ -142,7 +162,15 @@ impl OpenDocument {
 
     /// Returns true if the document has unsaved changes.
     pub fn has_changes(&self) -> bool {
-        !self.forgiving && self.document != self.saved
+        !self.forgiving && *self.own() != self.saved
+    }
+
+    /// Returns the document without what the open animation has changed.
+    pub fn own(&self) -> Cow<'_, Document> {
+        match self.before_animation {
+            None => Cow::Borrowed(&self.document),
+            Some(camera) => Cow::Owned(Document { camera, ..self.document.clone() }),
+        }
     }
 
     /// Returns the file that the document was read from; `None` for a built-in scene or a lesson's

@@ -60,7 +60,7 @@ impl Unsaved {
     /// Copies the unsaved changes of the open document.
     pub fn of(open: &OpenDocument) -> Unsaved {
         let origin = open.origin();
-        let document = open.document.clone();
+        let document = open.own().into_owned();
         let source = ChangedScene {
             title: title_of(origin),
             argument: argument_of(origin),

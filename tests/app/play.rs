@@ -349,3 +349,15 @@ fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
     open(&mut harness, "Orbit the camera around at");
     assert_eq!(harness.state().session().observer, near);
 }
+
+/// Who only watches has nothing to save, and is offered nothing at the next start.
+#[test]
+fn an_animation_that_is_watched_is_no_unsaved_change() {
+    let mut harness = playing("canonical", "Orbit the camera around at");
+    let before = camera(&harness);
+    click(&mut harness, "Step forward");
+    assert_ne!(camera(&harness), before);
+    assert!(says(&harness, "canonical") && !says(&harness, "canonical*"));
+    click(&mut harness, "Keep this");
+    assert!(says(&harness, "canonical*"));
+}

@@ -56,6 +56,8 @@ impl App {
             ctx.request_repaint();
         }
         let still = player.still();
+        self.scene.open.before_animation =
+            player.kind.moves_camera().then_some(player.start.camera);
         show_still(player, &still, &mut self.scene);
     }
 
@@ -97,6 +99,7 @@ impl App {
     /// Closes the animation and restores the state from before it.
     pub(super) fn stop_animation(&mut self) {
         let Some(mut player) = self.playback.player.take() else { return };
+        self.scene.open.before_animation = None;
         // The observer stays if the user has moved it since.
         let observer: &mut Option<Observer> = &mut self.scene.session.observer;
         *observer = match player.stepped_back {
@@ -111,6 +114,7 @@ impl App {
     /// camera.
     pub(super) fn keep_animation(&mut self, ctx: &Context) {
         let Some(player) = self.playback.player.take() else { return };
+        self.scene.open.before_animation = None;
         self.scene.session.scanned_pixels = None;
         if player.kind.moves_camera() {
             let camera = &mut self.scene.open.document.camera;

@@ -105,8 +105,9 @@ impl Recovery {
             return;
         }
         let now = ctx.input(|i| i.time);
-        if self.last_document.as_ref() != Some(&open.document) {
-            self.last_document = Some(open.document.clone());
+        let own = open.own();
+        if self.last_document.as_ref() != Some(&*own) {
+            self.last_document = Some(own.into_owned());
             self.last_edit = now;
             self.first_edit.get_or_insert(now);
         }
