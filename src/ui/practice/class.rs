@@ -10,7 +10,7 @@ use egui::{
 use crate::model::Session;
 use crate::model::practice::class::{ClassAnswers, ClassExercise, RIGHT};
 use crate::ui::widgets::{ResponseExt as _, clipped, fault_text};
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{self, error_color};
 
 /// Size of the text, in points, and of the labels of the bars.
 const TEXT: f32 = 15.0;
@@ -94,7 +94,9 @@ fn answers(ui: &mut Ui, class: &ClassAnswers) {
             let title = format!("Not readable: {}", class.not_readable.len());
             ui.heading(RichText::new(title).size(LABEL).strong());
         }
-        for problem in class.problems() {
+        // The class need not see whose code is broken.
+        let shown = class.problems().filter(|_| !theme::installed(ui.ctx()).presenting);
+        for problem in shown.collect::<Vec<_>>() {
             ui.label(fault_text(ui, problem));
         }
     });

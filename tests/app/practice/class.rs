@@ -55,6 +55,7 @@ fn copied_codes_are_pasted_and_counted() {
     press(&mut lecturer, egui::Key::F5);
     assert_says(&lecturer, "far-root: 2");
     assert_eq!(texts_with(&lecturer, "Anna"), Vec::<String>::new());
+    assert_eq!(texts_with(&lecturer, "The code in line"), Vec::<String>::new());
     press(&mut lecturer, egui::Key::F5);
     click(&mut lecturer, "Remove all codes");
     assert!(
