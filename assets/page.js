@@ -200,7 +200,9 @@ var pinhole = (() => {
   const NUMBERS = /iPhone|iPod/.test(navigator.userAgent) ? "text" : "decimal";
 
   function typeNumbers(isNumber) {
-    document.querySelector("input").inputMode = isNumber ? NUMBERS : "text";
+    const input = document.querySelector("input");
+    const mode = isNumber ? NUMBERS : "text";
+    if (input && input.inputMode !== mode) input.inputMode = mode;
   }
 
   function tell(text) {

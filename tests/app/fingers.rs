@@ -188,3 +188,17 @@ fn a_lesson_is_closed_by_touch_and_the_page_from_before_comes_back() {
         assert!(!failed, "{layout:?}");
     }
 }
+
+#[test]
+fn the_menu_closes_when_it_presents() {
+    let mut harness = phone();
+    for name in ["Menu", "View", "Present"] {
+        let is_one = |node: &egui_kittest::Node<'_>| node.accesskit_node().role() == Role::Button;
+        let all: Vec<_> = harness.query_all_by_label_contains(name).filter(is_one).collect();
+        let at = all.last().unwrap_or_else(|| panic!("no {name}")).rect().center();
+        drop(all);
+        tap(&mut harness, at);
+    }
+    assert!(harness.state().session().presenting.is_some());
+    assert!(!egui::Popup::is_any_open(&harness.ctx), "Escape would close the menu first");
+}

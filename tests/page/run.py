@@ -343,6 +343,43 @@ def it_stands_on_a_phone(page, pictures):
     browser.close()
 
 
+# On a phone: the menu of all menus, its entry View and there the entry Present; while presenting, what leads on
+# and ends it; a text that is swiped.
+MENU, VIEW, PRESENT = (25, 18), (40, 146), (180, 146)
+NEXT, END = (324, 820), (366, 820)
+TEXT = (300, 560)
+
+
+def a_finger_presents_and_goes_on(page, pictures):
+    browser = Browser((390, 844), touch=True)
+    browser.open(page, "7.3")
+    there = browser.told()
+    fills = "return Boolean(document.fullscreenElement)"
+    for name, place in (("menu", MENU), ("view", VIEW), ("presenting", PRESENT)):
+        browser.tap(*place)
+        time.sleep(0.7)
+        browser.shot(pictures / f"finger-{name}.png")
+    assert browser.run(fills), "Menu, View, Present does not present"
+    browser.tap(*NEXT)
+    time.sleep(0.7)
+    browser.shot(pictures / "finger-next.png")
+    assert browser.told() != there, "no next step while presenting"
+    browser.tap(*END)
+    time.sleep(0.7)
+    assert not browser.run(fills), "presenting does not end"
+    browser.shot(pictures / "finger-ended.png")
+    before = browser.told()
+    browser.touch("touchStart", TEXT)
+    for step in range(1, 6):
+        browser.touch("touchMove", (TEXT[0] - 30 * step, TEXT[1]))
+    browser.touch("touchEnd")
+    time.sleep(0.7)
+    browser.shot(pictures / "finger-swiped.png")
+    assert browser.told() != before, "a swipe does not lead on"
+    assert not [line for line in browser.log() if "panicked" in line], browser.log()
+    browser.close()
+
+
 def it_stands_at_three_sizes(page, pictures):
     for size in ((390, 844), (1280, 800), (1920, 1080)):
         browser = Browser(size)
@@ -366,7 +403,7 @@ def main():
               a_file_is_dropped_changed_and_saved,
               a_link_is_shared_and_opened, another_program_reads_the_code_of_a_link,
               a_page_is_saved_and_opens_at_its_step, a_scene_in_a_page_runs_no_script,
-              every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone,
+              every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone, a_finger_presents_and_goes_on,
               it_stands_at_three_sizes]
     if arguments.beside:
         beside(arguments.beside)

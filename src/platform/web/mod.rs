@@ -107,7 +107,7 @@ impl Page {
         App::set_up(&creation.egui_ctx, &remembered.settings);
         let look = Look { by_touch: page::is_touched(), ..Look::new(&remembered.settings, false) };
         theme::install(&creation.egui_ctx, look);
-        creation.egui_ctx.add_plugin(Output::default());
+        creation.egui_ctx.add_plugin(Output);
         let _ = CONTEXT.set(creation.egui_ctx.clone());
         let address = page::address();
         if address.starts_with("http") {
@@ -310,11 +310,7 @@ fn last_report(message: &str) -> (String, bool) {
 }
 
 /// Carries out what a frame asks of the window, and lets the page rest until the next one.
-#[derive(Default)]
-struct Output {
-    /// True if a number is typed.
-    types_number: bool,
-}
+struct Output;
 
 impl egui::Plugin for Output {
     fn debug_name(&self) -> &'static str {
@@ -322,10 +318,7 @@ impl egui::Plugin for Output {
     }
 
     fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
-        let types_number = number::is_typed(ctx);
-        if std::mem::replace(&mut self.types_number, types_number) != types_number {
-            page::type_numbers(types_number);
-        }
+        page::type_numbers(number::is_typed(ctx));
         let Some(window) = output.viewport_output.get_mut(&ViewportId::ROOT) else { return };
         for command in window.commands.drain(..) {
             match command {

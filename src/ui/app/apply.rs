@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use egui::{Context, Event, Id, ThemePreference, ViewportCommand};
+use egui::{Context, Event, Id, Popup, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
 use pinhole_exchange::scenes::SceneSource;
 
@@ -93,7 +93,13 @@ impl App {
             Action::Observe(observe) => self.scene.observe(observe, self.views.world_size()),
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Look(action) => {
+                if action == LookAction::Present {
+                    // The menu in which it was chosen stays open for several clicks.
+                    Popup::close_all(ctx);
+                }
+                change_look(&mut self.scene.session, action);
+            }
             Action::Vote(action) => vote::apply(ctx, &mut self.scene.session, action),
             Action::Help(action) => self.over.apply(action),
         }
@@ -455,10 +461,8 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
 fn is_by_touch(ctx: &Context) -> bool {
     let shown = theme::installed(ctx).by_touch;
     let (touches, moves, is_down) = ctx.input(|input| {
-        let is_any = |kind: fn(&Event) -> bool| input.events.iter().any(kind);
-        let touches = input.any_touches() || is_any(|event| matches!(event, Event::Touch { .. }));
-        let moves = is_any(|event| matches!(event, Event::PointerMoved(_)));
-        (touches, moves, input.pointer.any_down())
+        let moves = input.events.iter().any(|event| matches!(event, Event::PointerMoved(_)));
+        (input.any_touches(), moves, input.pointer.any_down())
     });
     let last = Id::unique("the last pointer was a finger");
     let is_finger = touches || !moves && ctx.data(|data| data.get_temp(last)).unwrap_or(shown);

@@ -79,14 +79,11 @@ fn workspaces(ui: &mut Ui, there: Available, settings: &mut Settings) {
         for workspace in Workspace::ALL {
             let is_open = open == Some(workspace);
             let tab = ui.selectable_label(is_open, RichText::new(workspace.label()).strong());
-            if !tab.on_hover_text(workspace.about()).clicked() {
-                continue;
-            }
             let on_stage = there.lesson && workspace == Workspace::Derivation;
-            if on_stage && settings.layout != ViewLayout::DerivationAlone {
-                settings.layout = ViewLayout::DerivationAlone;
-            } else if on_stage || !is_open {
-                settings.layout = workspace.pages()[0];
+            let is_whole = on_stage && settings.layout != ViewLayout::DerivationAlone;
+            if tab.on_hover_text(workspace.about()).clicked() && (on_stage || !is_open) {
+                let page = workspace.pages()[0];
+                settings.layout = if is_whole { ViewLayout::DerivationAlone } else { page };
             }
         }
     };

@@ -1,7 +1,7 @@
 //! The comparison of the camera with the ghost, a frozen copy of it. Next to the camera view is the ghost's
 //! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
-use egui::{Align, Grid, Layout, Rect, RichText, ScrollArea, Ui};
+use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
@@ -83,11 +83,8 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let all = (against, ghost, &derived.resolved);
     let (Some(against), Some(ghost), Some(now)) = all else { return };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        let layout = match is_stacked {
-            true => Layout::top_down(Align::LEFT),
-            false => Layout::left_to_right(Align::TOP),
-        };
-        ui.with_layout(layout, |ui| {
+        let way = if is_stacked { Direction::TopDown } else { Direction::LeftToRight };
+        ui.with_layout(Layout::from_main_dir_and_cross_align(way, Align::Min), |ui| {
             let moved = moved(&document.camera, ghost, against, style);
             let vectors = [turned(now, against, style), moved].concat();
             // As wide as the widest numbers, so that nothing moves sideways while they change.

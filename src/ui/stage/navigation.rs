@@ -82,8 +82,8 @@ pub(super) fn swipe(ui: &Ui, column: Rect) {
     } else if way != Vec2::ZERO {
         ui.data_mut(|data| data.remove::<Vec2>(response.id));
         if way.x.abs() > SWIPE.max(2.0 * way.y.abs()) {
-            let is_back = way.x > 0.0;
-            request(ui.ctx(), if is_back { LessonAction::Previous } else { LessonAction::Next });
+            let to = if way.x > 0.0 { LessonAction::Previous } else { LessonAction::Next };
+            request(ui.ctx(), to);
         }
     }
 }
