@@ -98,6 +98,7 @@
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
+//! | a finger: larger buttons, swipes, and what it has while presenting | `is_by_touch` in `ui/app/apply.rs`, `ui/stage/navigation.rs`; narrow areas: `STACKED` in `view/typesetting/theme.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`; how far they move: `model/interaction.rs` |
 //! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
 //! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step: `ui/app/glide.rs` |

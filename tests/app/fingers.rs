@@ -21,24 +21,22 @@ fn phone() -> Harness<'static, App> {
     harness
 }
 
-/// Sends what a browser tells of one finger.
+/// Sends what a browser tells of one finger, in one frame.
 fn finger(harness: &mut Harness<'_, App>, phase: TouchPhase, pos: Pos2) {
-    let (device_id, id) = (TouchDeviceId(1), TouchId(1));
-    harness.event(Event::Touch { device_id, id, phase, pos, force: None });
     let button = |pressed| Event::PointerButton {
         pos,
         button: PointerButton::Primary,
         pressed,
         modifiers: Modifiers::NONE,
     };
-    match phase {
-        TouchPhase::Start => harness.event(button(true)),
-        TouchPhase::Move => harness.event(Event::PointerMoved(pos)),
-        _ => {
-            harness.event(button(false));
-            harness.event(Event::PointerGone);
-        }
-    }
+    let mut events = match phase {
+        TouchPhase::Start => vec![button(true)],
+        TouchPhase::Move => vec![Event::PointerMoved(pos)],
+        _ => vec![button(false), Event::PointerGone],
+    };
+    let (device_id, id) = (TouchDeviceId(0), TouchId(0));
+    events.push(Event::Touch { device_id, id, phase, pos, force: None });
+    harness.input_mut().events.extend(events);
     harness.step();
 }
 
