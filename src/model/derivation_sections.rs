@@ -44,6 +44,9 @@ impl DerivationSection {
 pub enum Formulas {
     /// The lines about these concepts.
     About(Arc<[Concept]>),
+    /// The first lines about these concepts, as many as each is named times: what leads to the answers of an
+    /// exercise.
+    Solution(Arc<[Concept]>),
     /// How view, w, u, v, d and the ray come about, in one line each.
     Recap,
 }
@@ -52,7 +55,7 @@ impl Formulas {
     /// Returns the concepts that are named; none for the recap.
     pub fn concepts(&self) -> &[Concept] {
         match self {
-            Formulas::About(concepts) => concepts,
+            Formulas::About(concepts) | Formulas::Solution(concepts) => concepts,
             Formulas::Recap => &[],
         }
     }

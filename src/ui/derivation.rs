@@ -12,7 +12,7 @@ use egui::{
 };
 use pinhole_exchange::document::Document;
 
-use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session};
+use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session, ViewLayout};
 use crate::ui::action::{Action, request};
 use crate::ui::widgets::{NumberField, ResponseExt as _};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
@@ -78,7 +78,8 @@ impl<'a> DerivationPass<'a> {
             revealed: session.revealed_lines,
             goal_line: None,
             line: 0,
-            is_editable: true,
+            // The numbers that an exercise gives stay as they are.
+            is_editable: session.settings.layout != ViewLayout::Exercises,
         }
     }
 }
@@ -116,15 +117,14 @@ impl DerivationPanel {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the lines of the derivation, without the title and the options that `head` shows above them. If
-    /// `is_editable` is true, the user can change the input numbers; each change requests an action.
+    /// Shows the lines of the derivation, without the title and the options that `head` shows above them. The
+    /// user can change the input numbers; each change requests an action.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
         derivation: &Arc<Derivation>,
         document: &Document,
         session: &Session,
-        is_editable: bool,
     ) {
         // Scrolls only once to the line of a concept that is hovered in a view, and once to a newly revealed
         // line.
@@ -137,7 +137,6 @@ impl DerivationPanel {
         let mut frame = DerivationPass {
             goal,
             goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
-            is_editable,
             ..DerivationPass::new(ui, document, session)
         };
         self.fields.clear();
@@ -192,7 +191,9 @@ impl DerivationPanel {
             let is_about = |concept| line.is_about(concept);
             let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
             let response = show(ui, line, laid, frame.inks, is_lit);
-            self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+            if frame.is_editable {
+                self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+            }
         }
     }
 
@@ -250,9 +251,7 @@ impl DerivationPanel {
                 continue;
             }
             let response = show(ui, line, laid, frame.inks, is_lit(line));
-            if frame.is_editable {
-                self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
-            }
+            self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
             if is_goal {
                 frame.goal = None;

@@ -10,8 +10,7 @@ use crate::model::{Hovered, NumberStyle};
 use crate::ui::action::LessonAction;
 use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::{self, DerivationPanel};
-use crate::ui::practice::exercises::QuestionScene;
-use crate::ui::practice::{answers, class, exercises, mistakes};
+use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
@@ -65,8 +64,6 @@ pub(crate) struct Page {
 pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
     pub(crate) measuring: Measuring,
-    /// The scene of the open exercise.
-    pub(crate) question: QuestionScene,
     /// The second picture.
     pub(crate) second: ViewTexture,
 }
@@ -217,7 +214,7 @@ fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
     let Some(derived) = &context.derived.derivation else { return };
     derivation::head(ui, derived, context.session);
     let document = &context.open.document;
-    context.tools.derivation.ui(ui, derived, document, context.session, true);
+    context.tools.derivation.ui(ui, derived, document, context.session);
 }
 
 const PLOT: Page = Page {
@@ -252,7 +249,7 @@ const TRANSLATOR: Page = Page {
 const EXERCISES: Page = Page {
     has_panel: false,
     areas: |divider| divider.no_views(),
-    rest: |ui, context| exercises::ui(ui, context.session, &mut context.tools.question),
+    hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
     ..Page::VIEWS
 };
 

@@ -30,7 +30,7 @@ const HORIZON: f64 = 0.75;
 const ROUNDS: usize = 6;
 
 /// Ratio of width to height of the view for which lesson files specify their observers.
-const ORDINARY_ASPECT: f64 = 1.25;
+pub const ORDINARY_ASPECT: f64 = 1.25;
 
 /// Minimum ratio of the new to the old distance from the camera's eye when an observer is fitted to a view
 /// of another size.

@@ -5,6 +5,7 @@ use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
 };
 
+pub use fit::ORDINARY_ASPECT;
 pub use subject::{AXIS_LENGTH, Bound, Drawn, Surroundings, UP_LENGTH, VIEW_LENGTH, side_length};
 pub use view_size::{Area, ViewSize};
 

@@ -132,6 +132,8 @@ impl Exercises {
             U,
             W,
             ViewVector,
+            Direction,
+            Roots,
         ];
         let items = usual.without_each(&hidden);
         let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
@@ -139,10 +141,11 @@ impl Exercises {
             // The camera is given by its viewport; the question is about a ray.
             return items.without_each(&[At, ViewAndUp, Basis]);
         }
-        // Frustum and viewport show all three vectors.
+        // Frustum, viewport and what is on it show all three vectors.
         let is_secret = asked.any(|asked| self.answered(asked).right.is_none());
         let shows = |item| items.shows(item) && !is_secret;
-        let items = items.with(Frustum, shows(Frustum)).with(Viewport, shows(Viewport));
+        let on_viewport = [Frustum, Viewport, UvLegs, Measures];
+        let items = on_viewport.into_iter().fold(items, |all, item| all.with(item, shows(item)));
         items.with(Basis, false)
     }
 

@@ -275,6 +275,11 @@ impl Session {
         self.pointed_ray.unwrap_or(self.selection)
     }
 
+    /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.
+    pub fn shows_exercise(&self) -> bool {
+        self.settings.layout == ViewLayout::Exercises && !self.is_asking
+    }
+
     /// Returns true if a vote (on the mistake in a picture) is open or is about to open.
     pub fn shows_vote(&self) -> bool {
         let view = &self.mistakes_view;

@@ -16,6 +16,7 @@ use crate::ui::action::{
     Action, ExchangeAction, FileAction, GhostAction, HistoryAction, Leave, LessonAction,
     LookAction, PlayAction, ShareAction,
 };
+use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
 use crate::ui::dialogs::{Dialog, FileQuestion, PathField, Question};
@@ -90,7 +91,10 @@ impl App {
                 let time = ctx.input(|i| i.time);
                 self.dragging.steer(steer, &mut self.scene.open.document.camera, time);
             }
-            Action::Observe(observe) => self.scene.observe(observe, self.views.world_size()),
+            Action::Observe(observe) => {
+                let size = self.views.world_size();
+                in_views(&mut self.scene, &mut self.question).observe(observe, size);
+            }
             Action::Object(action) => return self.scene.change_objects(action),
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => {
@@ -306,6 +310,7 @@ impl App {
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
             LessonAction::ShowAll => {
+                self.scene.session.exercises.is_solved |= self.scene.session.shows_exercise();
                 self.scene.show_all();
                 None
             }

@@ -20,6 +20,7 @@ use crate::ui::action::{
     Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
 };
+use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
@@ -40,7 +41,8 @@ impl App {
     fn frame(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         self.waiting.drain(..).for_each(|action| request(&ctx, action));
-        let OpenScene { open, session, chosen_object, .. } = &mut self.scene;
+        let OpenScene { open, session, chosen_object, .. } =
+            in_views(&mut self.scene, &mut self.question);
         let (document, shown) = (&mut open.document, &self.views.derived);
         let mut input = ViewInput { ctx: &ctx, shown, document, session, chosen_object };
         self.dragging.take(&mut input, self.over.covers());
@@ -52,6 +54,7 @@ impl App {
         let mut is_old = !std::mem::replace(&mut self.is_laid_out, true);
         let frame = Frame::central_panel(ui.style()).inner_margin(0);
         CentralPanel::default().frame(frame).show(ui, |ui| {
+            self.question = self.scene.question(self.question.take());
             let stage = self.stage(ui);
             let rects = self.rects(ui, stage.as_ref());
             self.view_inputs(ui, &rects);
@@ -296,8 +299,14 @@ impl App {
     fn stage(&self, ui: &Ui) -> Option<Stage> {
         let whole = ui.available_rect_before_wrap();
         let Session { presenting, settings, .. } = &self.scene.session;
+        let is_flat = self.scene.session.shows_exercise() && self.question.is_none();
         let is_swapped = presenting.is_some_and(|now| now.is_swapped(settings.layout));
-        let stage = || Stage { is_swapped, ..Stage::new(whole, settings.layout, self.band(whole)) };
+        let stage = || {
+            let stage = Stage::new(whole, settings.layout, self.band(whole));
+            // A question in two dimensions has no camera.
+            let layout = if is_flat { ViewLayout::Lines } else { settings.layout };
+            Stage { is_swapped, layout, ..stage }
+        };
         self.scene.has_stage().then(stage)
     }
 
@@ -306,6 +315,7 @@ impl App {
         let Session { presenting, settings, .. } = &self.scene.session;
         let has_room = whole.width() > readouts::LEAST;
         match (presenting, settings.unfolded.numbers) {
+            _ if settings.layout == ViewLayout::Exercises => 0.0,
             (None, true) if has_room => settings.splits.get(Split::Readouts),
             _ if settings.presents_numbers => readouts::BAND,
             _ => 0.0,
@@ -341,7 +351,8 @@ impl App {
             self.views.rested_at = pointer;
         }
         let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
-        let (scene, shown) = (&mut self.scene, &self.views.derived);
+        let scene = in_views(&mut self.scene, &mut self.question);
+        let shown = &self.views.derived;
         if let Some(size) = views::world_size(rects) {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();
             scene.frame(size, is_at_rest);
@@ -361,6 +372,7 @@ impl App {
         scene.session.hovered = hovered;
         scene.session.pointed_ray = pointed_ray;
         scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
+        self.scene.session.hovered = hovered;
     }
 
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
@@ -391,7 +403,7 @@ impl App {
             (Some(stage), _) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }
-            (Some(stage), Some(step)) => stage.show(ui, rects.rest, &step, &mut context),
+            (Some(stage), step) => stage.show(ui, rects.rest, step.as_ref(), &mut context),
             _ => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
         files::notice(ui.ctx(), &mut self.scene);

@@ -9,7 +9,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
-use crate::model::{Observer, Session, Settings, Workspace};
+use crate::model::{Observer, Session, Settings, ViewLayout, Workspace};
 use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
 
@@ -187,8 +187,9 @@ impl OpenScene {
         })
     }
 
-    /// Returns true if a lesson's step or a vote fills the window.
+    /// Returns true if a lesson's step, a vote or an exercise fills the window.
     pub(super) fn has_stage(&self) -> bool {
-        self.lessons.open.is_some() || self.session.shows_vote()
+        let is_exercise = self.session.settings.layout == ViewLayout::Exercises;
+        self.lessons.open.is_some() || self.session.shows_vote() || is_exercise
     }
 }

@@ -9,6 +9,7 @@ mod history;
 mod lessons;
 mod over;
 mod playback;
+mod question;
 mod recovery;
 mod scene;
 mod share;
@@ -48,6 +49,8 @@ pub use self::window::complain;
 /// The program's state: the open document, the session that views it, and everything derived from them.
 pub struct App {
     scene: OpenScene,
+    /// The scene of the exercise on the stage.
+    question: Option<OpenScene>,
     history: SceneHistory,
     playback: Playback,
     over: Overlays,
@@ -82,6 +85,7 @@ impl App {
         App {
             history: SceneHistory::new(&open.document),
             scene: OpenScene::new(open, session),
+            question: None,
             playback: Playback::default(),
             // Recovered changes are offered once no dialog is open.
             over: Overlays::default(),

@@ -12,7 +12,7 @@ use super::lessons::Lessons;
 use crate::model::given::{self, Given};
 use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
 use crate::model::lessons::{self, StepId, Which, apply};
-use crate::model::observer::Drawn;
+use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{
@@ -124,23 +124,30 @@ impl OpenScene {
         if own.is_some_and(|framed| framed.size == size) && !lost {
             return;
         }
-        let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
-        let named = match (own, shown) {
-            // If the camera is out of sight, the observer of the lesson's step no longer suits it.
-            (Some(framed), _) => framed.named.filter(|_| !lost),
-            (None, None) => None,
-            (None, Some(_)) if of_step == shown => shown,
-            (None, Some(_)) => return,
-        };
         let document = &self.open.document;
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
+        let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
+        let named = match (own, shown) {
+            // If the camera is out of sight, the observer of the lesson's step no longer suits it.
+            (Some(framed), _) => framed.named.filter(|_| !lost),
+            (None, None) if self.session.shows_exercise() => {
+                Some(Observer::frame_all(camera, &scene(), ViewSize::of_aspect(ORDINARY_ASPECT)))
+            }
+            (None, None) => None,
+            (None, Some(_)) if of_step == shown => shown,
+            (None, Some(_)) => return,
+        };
         // Overlay items that are switched on or off later must not move the observer.
         let mut items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
             None => self.session.settings.items,
         };
+        if self.session.shows_exercise() {
+            // The solution has them, and must not move the observer.
+            [Item::Basis, Item::Ray, Item::Hit].into_iter().for_each(|item| items.set(item, true));
+        }
         // A highlighted cross product is drawn with its area.
         match self.session.highlighted {
             Some(Concept::UpCrossW) => items.set(Item::UpCrossW, true),

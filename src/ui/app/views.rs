@@ -7,6 +7,8 @@ use pinhole_core::Selection;
 
 use super::App;
 use super::glide::Glide;
+use super::question::in_views;
+use crate::model::practice::answer_marks;
 use crate::model::symbols::typeset_message;
 use crate::model::{Fault, NumberStyle, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
@@ -56,7 +58,7 @@ impl App {
     /// Derives everything that is shown.
     pub(super) fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let (ctx, second) = (ui.ctx(), self.page().second.zip(rects.second));
-        let (scene, views) = (&self.scene, &mut self.views);
+        let (scene, views) = (self.question.as_ref().unwrap_or(&self.scene), &mut self.views);
         let time = ctx.input(|i| i.time);
         let objects = scene.open.document.object_count();
         let moves = self.playback.is_running() || is_hand_moving(ctx);
@@ -69,7 +71,7 @@ impl App {
         let stopwatch = Stopwatch::start();
         let watch = |work| stopwatch.record(work);
         let (document, session) = (&scene.open.document, &scene.session);
-        let (step, is_still) = (scene.lessons.open.as_ref(), session.settings.reduced_motion);
+        let (step, is_still) = (self.scene.lessons.open.as_ref(), session.settings.reduced_motion);
         let observer = views.glide.follow(ctx, step, session.observer, is_still);
         let gliding =
             (observer != session.observer).then(|| Session { observer, ..session.clone() });
@@ -92,7 +94,9 @@ impl App {
 
     /// Shows the pictures with their labels.
     pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
-        let App { scene, dragging, views: shown, .. } = self;
+        let has_question = self.question.is_some();
+        let App { scene, question, dragging, views: shown, .. } = self;
+        let scene = in_views(scene, question);
         shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
         let session = &scene.session;
@@ -100,6 +104,7 @@ impl App {
         let style = NumberStyle::new(&session.settings);
         let spoken = match session.is_asking {
             true => String::new(),
+            false if has_question => answer_marks::spoken(&derived.answer_marks),
             false => views::spoken(derived, &scene.open.document, style),
         };
         let has_world_inset = rects.has_world_inset();

@@ -8,11 +8,11 @@ use egui::{
 };
 
 use super::{Stage, navigation};
-use crate::model::lessons::{Lesson, OpenLesson, StepQuestion};
+use crate::model::lessons::{Lesson, OpenLesson};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, Formulas, Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
-use crate::ui::practice::mistakes;
+use crate::ui::practice::{exercises, mistakes};
 use crate::ui::widgets::{inside, marked_text};
 use crate::ui::workspaces::PageContext;
 use crate::view::lines::substitution;
@@ -26,10 +26,12 @@ const GAP: f32 = 6.0;
 const PADDING: f32 = 5.0;
 /// Height of the row with the buttons or the step's number, in points.
 const FOOT: f32 = 30.0;
+/// Space between the step's number and an exercise's buttons, in points.
+const BEFORE_BUTTONS: f32 = 12.0;
 /// Radius of the dot for the lecturer, in points.
 const DOT: f32 = 3.0;
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
-const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
+pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
 /// The open lesson.
 pub(crate) struct OpenStep<'a> {
@@ -41,13 +43,26 @@ pub(crate) struct OpenStep<'a> {
 }
 
 /// Shows the column.
-pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mut PageContext<'_>) {
+pub(crate) fn show(
+    ui: &mut Ui,
+    stage: &Stage,
+    step: Option<&OpenStep<'_>>,
+    context: &mut PageContext<'_>,
+) {
     let fill = ui.visuals().panel_fill;
     ui.painter().rect_filled(stage.column, 0.0, fill);
     let whole = stage.column.shrink2(MARGIN.into());
     navigation::swipe(ui, stage.column);
-    let foot = FOOT.max(ui.spacing().interact_size.y);
+    let has_foot = step.is_some() || theme::installed(ui.ctx()).presenting;
+    let foot = if has_foot { FOOT.max(ui.spacing().interact_size.y) } else { 0.0 };
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - foot);
+    let choice = exercises::choice_height(ui, context.session, step.is_some());
+    let (choice, above) = above.split_top_bottom_at_y(above.top() + choice);
+    if choice.height() > 0.0 {
+        inside(ui, choice, |ui| {
+            exercises::choice(ui, &mut context.session.exercises, step.is_some());
+        });
+    }
     let has_two_parts = stage.is_above_column()
         && whole.width() > whole.height()
         && formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;
@@ -57,11 +72,12 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
     } else {
         (above, None)
     };
-    let size = size_that_fits(ui, step.open, context, texts, card);
+    let open = step.map(|step| step.open);
+    let size = size_that_fits(ui, open, context, texts, card);
     let mut end = texts.top();
     inside(ui, texts, |ui| {
         ui.set_clip_rect(stage.column.intersect(ui.clip_rect()));
-        words(ui, step.open, context.session.is_asking, size);
+        words(ui, open, context.session, size);
         end = ui.cursor().top();
     });
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
@@ -77,18 +93,18 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, step: &OpenStep<'_>, context: &mu
 /// hand while numbers get shorter and longer.
 fn size_that_fits(
     ui: &mut Ui,
-    open: &OpenLesson,
+    open: Option<&OpenLesson>,
     context: &PageContext<'_>,
     texts: Rect,
     card: Option<Rect>,
 ) -> f32 {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
     let written = (&context.session.formulas, context.style.digits);
-    let step = Id::unique((&open.step().text, width, height, written));
+    let step = Id::unique((paragraphs(open, context.session), width, height, written));
     let slot = Id::unique("size of the column's text");
     let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
     let mut fits = |size: &f32| {
-        let words = words_height(ui, open, texts.width(), *size);
+        let words = words_height(ui, open, context.session, texts.width(), *size);
         // Laying out the formulas costs more, and a drag changes them in each frame.
         if words > texts.height() {
             return false;
@@ -113,14 +129,36 @@ fn size_that_fits(
 }
 
 /// Returns the height of the title, the texts and the room for the answer.
-fn words_height(ui: &Ui, open: &OpenLesson, width: f32, size: f32) -> f32 {
+fn words_height(
+    ui: &Ui,
+    open: Option<&OpenLesson>,
+    session: &Session,
+    width: f32,
+    size: f32,
+) -> f32 {
     let height = |text: &str, width: f32| marked_text::height_within(ui, text, size, width);
-    let step = open.step();
-    let title = marked_text::height_within(ui, &title(open), title_size(size), width);
-    let question = step.question.as_ref().map_or(0.0, |StepQuestion { ask, answer, .. }| {
-        height(ask, width) + height(answer, width - 2.0 * PADDING) + 2.0 * (GAP + PADDING)
+    let title = open.map_or(0.0, |open| {
+        marked_text::height_within(ui, &title(open), title_size(size), width) + GAP
     });
-    title + GAP + height(&step.text, width) + question + GAP
+    let texts = paragraphs(open, session);
+    let texts: f32 = texts.iter().map(|text| height(text, width) + GAP).sum();
+    let answer = open
+        .and_then(answer)
+        .map_or(0.0, |answer| height(answer, width - 2.0 * PADDING) + GAP + 2.0 * PADDING);
+    title + texts + answer
+}
+
+/// Returns the texts below the title: the step's text and question, and the question of an exercise.
+fn paragraphs(open: Option<&OpenLesson>, session: &Session) -> Vec<String> {
+    let step = open.map(OpenLesson::step);
+    let asked = step.and_then(|step| step.question.as_ref()).map(|question| &question.ask);
+    let of_step = step.map(|step| &step.text).into_iter().chain(asked).cloned();
+    of_step.chain(exercises::texts(session)).collect()
+}
+
+/// Returns the answer to the step's question.
+fn answer(open: &OpenLesson) -> Option<&str> {
+    open.step().question.as_ref().map(|question| question.answer.as_str())
 }
 
 fn title(open: &OpenLesson) -> String {
@@ -134,23 +172,26 @@ fn title_size(size: f32) -> f32 {
 }
 
 /// Shows the title, the text, the question, and the answer in its room.
-fn words(ui: &mut Ui, open: &OpenLesson, is_asking: bool, size: f32) {
+fn words(ui: &mut Ui, open: Option<&OpenLesson>, session: &Session, size: f32) {
+    let is_asking = session.is_asking;
     ui.spacing_mut().item_spacing.y = GAP;
-    let step = open.step();
-    let small = FontId::proportional(title_size(size));
-    ui.add(Label::new(RichText::new(title(open)).font(small).weak()).wrap());
-    marked_text::label(ui, &step.text, size);
-    let Some(question) = &step.question else { return };
-    marked_text::label(ui, &question.ask, size);
+    if let Some(open) = open {
+        let small = FontId::proportional(title_size(size));
+        ui.add(Label::new(RichText::new(title(open)).font(small).weak()).wrap());
+    }
+    for text in paragraphs(open, session) {
+        marked_text::label(ui, &text, size);
+    }
+    let Some(answer) = open.and_then(answer) else { return };
     let width = ui.available_width() - 2.0 * PADDING;
-    let room = marked_text::height_within(ui, &question.answer, size, width);
+    let room = marked_text::height_within(ui, answer, size, width);
     let fill = if is_asking { Color32::TRANSPARENT } else { ui.visuals().faint_bg_color };
     Frame::NONE.fill(fill).corner_radius(6.0).inner_margin(Margin::same(PADDING as i8)).show(
         ui,
         |ui| {
             ui.set_min_size(vec2(width, room));
             if !is_asking {
-                marked_text::label(ui, &question.answer, size);
+                marked_text::label(ui, answer, size);
             }
         },
     );
@@ -169,9 +210,11 @@ fn about(session: &Session) -> &[Concept] {
 
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
+    if context.session.shows_exercise() {
+        return exercises::height(ui, context.session, context.derived, [width, size]);
+    }
     match (context.session.settings.layout, &context.derived.derivation) {
-        // Some of the steps, and the verdict, take two rows.
-        (ViewLayout::Lines, _) => 13.0 * marked_text::row_height(ui, size),
+        (ViewLayout::Lines, _) => exercises::SUBSTITUTION * marked_text::row_height(ui, size),
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
             let rows = mistakes::card_rows(wrong, about(context.session)) as f32;
             rows * 1.2 * marked_text::row_height(ui, size)
@@ -186,6 +229,9 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
 /// Shows the card: the lines of the derivation that the step names, the substitution of one line into the
 /// other, or the checks that catch a mistake.
 fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
+    if context.session.shows_exercise() {
+        return exercises::ui(ui, context, size);
+    }
     let PageContext { session, derived, open, style, tools, .. } = context;
     let is_asking = session.is_asking;
     match (session.settings.layout, &derived.derivation) {
@@ -205,20 +251,26 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     }
 }
 
-/// Shows the buttons that lead through the lessons, or the step's number while presenting.
-fn bottom(ui: &mut Ui, step: &OpenStep<'_>, context: &PageContext<'_>) {
+/// Shows the buttons that lead through the lessons. While presenting, shows the step's number instead, and the
+/// buttons of an exercise.
+fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_>) {
     if theme::installed(ui.ctx()).presenting {
-        if let Some([number, all]) = step.open.number_of_all() {
-            let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
-            ui.with_layout(Layout::left_to_right(Align::Max), |ui| {
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            if let Some([number, all]) = step.and_then(|step| step.open.number_of_all()) {
+                let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
                 let rect = ui.label(text).rect;
                 if context.session.is_asking {
                     dot(ui, rect);
                 }
-            });
-        }
+            }
+            if context.session.shows_exercise() {
+                ui.add_space(BEFORE_BUTTONS);
+                exercises::buttons(ui, &mut context.session.exercises);
+            }
+        });
         return;
     }
+    let Some(step) = step else { return };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         navigation::buttons(ui, step, context.session.is_asking);
     });

@@ -1,5 +1,5 @@
-//! The stage: the composition of a lesson's step, the same in the window and while presenting, before and
-//! after the answer.
+//! The stage: the composition of a lesson's step and of an exercise, the same in the window and while
+//! presenting, before and after the answer.
 //!
 //! The main figure fills the stage from edge to edge; a second picture is an inset in its corner, and the
 //! numbers are a line at its foot. Beside it, or below it in a window that is not wide, a column has the
@@ -10,6 +10,7 @@ use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::ViewLayout;
+use crate::ui::practice::exercises;
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
@@ -19,11 +20,11 @@ use crate::view::typesetting::theme;
 pub(crate) mod column;
 pub(crate) mod navigation;
 
-/// Width of the main figure and of an exercise, which says itself what is asked, as fractions of a wide
-/// window's.
-const BESIDE_COLUMN: [f32; 2] = [0.58, 0.77];
-/// Height of the main figure, as a fraction of a window's that is not wide, and of an upright window's.
-const ABOVE_COLUMN: [f32; 2] = [0.52, 0.525];
+/// Width of the main figure, as a fraction of a wide window's.
+const BESIDE_COLUMN: f32 = 0.58;
+/// Height of the main figure, as a fraction of a window's that is not wide, of an upright window's, and of an
+/// upright window's that has answer fields.
+const ABOVE_COLUMN: [f32; 3] = [0.52, 0.525, 0.42];
 /// Distance of an inset from the edges of the main figure, in points.
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.
@@ -53,10 +54,11 @@ impl Stage {
     pub(crate) fn new(whole: Rect, layout: ViewLayout, band: f32) -> Stage {
         let aspect = whole.width() / whole.height().max(1.0);
         let (main, column) = if aspect >= WIDE {
-            let share = BESIDE_COLUMN[usize::from(layout == ViewLayout::Exercises)];
-            whole.split_left_right_at_x(whole.left() + share * whole.width())
+            whole.split_left_right_at_x(whole.left() + BESIDE_COLUMN * whole.width())
         } else {
-            let share = ABOVE_COLUMN[usize::from(aspect < 1.0)];
+            let has_fields = layout == ViewLayout::Exercises;
+            let upright = usize::from(aspect < 1.0);
+            let share = ABOVE_COLUMN[upright * (1 + usize::from(has_fields))];
             whole.split_top_bottom_at_y(whole.top() + share * whole.height())
         };
         Stage { main, column, layout, band, is_swapped: false }
@@ -79,7 +81,7 @@ impl Stage {
                 let room = main.size() * INSET;
                 areas(Some(main), Some(self.corner(picture * (room / picture).min_elem())), foot)
             }
-            ViewLayout::World => areas(Some(main), None, foot),
+            ViewLayout::World | ViewLayout::Exercises => areas(Some(main), None, foot),
             ViewLayout::Camera => {
                 let inset = self.is_swapped.then(|| self.corner(main.size() * INSET));
                 areas(inset, Some(main), foot)
@@ -104,9 +106,7 @@ impl Stage {
     /// Fills the area of the main figure with the views' own ground, which its pictures and graphs need not
     /// cover.
     pub(crate) fn show_ground(&self, ui: &Ui) {
-        if self.layout != ViewLayout::Exercises {
-            ui.painter().rect_filled(self.main, 0.0, theme::style(ui).colors().background);
-        }
+        ui.painter().rect_filled(self.main, 0.0, theme::style(ui).colors().background);
     }
 
     /// Shows what belongs to the main figure beside its views, in `rest`, and the column.
@@ -114,18 +114,21 @@ impl Stage {
         &self,
         ui: &mut Ui,
         rest: Rect,
-        step: &OpenStep<'_>,
+        step: Option<&OpenStep<'_>>,
         context: &mut PageContext<'_>,
     ) {
         let (layout, is_asking) = (self.layout, context.session.is_asking);
         let is_composed = self.areas(context.open.document.camera.image).is_some();
         clipped(ui, rest, |ui| match layout {
             ViewLayout::Plot => plot::graph(ui, context.session, context.derived),
+            ViewLayout::Lines if context.session.shows_exercise() => {
+                exercises::plane(ui, context.session);
+            }
             ViewLayout::Lines if is_asking => lines::asked(ui, &context.session.lines),
             ViewLayout::Lines => {
                 lines::figure(ui, &mut context.session.lines, context.style.digits)
             }
-            ViewLayout::Mistakes => {}
+            ViewLayout::Mistakes | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}
             _ if is_composed => foot(ui, context),
             _ if is_asking => hidden(ui),

@@ -150,6 +150,26 @@ impl Derivation {
         self
     }
 
+    /// Keeps as many of the first lines about each of these concepts as it is named times. Only the lines about
+    /// objects keep their notes, and the numbers between symbols and result.
+    #[must_use]
+    pub fn solution(mut self, concepts: &[Concept]) -> Derivation {
+        let mut left = concepts.to_vec();
+        for section in &mut self.sections {
+            let is_of_object = section.object.is_some();
+            let lines = std::mem::take(&mut section.lines).into_iter().filter(|line| {
+                let found = left.iter().position(|concept| line.concept == Some(*concept));
+                found.map(|found| left.swap_remove(found)).is_some()
+            });
+            let shortened = |line: DerivedLine| match is_of_object {
+                true if line.concept != Some(Concept::Normal) => line,
+                _ => DerivedLine { note: String::new(), ..line.abridged() },
+            };
+            section.lines = lines.map(shortened).collect();
+        }
+        self.reduced_to(concepts)
+    }
+
     /// Keeps only the lines that compute view, w, u, v, d and the ray, each as its symbols and its result. If one
     /// of them cannot be computed, its line says why.
     #[must_use]

@@ -9,7 +9,7 @@ use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Rgb, Scene, Steps, Up
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
-use crate::model::{AnswerMark, Fault, Inspection, Session, ViewLayout};
+use crate::model::{AnswerMark, Fault, Inspection, Session};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
 use crate::view::overlay::{Highlighted, Label, Mark, Style};
@@ -99,9 +99,8 @@ impl Deriver {
             good.describe(&mut derived);
         }
         let world = self.objects.good().filter(|_| derived.fault.is_none());
-        let exercises = &inputs.session.exercises;
-        if inputs.session.settings.layout == ViewLayout::Exercises && inputs.sizes.world.is_some() {
-            derived.answer_marks = exercises.answer_marks().into();
+        if inputs.session.shows_exercise() {
+            derived.answer_marks = inputs.session.exercises.answer_marks().into();
         }
         if let Some(good) = &self.last_good {
             self.second.update(&mut derived, inputs, good, world);

@@ -342,14 +342,11 @@ impl Derivations {
     /// Returns the derivation; `None` if the layout does not show it.
     pub(super) fn get(
         &mut self,
-        Inputs { document, session, sizes, .. }: Inputs<'_>,
+        Inputs { document, session, .. }: Inputs<'_>,
         derived: &Derived,
     ) -> Option<Arc<Derivation>> {
-        let layout = session.settings.layout;
-        let is_solution =
-            layout == ViewLayout::Exercises && sizes.world.is_some() && session.exercises.is_solved;
-        let only = session.formulas.clone().filter(|_| !is_solution);
-        if !layout.shows_derivation() && !is_solution && only.is_none() {
+        let only = session.formulas.clone();
+        if !session.settings.layout.shows_derivation() && only.is_none() {
             return None;
         }
         let settings = DerivationSettings {
@@ -382,6 +379,7 @@ impl Derivations {
             });
             Arc::new(match only {
                 Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
+                Some(Formulas::Solution(concepts)) => whole.solution(concepts),
                 Some(Formulas::Recap) => whole.recap(),
                 None => whole,
             })

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui::{Rect, Vec2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
@@ -16,8 +16,7 @@ fn names(layout: ViewLayout) -> &'static [&'static str] {
         ViewLayout::Lines => &["Plane with both lines"],
         ViewLayout::Plot => &["World view", "Plot of f(p + t d)"],
         ViewLayout::Mistakes => &["World view", "Camera view", "Wrong camera"],
-        // An exercise has its own.
-        ViewLayout::Exercises => &[],
+        ViewLayout::Exercises => &["World view", "Lines in the plane"],
         _ => &["World view"],
     }
 }
@@ -47,7 +46,7 @@ pub(super) fn moved(seen: &Seen<'_>) -> Vec<String> {
 /// The share of the window that the figure takes, if that is less than 45 % of a wide window, or 40 % of
 /// another.
 pub(super) fn too_small(seen: &Seen<'_>) -> Vec<String> {
-    if seen.layout == ViewLayout::Exercises || !seen.is_answered {
+    if !seen.is_answered {
         return Vec::new();
     }
     let areas = pictures(seen.window, seen.layout).into_iter().flatten().map(|rect| rect.area());
@@ -70,10 +69,10 @@ pub(super) fn ground(window: &mut Harness<'_, App>) -> f32 {
 
 /// The lines of the derivation that are not whole in the window.
 pub(super) fn cut_lines(seen: &Seen<'_>) -> Vec<String> {
-    use ViewLayout::{Exercises, Lines, Mistakes};
+    use ViewLayout::{Lines, Mistakes};
     let derivation = seen.app().derived().derivation.clone();
     let Some(derivation) = derivation.filter(|_| seen.is_answered) else { return Vec::new() };
-    if matches!(seen.layout, Mistakes | Lines | Exercises) {
+    if matches!(seen.layout, Mistakes | Lines) {
         return Vec::new();
     }
     let lines = derivation.sections.iter().flat_map(|section| &section.lines);
@@ -85,14 +84,35 @@ pub(super) fn cut_lines(seen: &Seen<'_>) -> Vec<String> {
     lines.map(ToString::to_string).filter(|text| !is_whole(text)).collect()
 }
 
+/// What an exercise's question has in the column that is not whole in the window, or lies on one another.
+pub(super) fn cut_widgets(seen: &Seen<'_>) -> Vec<String> {
+    let column = ["Check", "Show the solution", "Hide the solution", "New numbers"];
+    let nodes = seen.window.root().children_recursive();
+    let all: Vec<(String, Rect)> = nodes
+        .map(|node| (node.accesskit_node().label().unwrap_or_default(), node))
+        .filter(|(label, node)| match node.accesskit_node().role() {
+            Role::TextInput | Role::RadioButton => true,
+            _ => column.contains(&label.as_str()),
+        })
+        .map(|(label, node)| (label, node.rect()))
+        .collect();
+    let is_wrong = |k: usize| {
+        let others = (0..k).filter(|other| all[*other].1.shrink(1.0).intersects(all[k].1));
+        !seen.window.ctx.content_rect().contains_rect(all[k].1) || others.count() > 0
+    };
+    let wrong = (0..all.len()).filter(|k| is_wrong(*k));
+    wrong.map(|k| format!("{} at {}", all[k].0, all[k].1)).collect()
+}
+
 /// The buttons that lie over the figure of a wide window.
 pub(super) fn buttons_over_it(seen: &Seen<'_>) -> Vec<String> {
-    if seen.layout == ViewLayout::Exercises || seen.window.ctx.content_rect().aspect_ratio() < 1.5 {
+    if seen.window.ctx.content_rect().aspect_ratio() < 1.5 {
         return Vec::new();
     }
     let rects = pictures(seen.window, seen.layout).into_iter().flatten();
     let right = rects.map(|rect| rect.right()).fold(0.0, f32::max);
-    let next = if seen.app().session().is_asking { "Show the answer" } else { "Next" };
+    let has_answer = seen.window.query_by_role_and_label(Role::Button, "Next").is_none();
+    let next = if has_answer { "Show the answer" } else { "Next" };
     let names = ["Contents", "Previous", next, "Back to the step", "Close the lesson"];
     let left = |name| seen.window.get_by_role_and_label(Role::Button, name).rect().left();
     let over = names.into_iter().filter(|name| left(name) < right);

@@ -36,6 +36,8 @@ fn is_endless(app: &App, mark: &Mark) -> bool {
         hit.is_some_and(|hit| shows_planes || (hit.object as usize) < app.document().spheres.len());
     match mark.item {
         Item::Planes | Item::Floor | Item::Frustum => true,
+        // The ray of an answer.
+        Item::Eye => hit.is_none() && matches!(mark.shape, Shape::Line { .. }),
         Item::Ray => !has_end && matches!(mark.shape, Shape::Line { .. }),
         _ => false,
     }

@@ -45,12 +45,16 @@ const ON_STAGE: &[(&str, Check)] = &[
     ("the figure fills the window", figure::too_small),
     ("nothing moves when the answer comes", figure::moved),
     ("every line on the card is whole", figure::cut_lines),
+    ("every field and button is whole", figure::cut_widgets),
     ("text is large", contrast::small_texts),
     ("all that is drawn is in sight", in_sight::out_of_sight),
     ("no label covers another, a handle or a tip", in_sight::covered),
     ("the camera is framed", |seen| match seen.is_answered {
-        true => framing::misframed(seen.window).into_iter().collect(),
-        false => Vec::new(),
+        // An exercise has a camera of its own.
+        true if seen.layout != ViewLayout::Exercises => {
+            framing::misframed(seen.window).into_iter().collect()
+        }
+        _ => Vec::new(),
     }),
     ("nothing covers anything else", |seen| overlaps::offences(seen.window)),
 ];
@@ -133,7 +137,7 @@ impl Walk {
                 look(&self.window, self.in_both_schemes);
             }
         }
-        if !self.in_both_schemes.is_empty() && layout != ViewLayout::Exercises {
+        if !self.in_both_schemes.is_empty() {
             let share = figure::ground(&mut self.window);
             if share > 0.45 {
                 self.found.push(format!("{name}: {share} of the window is empty ground"));

@@ -1,0 +1,82 @@
+//! The scene of the open exercise, which the views show in place of the open scene.
+
+use std::sync::Arc;
+
+use pinhole_core::Selection;
+use pinhole_lecture::exercises::{Asked, Given, Question};
+
+use super::scene::OpenScene;
+use crate::model::lessons::StepView;
+use crate::model::{Concept, EquationStep, Formulas, OpenDocument, Session, Settings};
+
+/// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
+pub(super) fn in_views<'a>(
+    open: &'a mut OpenScene,
+    question: &'a mut Option<OpenScene>,
+) -> &'a mut OpenScene {
+    question.as_mut().unwrap_or(open)
+}
+
+impl OpenScene {
+    /// Returns the scene of the exercise on the stage, as seen in `before`, the last frame's; `None` if there is
+    /// no exercise on the stage, or if it has no camera.
+    pub(super) fn question(&self, before: Option<OpenScene>) -> Option<OpenScene> {
+        let Session { exercises, settings, .. } = &self.session;
+        if !self.session.shows_exercise() {
+            return None;
+        }
+        let (question, document) = (exercises.question(), exercises.document()?);
+        // The observer of a lesson's step suits only the step's own question.
+        let asked = (question.exercise, exercises.seed());
+        let step = self.lessons.open.clone().filter(|open| {
+            let StepView { exercise, observer, .. } = &open.step().view;
+            let last = open.id().step.checked_sub(1).and_then(|k| open.lesson().steps.get(k));
+            let is_inherited = last.is_some_and(|last| last.view.observer == *observer);
+            exercise.is_some_and(|own| (own.exercise, own.seed) == asked) && !is_inherited
+        });
+        let is_same =
+            |scene: &OpenScene| scene.open.document == document && scene.lessons.open == step;
+        let mut scene = before.filter(is_same).unwrap_or_else(|| {
+            let open = OpenDocument::made_up(document.clone(), String::new());
+            let observer = step.as_ref().and_then(|open| open.step().view.observer);
+            let mut scene = OpenScene::new(open, Session { observer, ..Session::default() });
+            scene.lessons.open = step.clone();
+            scene
+        });
+        let Session { observer, hovered, .. } = scene.session;
+        scene.session = Session {
+            selection: question.uv().map_or(Selection::default(), Selection::Uv),
+            observer,
+            hovered,
+            presenting: self.session.presenting,
+            formulas: Some(solution(question)),
+            settings: Settings { items: exercises.items(settings.items), ..*settings },
+            exercises: exercises.clone(),
+            // As in a lesson's step, everything that is drawn has its label.
+            spoken: Some(Vec::new()),
+            ..Session::default()
+        };
+        Some(scene)
+    }
+}
+
+/// Returns the lines of the derivation that lead to the answers.
+fn solution(question: &Question) -> Formulas {
+    use Concept::{Direction, Normal, Ray, U, UpCrossW, V, View, W, WCrossU};
+    let (root, is_sphere) = (Concept::Root { object: 0, number: 0 }, question.sphere().is_some());
+    let discriminant = Concept::Equation { object: 0, step: EquationStep::Discriminant };
+    let is_view_asked = matches!(question.given, Given::EyeAtUp { .. });
+    let concepts = question.parts.iter().flat_map(|part| match part.asked {
+        Asked::W if is_view_asked => vec![View, W],
+        Asked::W => vec![W],
+        Asked::U => vec![UpCrossW, U],
+        Asked::V => vec![V, WCrossU],
+        Asked::Origin => vec![Ray],
+        Asked::Direction => vec![Direction],
+        Asked::T if is_sphere => vec![discriminant, root],
+        Asked::T | Asked::Point => vec![root],
+        Asked::Normal => vec![Normal],
+        Asked::Hits => Vec::new(),
+    });
+    Formulas::Solution(Arc::from(Vec::from_iter(concepts)))
+}
