@@ -163,7 +163,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__figure)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --view --output --width --height --transparent --theme --play --frames --per-second --pixel --uv --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --view --output --width --height --transparent --theme --pixel --uv --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -191,18 +191,6 @@ _pinhole() {
                     ;;
                 --theme)
                     COMPREPLY=($(compgen -W "light dark colour-blind colour-blind-dark grey grey-dark" -- "${cur}"))
-                    return 0
-                    ;;
-                --play)
-                    COMPREPLY=($(compgen -W "swing-up orbit over-the-top walk scan" -- "${cur}"))
-                    return 0
-                    ;;
-                --frames)
-                    COMPREPLY=($(compgen -f "${cur}"))
-                    return 0
-                    ;;
-                --per-second)
-                    COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
                 --pixel)

@@ -92,13 +92,6 @@ colour-blind\t''
 colour-blind-dark\t''
 grey\t''
 grey-dark\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view, as the window\'s Play shows it: a GIF' -r -f -a "swing-up\t''
-orbit\t''
-over-the-top\t''
-walk\t''
-scan\t''"
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'The number of frames; by default, as many as the animation\'s duration takes' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d 'Frames per second' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'

@@ -8,9 +8,8 @@ use clap::error::ContextKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::figures::{FigureSubject, Frames};
+use crate::figures::FigureSubject;
 use crate::model::lessons::LessonArgument;
-use crate::model::play::Kind;
 use crate::view::overlay::Style;
 use pinhole_exchange::{Conventions, Format, SceneSource};
 
@@ -209,22 +208,6 @@ pub struct FigureArguments {
         value_parser = one_of(Style::ALL, |style| style.name().into())
     )]
     pub style: Style,
-    /// Write an animation of the world or the camera view, as the window's Play shows it: a GIF
-    #[arg(long, value_name = "KIND", conflicts_with = "transparent")]
-    #[arg(value_parser = one_of(Kind::ALL, |kind| kind.name().into()))]
-    pub play: Option<Kind>,
-    /// The number of frames; by default, as many as the animation's duration takes
-    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
-    pub frames: Option<u32>,
-    /// Frames per second
-    #[arg(
-        long,
-        value_name = "N",
-        requires = "play",
-        default_value_t = Frames::PER_SECOND,
-        value_parser = clap::value_parser!(u16).range(1..=Frames::MOST_PER_SECOND.into())
-    )]
-    pub per_second: u16,
     /// The ray that is shown.
     #[command(flatten)]
     pub ray: RayArguments,

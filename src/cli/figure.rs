@@ -1,23 +1,19 @@
 //! `pinhole figure`: writes a view, the derivation or two lines in the plane as SVG, PDF
-//! or PNG. The derivation can also be LaTeX or Markdown. With `--play`, writes an animation of a view.
+//! or PNG. The derivation can also be LaTeX or Markdown.
 
 use std::ffi::OsStr;
 use std::io::Write as _;
 use std::path::Path;
 
-use pinhole_core::{DVec2, ImageSize, Selection};
+use pinhole_core::ImageSize;
 use pinhole_exchange::{Document, atomic};
 
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{files_of, follow, load, pose, refuse_overwriting, selection_of, size};
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{
-    self, Animation, Content, FigureFormat, FigureSubject, Frames, Order, Recorder,
-};
-use crate::model::play::{Kind, Start};
+use crate::figures::{self, Content, FigureFormat, FigureSubject, Order};
 use crate::model::{Item, Observer, Session, ViewSize};
-use crate::view::derive::{Deriver, ViewSizes};
 
 /// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];
@@ -31,9 +27,6 @@ const DERIVATION_POINTS: f32 = 800.0;
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
-    if let Some(kind) = arguments.play {
-        return play(arguments, kind);
-    }
     let output = Some(&arguments.output).filter(|output| !is_standard(output));
     let content = match output {
         Some(output) => Content::for_path(arguments.view, output)
@@ -73,56 +66,9 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
 /// Returns what to add to the error for a file's extension that other arguments would allow.
 fn hint(output: &Path) -> &'static str {
     match output.extension().and_then(OsStr::to_str) {
-        Some("gif") => "; a GIF needs --play",
         Some("tex" | "md") => "; LaTeX and Markdown are for --view derivation",
         _ => "",
     }
-}
-
-/// Writes an animation, with the same recorder as the window.
-fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
-    let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));
-    if !matches!(arguments.view, FigureSubject::World | FigureSubject::Camera) {
-        return refused("--play shows a view: --view world or --view camera");
-    }
-    let output = &arguments.output;
-    let whole = Frames::new(kind, arguments.per_second);
-    let frames = Frames { count: arguments.frames.unwrap_or(whole.count), ..whole };
-    figures::check_animation_path(output)
-        .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
-    atomic::check(output)?;
-    let document = load(&arguments.scene)?;
-    refuse_overwriting(
-        &files_of(&arguments.scene, &document),
-        [("-o", arguments.output.as_path())],
-    )?;
-    let order = order_of(arguments, document.camera.image)?;
-    let mut session = session_of(arguments, &document, order.size)?;
-    let start = start_of(&document, &session);
-    let [width, height] = order.size.map(f64::from);
-    session.observer = session
-        .observer
-        .map(|from| from.following(&document.camera, &start.cameras(kind), width / height));
-    let scene = (document, session);
-    let loops = kind.moves_camera();
-    let animation = Animation { kind, start, loops, scene, order, frames };
-    let why = |problem| CommandError::Input(format!("{}: {problem}", arguments.scene.display()));
-    // An animation that is impossible for this scene is an error before anything is written.
-    animation.start.at(kind, 0.5).map_err(|error| why(error.to_string()))?;
-    let mut recorder = Recorder::new(animation, output.clone()).map_err(CommandError::Input)?;
-    let progress = Progress::new("frame", Some(frames.count as usize));
-    for _ in 0..frames.count {
-        let figure = recorder.figure().map_err(why)?;
-        recorder.push(&figure).map_err(CommandError::Input)?;
-        progress.add(1);
-    }
-    recorder.finish().map_err(CommandError::Input)
-}
-
-fn start_of(document: &Document, session: &Session) -> Start {
-    // The derivation always shows the ray.
-    let derived = Deriver::default().derive(document, session, &ViewSizes::default());
-    Start::new(document, session, derived.inspection.as_deref(), derived.scene.as_deref())
 }
 
 /// Rejects options that would have no effect.
@@ -194,11 +140,7 @@ fn session_of(
         let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
         session.observer = Some(Observer::frame_all(&document.camera, &objects, size));
     }
-    // An animation along a ray needs a ray: by default, the one through the viewport's centre.
-    let sends_rays = arguments.play.is_some_and(|kind| !kind.moves_camera());
-    if !asked && sends_rays {
-        session.selection = Selection::Uv(DVec2::ZERO);
-    } else if !asked {
+    if !asked {
         for item in [Item::Ray, Item::Hit] {
             session.settings.items.set(item, false);
         }

@@ -89,10 +89,6 @@ fn standard_input_and_output_are_one_each() {
             "check canonical --answers - --map -",
             "--map needs a file: the grade goes to standard output",
         ),
-        (
-            "figure canonical --view world --play orbit -o -",
-            "-o writes animations as GIF: end the name with .gif",
-        ),
     ];
     for (line, message) in refused {
         let (_, run) = piped(line, "");

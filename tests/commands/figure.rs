@@ -340,13 +340,6 @@ fn what_does_not_fit_is_refused() {
     at("canonical --view world").refused("--output <OUT.svg|pdf|png>");
     at("canonical --view world -o a.svg --theme sepia")
         .refused("light, dark, colour-blind, colour-blind-dark, grey, grey-dark");
-    at("canonical --view world -o a.png --frames 3").refused("--play <KIND>");
-    at("canonical --view world -o a.png --play dance")
-        .refused("swing-up, orbit, over-the-top, walk, scan");
-    at("canonical --view derivation -o a.png --play orbit")
-        .failed(2, "--play shows a view: --view world or --view camera");
-    at("canonical --view world -o a.svg --play orbit")
-        .failed(2, "-o writes animations as GIF: end the name with .gif");
     at("canonical --view world -o a.svg --width 0")
         .refused("it must be a whole number of pixels, 1 to 16384");
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");
@@ -356,10 +349,6 @@ fn what_does_not_fit_is_refused() {
         2,
         "-o writes SVG, PDF or PNG: not out.tex but out.svg, out.pdf or out.png; LaTeX and Markdown \
          are for --view derivation",
-    );
-    at("canonical --view world -o out.gif").failed(
-        2,
-        "-o writes SVG, PDF or PNG: not out.gif but out.svg, out.pdf or out.png; a GIF needs --play",
     );
     at("canonical --view derivation -o out").failed(
         2,

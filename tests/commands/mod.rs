@@ -1,6 +1,5 @@
 //! The headless commands, run as a user runs them.
 
-mod animation;
 mod check;
 mod conventions;
 mod exchange;

@@ -11,7 +11,7 @@ const SCENE: &str = "pinhole = 1\nspheres = \"balls.csv\"\n\n[camera]\neye = [0,
                      view = [0, 0, -1]\nup = [0, 1, 0]\n";
 
 /// The same scene under names with the endings of what is written.
-const SCENES: [&str; 5] = ["s.toml", "s.png", "s.gif", "s.exr", "s.json"];
+const SCENES: [&str; 4] = ["s.toml", "s.png", "s.exr", "s.json"];
 
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -61,10 +61,6 @@ fn no_output_is_written_over_an_input() {
         ("render ./s.png -o s.png", "-o would write over s.png, which is read"),
         ("render ./s.exr -o new.png --aov s.exr", "--aov would write over s.exr, which is read"),
         ("figure ./s.png --view world -o s.png", "-o would write over s.png, which is read"),
-        (
-            "figure ./s.gif --view world --play orbit -o s.gif",
-            "-o would write over s.gif, which is read",
-        ),
         ("import in.csv -o in.csv", "-o would write over in.csv, which is read"),
         ("check s.toml --answers in.png --map in.png", "--map would write over in.png, which"),
         ("report ./s.json --json s.json", "--json would write over s.json, which is read"),

@@ -303,16 +303,3 @@ fn figure() {
         writes: &["a.svg"],
     });
 }
-
-#[test]
-fn animated_gif() {
-    check(&Case {
-        name: "figure --play",
-        prepare: |folder| old_files(folder, &["a.gif"]),
-        program: |folder| {
-            let line = "figure @s.toml --view camera --width 8 --play orbit --frames 2 -o @a.gif";
-            pinhole(folder, line)
-        },
-        writes: &["a.gif"],
-    });
-}
