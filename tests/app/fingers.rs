@@ -1,7 +1,9 @@
 //! A phone's window, by touch alone: presenting is left, lessons go on, menus open and dialogs are whole.
 
 use egui::accesskit::Role;
-use egui::{Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchPhase, pos2, vec2};
+use egui::{
+    Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, pos2, vec2,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
@@ -199,4 +201,28 @@ fn the_menu_closes_when_it_presents() {
     }
     assert!(harness.state().session().presenting.is_some());
     assert!(!egui::Popup::is_any_open(&harness.ctx), "Escape would close the menu first");
+}
+
+#[test]
+fn an_exercise_is_whole_and_within_reach() {
+    for (lesson, k) in [(1, 4), (1, 5), (2, 4), (5, 5), (6, 5), (7, 3), (10, 5), (11, 8)] {
+        let mut harness = phone();
+        tap(&mut harness, pos2(200.0, 100.0));
+        harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step: k }, None);
+        harness.run();
+        let hint = harness.get_by_label_contains("You may type").rect();
+        let buttons = ["New numbers", "Check", "Show the solution", "Copy my answer", "Next"];
+        let of = |name: &&str| harness.get_by_role_and_label(Role::Button, name).rect();
+        let buttons: Vec<Rect> = buttons.iter().map(of).collect();
+        assert!(buttons.iter().all(|button| button.height() >= 36.0), "{buttons:?}");
+        let fields = harness.get_all_by_role(Role::TextInput).map(|field| field.rect());
+        let all: Vec<Rect> = fields.chain([hint]).chain(buttons).collect();
+        for (index, rect) in all.iter().enumerate() {
+            assert!(Rect::from_min_size(Pos2::ZERO, PHONE).contains_rect(*rect), "{rect}");
+            let over = all[..index].iter().find(|other| other.shrink(0.5).intersects(*rect));
+            assert_eq!(over, None, "{}.{}: on {rect}", lesson + 1, k + 1);
+        }
+        tap_button(&mut harness, "Show the solution");
+        harness.get_by_role_and_label(Role::Button, "Hide the solution");
+    }
 }

@@ -60,7 +60,6 @@ pub(crate) fn image(pixels: &[Color32], size: [usize; 2]) -> Option<RgbaImage> {
 
 /// An animation as it is shown.
 pub(crate) struct Gif {
-    pub(crate) size: [usize; 2],
     pub(crate) frames: Vec<Vec<[u8; 3]>>,
     /// How long each frame is shown, in hundredths of a second.
     pub(crate) delays: Vec<u16>,
@@ -84,7 +83,7 @@ impl Gif {
             frames.push(screen.clone());
             delays.push(frame.delay);
         }
-        Gif { size, frames, delays, repeats: decoder.repeat() }
+        Gif { frames, delays, repeats: decoder.repeat() }
     }
 
     /// Mean difference of two frames' channels.

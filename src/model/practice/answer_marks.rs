@@ -113,40 +113,21 @@ impl Exercises {
         Answered { yours: typed.clone().filter(|_| !is_right), typed, right }
     }
 
-    /// Returns the overlay items `usual` without those that would reveal an answer.
+    /// Returns those of the overlay items `usual` that reveal no answer.
     pub(crate) fn items(&self, usual: OverlayItems) -> OverlayItems {
-        use Item::*;
-        let hidden = [
-            Handles,
-            Loupe,
-            Ray,
-            Hit,
-            Picture,
-            PixelGrid,
-            Marks,
-            SphereFigure,
-            Ring,
-            RightAngles,
-            UpCrossW,
-            WCrossU,
-            U,
-            W,
-            ViewVector,
-            Direction,
-            Roots,
-        ];
-        let items = usual.without_each(&hidden);
-        let mut asked = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
-        if asked.peek().is_none() {
-            // The camera is given by its viewport; the question is about a ray.
-            return items.without_each(&[At, ViewAndUp, Basis]);
-        }
-        // Frustum, viewport and what is on it show all three vectors.
-        let is_secret = asked.any(|asked| self.answered(asked).right.is_none());
-        let shows = |item| items.shows(item) && !is_secret;
-        let on_viewport = [Frustum, Viewport, UvLegs, Measures];
-        let items = on_viewport.into_iter().fold(items, |all, item| all.with(item, shows(item)));
-        items.with(Basis, false)
+        use Item::{
+            At, Axes, Eye, Floor, Frustum, Labels, Measures, Planes, UvLegs, ViewAndUp, Viewport,
+        };
+        let mut basis = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
+        // Without a question about the basis, the camera is given by its viewport.
+        let camera: &[Item] = if basis.peek().is_some() { &[At, ViewAndUp] } else { &[] };
+        // What is on the viewport shows all three vectors.
+        let is_secret = basis.any(|asked| self.answered(asked).right.is_none());
+        let viewport: &[Item] =
+            if is_secret { &[] } else { &[Frustum, Viewport, UvLegs, Measures] };
+        let may_be_seen = [&[Eye, Axes, Planes, Labels, Floor], camera, viewport].concat();
+        let shown = may_be_seen.into_iter().filter(|item| usual.shows(*item));
+        shown.fold(OverlayItems::NONE, |all, item| all.with(item, true))
     }
 
     /// Returns the answers as marks to draw in the scene of [`Exercises::document`].

@@ -310,7 +310,10 @@ impl App {
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
             LessonAction::ShowAll => {
-                self.scene.session.exercises.is_solved |= self.scene.session.shows_exercise();
+                let session = &mut self.scene.session;
+                if session.shows_exercise() && !session.exercises.is_solved {
+                    session.exercises.toggle_solution();
+                }
                 self.scene.show_all();
                 None
             }

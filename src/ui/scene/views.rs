@@ -84,17 +84,13 @@ fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 3] {
     })
 }
 
-/// Returns the size of a world view, in points.
-pub(crate) fn size_of(rect: Rect) -> ViewSize {
-    ViewSize::new(rect.width().into(), rect.height().into())
-}
-
 /// Returns the size of the world view, and what covers it, in points.
 pub(crate) fn world_size(rects: &ViewRects) -> Option<ViewSize> {
     let world = rects.world?;
     let area = |Rect { min, max }: Rect| [min.x, min.y, max.x, max.y].map(f64::from);
     let covered = covered(rects, world).map(|rect| rect.map(area));
-    Some(ViewSize { covered, ..size_of(world) })
+    let size = ViewSize::new(world.width().into(), world.height().into());
+    Some(ViewSize { covered, ..size })
 }
 
 /// Returns the size of an area in physical pixels.

@@ -7,12 +7,12 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::{Stage, navigation};
+use super::{Stage, exercises, navigation};
 use crate::model::lessons::{Lesson, OpenLesson};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Concept, Formulas, Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
-use crate::ui::practice::{exercises, mistakes};
+use crate::ui::practice::mistakes;
 use crate::ui::widgets::{inside, marked_text};
 use crate::ui::workspaces::PageContext;
 use crate::view::lines::substitution;
@@ -31,7 +31,7 @@ const BEFORE_BUTTONS: f32 = 12.0;
 /// Radius of the dot for the lecturer, in points.
 const DOT: f32 = 3.0;
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
-pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
+pub(super) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
 /// The open lesson.
 pub(crate) struct OpenStep<'a> {

@@ -10,7 +10,6 @@ use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::model::ViewLayout;
-use crate::ui::practice::exercises;
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
@@ -18,13 +17,14 @@ use crate::ui::workspaces::{PageContext, foot, hidden, page};
 use crate::view::typesetting::theme;
 
 pub(crate) mod column;
+mod exercises;
 pub(crate) mod navigation;
 
 /// Width of the main figure, as a fraction of a wide window's.
 const BESIDE_COLUMN: f32 = 0.58;
 /// Height of the main figure, as a fraction of a window's that is not wide, of an upright window's, and of an
 /// upright window's that has answer fields.
-const ABOVE_COLUMN: [f32; 3] = [0.52, 0.525, 0.42];
+const ABOVE_COLUMN: [f32; 3] = [0.52, 0.525, 0.415];
 /// Distance of an inset from the edges of the main figure, in points.
 const MARGIN: f32 = 12.0;
 /// Maximum size of an inset, as fractions of the main figure's width and height.

@@ -7,11 +7,12 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
+use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 
 use super::{Window, at_step, go_to, key, press, shown_step};
 use crate::app::practice::exercises::answers;
-use crate::harness::{assert_says, says};
+use crate::harness::{assert_says, says, texts_with};
 
 /// The parts of a question, and what is typed for each.
 type Answers = &'static [(&'static str, &'static [&'static str])];
@@ -121,4 +122,21 @@ fn closing_the_lesson_gives_back_the_exercise_from_before() {
     assert_ne!(window.state().session().exercises, before);
     press(&mut window, "Close the lesson");
     assert_eq!(window.state().session().exercises, before);
+}
+
+#[test]
+fn a_question_s_figure_draws_what_the_step_shows_and_end_shows_its_solution() {
+    let mut window = at_step(12, 9);
+    let items = |window: &Window| {
+        let view = window.state().derived().world_view.clone().unwrap();
+        view.marks.iter().map(|mark| mark.item).collect::<Vec<Item>>()
+    };
+    let shown = items(&window);
+    assert!(shown.contains(&Item::Floor) && !shown.contains(&Item::Axes), "{shown:?}");
+    go_to(&mut window, 6, 6);
+    assert!(items(&window).contains(&Item::Axes));
+    key(&mut window, Key::End);
+    assert_says(&window, "Hide the solution");
+    let roots = texts_with(&window, "5 √2");
+    assert!(!roots.is_empty(), "its t");
 }

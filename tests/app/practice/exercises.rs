@@ -4,7 +4,6 @@ use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
@@ -429,24 +428,6 @@ fn typed_answers_are_kept_whatever_is_opened_in_between() {
     open_scene(&mut window, "look-at");
     show(&mut window, ViewLayout::Exercises);
     assert_eq!(t(&window), "4");
-}
-
-#[test]
-fn the_title_of_the_scene_is_whole_or_not_there() {
-    let mut window = open(Exercise::Distance);
-    let title = |window: &Harness<'_, App>| {
-        let title = window.query_by_role_and_label(Role::Label, "World view")?;
-        let button = window.get_by_role_and_label(Role::Button, "Show this scene").rect();
-        Some(title.rect().right() < button.left())
-    };
-    assert_eq!(title(&window), Some(true));
-    let id = StepId { lesson: Which::Builtin(1), step: 4 };
-    window.state_mut().open_lesson(id, None);
-    window.key_press(egui::Key::F5);
-    window.run();
-    window.set_size(egui::vec2(737.0, 553.0));
-    window.run();
-    assert_eq!(title(&window), None, "presented at 1024 x 768");
 }
 
 #[test]

@@ -2,19 +2,18 @@
 //! solution; as the main figure, the lines of a question in two dimensions.
 
 use egui::{Align, Color32, FontId, Key, Label, Layout, RichText, Stroke, TextEdit, Ui, vec2};
-use pinhole_exchange::document::Document;
-use pinhole_lecture::exercises::{self, Exercise, Given, Question, QuestionPart};
+use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
+use super::column::SIZES;
 use crate::model::lines::{LinesLab, Window};
 use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Feedback, Session, TypedAnswer};
-use crate::ui::action::{Leave, MadeUp, ShareAction, request};
+use crate::ui::action::{Leave, MadeUp, ShareAction};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
-use crate::ui::stage::column::SIZES;
 use crate::ui::widgets::{
     ResponseExt as _, combo, inside, marked_text, sign, text_width, vector_color,
 };
@@ -27,17 +26,15 @@ use crate::view::typesetting::theme::{self, error_color};
 const HINT: &str =
     "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits.";
 
-/// Height of a row of fields, as a multiple of the text's size.
-const ROW: f32 = 2.1;
+/// Height of a row of fields, as a multiple of the text's size, and at least as one of a button's.
+const ROW: [f32; 2] = [2.1, 1.0];
 /// Number of lines of text below the fields: for verdicts or the hint.
-const VERDICT_LINES: f32 = 3.0;
+const VERDICT_LINES: f32 = 2.5;
 /// Padding of the solution at the left and right, and the radius of its corners, in points.
 const PADDING: f32 = 6.0;
 const ROUNDING: f32 = 6.0;
 /// Space between the fields and the verdicts, in points.
 const BEFORE_VERDICTS: f32 = 4.0;
-/// Height of the row of buttons, and of a row of the choice above the question, in points.
-const BAR: f32 = 32.0;
 /// Maximum width of one answer field, in points.
 const FIELD: f32 = 150.0;
 /// Width kept free for the sign behind the fields, in points.
@@ -62,14 +59,19 @@ pub(crate) fn texts(session: &Session) -> Vec<String> {
     }
 }
 
+/// Returns the height of a row of buttons, with the space below it.
+fn row(ui: &Ui) -> f32 {
+    ui.spacing().interact_size.y.max(24.0) + 4.0
+}
+
 /// Returns the height of the choice of exercise and numbers above the question. While presenting, there is
 /// none; in a lesson, its step chooses the exercise.
 pub(crate) fn choice_height(ui: &Ui, session: &Session, is_lesson: bool) -> f32 {
     let has_none = !session.shows_exercise() || theme::installed(ui.ctx()).presenting;
     match (has_none, is_lesson) {
         (true, _) => 0.0,
-        (false, true) => BAR,
-        (false, false) => 2.0 * BAR,
+        (false, true) => row(ui),
+        (false, false) => 2.0 * row(ui),
     }
 }
 
@@ -81,11 +83,12 @@ pub(crate) fn choice(ui: &mut Ui, exercises: &mut Exercises, is_lesson: bool) {
             let width = (ui.available_width() - 140.0).min(280.0);
             combo(ui, "exercise", width, title, |ui| choose(ui, exercises));
             let hint = "Opens this camera and the objects that its ray meets as a scene";
-            let document = exercises.document();
-            if let Some(document) = document
-                && ui.button("Show this scene").on_hover_text(hint).clicked()
-            {
-                show_scene(ui, exercises.question(), document);
+            if let Some(document) = exercises.document() {
+                let question = exercises.question();
+                let title = question.exercise.title().to_owned();
+                let made_up = MadeUp { document, title, uv: question.uv() };
+                let button = ui.button("Show this scene").on_hover_text(hint);
+                button.asks(Leave::Show(Box::new(made_up)));
             }
         });
     }
@@ -100,13 +103,6 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
             exercises.show(exercise, None);
         }
     }
-}
-
-fn show_scene(ui: &Ui, question: &Question, document: Document) {
-    let title = question.exercise.title().to_owned();
-    let made_up = MadeUp { document, title, uv: question.uv() };
-    request(ui.ctx(), Leave::Show(Box::new(made_up)));
-    ui.ctx().request_repaint();
 }
 
 /// Shows the choice between the lecture's question and a question generated from a seed.
@@ -141,7 +137,7 @@ fn answers_height(ui: &Ui, exercises: &Exercises, [width, size]: [f32; 2]) -> f3
     let small = small(size);
     let hint = marked_text::height_within(ui, HINT, small, width);
     let verdicts = hint.max(VERDICT_LINES * marked_text::row_height(ui, small));
-    exercises.answers.len() as f32 * ROW * size + BEFORE_VERDICTS + verdicts
+    exercises.answers.len() as f32 * row_of_fields(ui, size) + BEFORE_VERDICTS + verdicts
 }
 
 /// Returns the height of the solution.
@@ -155,6 +151,11 @@ fn solution_height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32; 
     }
 }
 
+/// Returns the height of a row of fields.
+fn row_of_fields(ui: &Ui, size: f32) -> f32 {
+    (ROW[0] * size).max(ROW[1] * ui.spacing().interact_size.y)
+}
+
 /// Returns the size of verdicts below fields with text of this size.
 fn small(size: f32) -> f32 {
     (size - 1.0).max(WRITTEN)
@@ -162,7 +163,7 @@ fn small(size: f32) -> f32 {
 
 /// Returns the height of the buttons below the answers. While presenting, they are beside the step's number.
 fn bar(ui: &Ui) -> f32 {
-    if theme::installed(ui.ctx()).presenting { 0.0 } else { BAR }
+    if theme::installed(ui.ctx()).presenting { 0.0 } else { row(ui) }
 }
 
 /// Returns the least height of the exercise in the column below the question. If need be, the solution takes
@@ -213,8 +214,10 @@ pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
     if ui.button(text).clicked() {
         exercises.toggle_solution();
     }
-    let copy = ui.add_enabled(exercises.is_begun(), egui::Button::new("Copy my answer"));
-    copy.on_hover_text("As a code that you can send").asks(ShareAction::CopyAnswer);
+    if !theme::installed(ui.ctx()).presenting {
+        let copy = ui.add_enabled(exercises.is_begun(), egui::Button::new("Copy my answer"));
+        copy.on_hover_text("As a code that you can send").asks(ShareAction::CopyAnswer);
+    }
 }
 
 /// Shows the fields, and below them the verdicts or, before a check, what may be typed.
@@ -227,7 +230,7 @@ fn fields(ui: &mut Ui, exercises: &mut Exercises, size: f32) {
     let indent = indent.fold(0.0, f32::max);
     let (mut focused, mut wants_check) = (None, false);
     for (k, part) in parts.iter().enumerate() {
-        let row = vec2(ui.available_width(), ROW * size);
+        let row = vec2(ui.available_width(), row_of_fields(ui, size));
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_size(row);
             let typed = &mut exercises.answers[k];
