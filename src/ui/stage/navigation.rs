@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{
-    Align2, Area, Button, Context, Id, Order, Rect, RichText, ScrollArea, Sense, Ui, Vec2, vec2,
+    Align2, Area, Button, Context, Id, Order, Pos2, Rect, RichText, ScrollArea, Ui, Vec2, vec2,
 };
 
 use super::column::OpenStep;
@@ -74,14 +74,18 @@ const SWIPE: f32 = 60.0;
 
 /// Goes to the next step if a finger swipes over the column to the left, and back if it swipes to the right.
 pub(super) fn swipe(ui: &Ui, column: Rect) {
-    let response = ui.interact(column, ui.scope_id().with("swipe"), Sense::DRAG);
-    let way = ui.data(|data| data.get_temp::<Vec2>(response.id)).unwrap_or_default();
+    let slot = Id::unique("swipe");
+    let way = ui.data(|data| data.get_temp::<[Pos2; 2]>(slot));
     if ui.input(|input| input.any_touches()) {
-        let way = response.total_drag_delta().unwrap_or_default();
-        ui.data_mut(|data| data.insert_temp(response.id, way));
-    } else if way != Vec2::ZERO {
-        ui.data_mut(|data| data.remove::<Vec2>(response.id));
-        if way.x.abs() > SWIPE.max(2.0 * way.y.abs()) {
+        let Some(to) = ui.input(|input| input.pointer.latest_pos()) else { return };
+        let from = way.map_or(to, |[from, _]| from);
+        ui.data_mut(|data| data.insert_temp(slot, [from, to]));
+    } else if let Some([from, to]) = way {
+        ui.data_mut(|data| data.remove::<[Pos2; 2]>(slot));
+        let way = to - from;
+        let is_swipe = way.x.abs() > SWIPE.max(2.0 * way.y.abs());
+        // In a field, a finger selects.
+        if is_swipe && column.contains(from) && !ui.ctx().text_edit_focused() {
             let to = if way.x > 0.0 { LessonAction::Previous } else { LessonAction::Next };
             request(ui.ctx(), to);
         }
