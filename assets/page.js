@@ -169,7 +169,9 @@ var pinhole = (() => {
   // Takes the link out of the page's address, so that a reload shows what the user has done since.
   function fragment() {
     const link = location.hash.slice(1);
-    if (link) history.replaceState(null, "", location.pathname + location.search);
+    try {
+      if (link) history.replaceState(null, "", location.href.split("#")[0]);
+    } catch { /* A page that has no address of its own keeps the link. */ }
     return link;
   }
 

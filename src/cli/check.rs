@@ -29,8 +29,11 @@ pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
             };
             (text, graded.grade.all_agree())
         }
-        // clap requires them.
-        _ => return Ok(()),
+        // clap refuses it before.
+        _ => {
+            let problem = "give a SCENE and --answers, or --codes";
+            return Err(CommandError::Arguments(problem.to_owned()));
+        }
     };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
         // The exit status reports the grade, even if nobody reads the output.

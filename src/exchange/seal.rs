@@ -16,7 +16,7 @@ pub struct Form {
 }
 
 impl Form {
-    /// Returns a content between its version and its check.
+    /// Wraps a content in its version and its check.
     pub fn seal(&self, content: &str) -> String {
         let body = format!("{}{}/{content}", self.prefix, self.version);
         format!("{body}/{:08x}", crc32fast::hash(body.as_bytes()))
@@ -28,7 +28,7 @@ impl Form {
     }
 
     fn version_of<'t>(&self, text: &'t str) -> Option<&'t str> {
-        let version = text.strip_prefix(self.prefix)?.split('/').next()?;
+        let (version, _) = text.strip_prefix(self.prefix)?.split_once('/')?;
         let is_number = !version.is_empty() && version.bytes().all(|b| b.is_ascii_digit());
         is_number.then_some(version)
     }

@@ -38,8 +38,8 @@ pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
 /// Returns the part of a page that opens the step of a lesson.
 ///
 /// # Errors
-/// Returns an error if the lesson's file or a scene that it names cannot be read, or if the lesson's file was
-/// changed since.
+/// Returns an error if the lesson's file or a scene that it names cannot be read, or if the lesson's file
+/// has changed since it was opened.
 pub fn of_step(open: &OpenLesson) -> Result<PagePart, FileError> {
     let (id, step) = (open.id(), open.id().step + 1);
     match (id.lesson, &open.lesson().file) {
@@ -54,7 +54,7 @@ pub fn of_step(open: &OpenLesson) -> Result<PagePart, FileError> {
 
 fn of_lesson_file(path: &Path, open: &OpenLesson) -> Result<PagePart, FileError> {
     if load(path)? != *open.lesson() {
-        let problem = "was changed since the lesson was opened: open it again, then save the page";
+        let problem = "has changed since the lesson was opened: open it again, then save the page";
         return Err(FileError::of_file(path, problem));
     }
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());

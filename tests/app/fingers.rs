@@ -226,3 +226,16 @@ fn an_exercise_is_whole_and_within_reach() {
         harness.get_by_role_and_label(Role::Button, "Hide the solution");
     }
 }
+
+#[test]
+fn an_animation_can_be_closed_by_touch() {
+    for kind in ["Roll: up turns around view", "Scan the pixels row by row"] {
+        let mut harness = phone();
+        tap(&mut harness, pos2(200.0, 100.0));
+        command(&mut harness, kind);
+        for name in ["Stop and go back", "Keep this", "position", "Step forward"] {
+            let rect = harness.get_by_label(name).rect();
+            assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{name}: {rect}");
+        }
+    }
+}

@@ -340,6 +340,13 @@ def it_stands_on_a_phone(page, pictures):
     browser.touch("touchEnd")
     browser.shot(pictures / "phone-pinched.png")
     assert browser.told() == before, "two fingers move the observer alone"
+    browser.touch("touchStart", (300, 560))
+    for step in range(1, 11):
+        browser.touch("touchMove", (300 - 20 * step, 560))
+        time.sleep(0.02)
+    browser.touch("touchEnd")
+    time.sleep(0.5)
+    assert browser.told().startswith("Lesson 7, step 4"), f"a swipe does not go on: {browser.told()}"
     browser.close()
 
 

@@ -150,7 +150,7 @@ fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
         }
         message => {
             let message = message.trim_end_matches(", expected nothing");
-            format!("mistyped, as the format TOML has it: {message}")
+            format!("not valid TOML: {message}")
         }
     };
     source.error(&span, message)

@@ -17,7 +17,7 @@ pub struct ClassAnswers {
     /// The codes that cannot be read, each with its line, counted from 1, and the reason.
     pub not_readable: Vec<(usize, String)>,
     /// The lines without a code that are not empty.
-    pub lines_without: Vec<usize>,
+    pub lines_without: usize,
 }
 
 /// The answers of a class to an exercise.
@@ -25,7 +25,7 @@ pub struct ClassAnswers {
 pub struct ClassExercise {
     /// The exercise's name in files.
     pub exercise: &'static str,
-    /// The exercise's title and the number of answers.
+    /// The exercise's title, the number of answers, and how many were sent after the solution was shown.
     pub title: String,
     /// The number of answers.
     pub answers: usize,
@@ -53,7 +53,7 @@ impl ClassAnswers {
         for (line, text) in (1..).zip(text.lines()) {
             let mut codes = codes_in(text).peekable();
             if codes.peek().is_none() && !text.trim().is_empty() {
-                class.lines_without.push(line);
+                class.lines_without += 1;
             }
             for code in codes {
                 match code {
@@ -80,11 +80,11 @@ impl ClassAnswers {
 
     /// Returns a sentence for each code that cannot be read, and one about the lines without a code.
     pub fn problems(&self) -> impl Iterator<Item = String> {
-        let lines: Vec<String> = self.lines_without.iter().map(usize::to_string).collect();
-        let without = format!("There is no code in line {}.", lines.join(", "));
+        let count = self.lines_without;
+        let without = format!("Lines without a code: {count}.");
         let broken = self.not_readable.iter();
         let broken = broken.map(|(line, problem)| format!("The code in line {line} is {problem}."));
-        broken.chain(Some(without).filter(|_| !lines.is_empty()))
+        broken.chain(Some(without).filter(|_| count > 0))
     }
 }
 

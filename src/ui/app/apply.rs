@@ -96,6 +96,8 @@ impl App {
                 in_views(&mut self.scene, &mut self.question).observe(observe, size);
             }
             Action::Object(action) => return self.scene.change_objects(action),
+            // An exercise has no pixel to select.
+            Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => {
                 if action == LookAction::Present {
@@ -470,7 +472,8 @@ fn is_by_touch(ctx: &Context) -> bool {
     let shown = theme::installed(ctx).by_touch;
     let (touches, moves, is_down) = ctx.input(|input| {
         let moves = input.events.iter().any(|event| matches!(event, Event::PointerMoved(_)));
-        (input.any_touches(), moves, input.pointer.any_down())
+        let touches = input.events.iter().any(|event| matches!(event, Event::Touch { .. }));
+        (touches || input.any_touches(), moves, input.pointer.any_down())
     });
     let last = Id::unique("the last pointer was a finger");
     let is_finger = touches || !moves && ctx.data(|data| data.get_temp(last)).unwrap_or(shown);

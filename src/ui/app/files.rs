@@ -91,6 +91,11 @@ pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog>
 pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<(), String> {
     scene.open.check_output(path)?;
     let step = scene.lessons.open.as_ref().filter(|_| !scene.differs_from_step());
+    let read = step.map(page_part::files_of).transpose().map_err(|error| error.to_string())?;
+    if read.into_iter().flatten().any(|read| host().is_same_file(&read, path)) {
+        let path = path.display();
+        return Err(format!("The lesson is read from {path}: choose another name."));
+    }
     let part = match step {
         Some(step) => page_part::of_step(step),
         None => page_part::of_scene(&scene.open.document),
@@ -214,7 +219,8 @@ impl App {
             }
             FigureAction::Copy => self.copy_figure(ctx),
             FigureAction::CopyDerivation(markup) => {
-                let derivation = derivation_of(self.document(), self.session());
+                let derivation =
+                    derivation_of(&self.in_views().open.document, &self.figure_session());
                 ctx.copy_text(derivation.written_in(markup));
                 None
             }
@@ -249,14 +255,19 @@ impl App {
         }
     }
 
+    /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
+    fn in_views(&self) -> &OpenScene {
+        self.question.as_ref().unwrap_or(&self.scene)
+    }
+
     fn figure(&self, order: &Order) -> Result<Figure, String> {
         let is_folded = |section: &_| self.tools.derivation.is_folded(section);
-        order.figure(self.document(), &self.figure_session(), is_folded)
+        order.figure(&self.in_views().open.document, &self.figure_session(), is_folded)
     }
 
     /// Returns the session without what is under the pointer, because figures do not highlight it.
     fn figure_session(&self) -> Session {
-        Session { hovered: None, ..self.scene.session.clone() }
+        Session { hovered: None, ..self.in_views().session.clone() }
     }
 
     /// Returns a figure's subject with its size on the screen, or with a default size if it is not on
@@ -268,7 +279,7 @@ impl App {
             _ => &derived.camera_view,
         };
         let shown = view.as_ref().map(|view| view.image.size.map(|dots| dots as f32 / scale));
-        let aspect = self.document().camera.image.aspect() as f32;
+        let aspect = self.in_views().open.document.camera.image.aspect() as f32;
         let points = match subject {
             FigureSubject::World => shown.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             FigureSubject::Camera => {
@@ -288,12 +299,18 @@ impl App {
         self.scene.open.check_output(path)?;
         let bytes = match Content::for_path(order.subject, path)? {
             Content::Text(markup) => {
-                let derivation = derivation_of(self.document(), &self.figure_session());
+                let derivation =
+                    derivation_of(&self.in_views().open.document, &self.figure_session());
                 derivation.written_in(markup).into_bytes()
             }
             Content::Figure(format) => {
                 let mut figure = self.figure(order)?;
-                order.refine(&mut figure, format, self.document(), &self.figure_session())?;
+                order.refine(
+                    &mut figure,
+                    format,
+                    &self.in_views().open.document,
+                    &self.figure_session(),
+                )?;
                 figure.to_file(format)?
             }
         };

@@ -82,6 +82,10 @@ impl App {
     /// animated camera stays in sight throughout. The animation of a lesson's step does not move the
     /// observer, because the step has its own.
     fn open_animation(&mut self, kind: Kind) {
+        if self.question.is_some() {
+            self.say("Animations are of a scene: leave the exercise first".to_owned(), Vec::new());
+            return;
+        }
         let (scene, derived) = (&mut self.scene, &self.views.derived);
         let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());
         let start = Start::new(&scene.open.document, &scene.session, inspection, traced);

@@ -29,7 +29,8 @@ impl App {
     pub fn spoken_about(&self) -> SpokenAbout {
         let derived = &self.views.derived;
         SpokenAbout {
-            words: self.words().join("\n"),
+            // An object's name changes without the ray.
+            words: self.words().join("\n") + &self.hit(),
             settings: self.scene.session.settings,
             fault: derived.fault,
             inspection: derived.inspection.clone(),
@@ -37,8 +38,8 @@ impl App {
     }
 
     /// Returns the window's title, the open dialog, the last notice, the text of the lesson's step, and the
-    /// contents of the page, a line each. While a question is open, only its text is told, because the rest may
-    /// answer it.
+    /// contents of the page, a line each. While a question is open, nothing of the page is told, because it may
+    /// answer the question.
     pub fn spoken(&self) -> String {
         let session = &self.scene.session;
         let mut lines = self.words();
@@ -76,11 +77,17 @@ impl App {
         lines
     }
 
+    /// Returns what the selected ray hits.
+    pub(super) fn hit(&self) -> String {
+        let style = NumberStyle::new(&self.scene.session.settings);
+        views::spoken(&self.views.derived, &self.scene.open.document, style)
+    }
+
     /// Tells the numbers of the selected ray and of its camera.
     fn numbers(&self, lines: &mut Vec<String>) {
-        let (document, derived) = (&self.scene.open.document, &self.views.derived);
+        let derived = &self.views.derived;
         let style = NumberStyle::new(&self.scene.session.settings);
-        lines.push(views::spoken(derived, document, style));
+        lines.push(self.hit());
         let line = |reading: &Reading| {
             format!("{} {}", plain(reading.long_name), style.equated_value(&reading.value))
         };

@@ -10,7 +10,7 @@ use super::glide::Glide;
 use super::question::in_views;
 use crate::model::practice::answer_marks;
 use crate::model::symbols::typeset_message;
-use crate::model::{Fault, NumberStyle, Session, ViewSize};
+use crate::model::{Fault, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, views};
 use crate::ui::widgets::ViewTexture;
@@ -92,21 +92,23 @@ impl App {
         }
     }
 
+    /// Returns what the views tell a screen reader.
+    fn spoken_in_views(&self) -> String {
+        match (&self.question, self.scene.session.is_asking) {
+            (Some(_), _) => answer_marks::spoken(&self.views.derived.answer_marks),
+            (None, true) => String::new(),
+            (None, false) => self.hit(),
+        }
+    }
+
     /// Shows the pictures with their labels.
     pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
-        let has_question = self.question.is_some();
+        let spoken = self.spoken_in_views();
         let App { scene, question, dragging, views: shown, .. } = self;
         let scene = in_views(scene, question);
         shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
-        let session = &scene.session;
         let picture = rects.camera.or(rects.world);
-        let style = NumberStyle::new(&session.settings);
-        let spoken = match session.is_asking {
-            true => String::new(),
-            false if has_question => answer_marks::spoken(&derived.answer_marks),
-            false => views::spoken(derived, &scene.open.document, style),
-        };
         let has_world_inset = rects.has_world_inset();
         // An inset is drawn over the other view.
         for is_world in [!has_world_inset, has_world_inset] {

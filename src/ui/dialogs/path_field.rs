@@ -190,7 +190,11 @@ impl PathField {
                 let path = Path::new(&self.text);
                 let is_chosen = path.extension().is_some_and(|chosen| chosen == *ending);
                 if ui.radio(is_chosen, *ending).clicked() {
-                    self.text = path.with_extension(ending).display().to_string();
+                    let own =
+                        path.extension().filter(|own| endings.iter().any(|ending| own == ending));
+                    let stem =
+                        if own.is_some() { path.with_extension("") } else { path.to_owned() };
+                    self.text = format!("{}.{ending}", stem.display());
                 }
             }
         });

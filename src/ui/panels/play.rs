@@ -5,7 +5,7 @@ use egui::{Button, Checkbox, RichText, Slider, Ui};
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{FigureAction, PlayAction, request};
 use crate::ui::widgets::{ResponseExt as _, combo};
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{STACKED, error_color};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
@@ -32,7 +32,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.add_space(3.0);
     let is_narrow = ui.available_width() < NARROW;
     let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         kinds(ui, player.kind);
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
         button(ui, [text, name, "Space"], PlayAction::Toggle);
@@ -41,12 +41,24 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {
-            ui.with_layout(right_to_left, |ui| ends(ui, player));
+            ui.with_layout(right_to_left, |ui| {
+                ends(ui);
+                position(ui, player);
+            });
         }
     });
     if is_narrow {
         let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
-        ui.allocate_ui_with_layout(row, right_to_left, |ui| ends(ui, player));
+        let is_stacked = row.x < STACKED && player.kind == Kind::Scan;
+        ui.allocate_ui_with_layout(row, right_to_left, |ui| {
+            ends(ui);
+            if !is_stacked {
+                position(ui, player);
+            }
+        });
+        if is_stacked {
+            ui.allocate_ui_with_layout(row, right_to_left, |ui| position(ui, player));
+        }
     }
     if let Some(fault) = player.fault {
         ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
@@ -59,14 +71,13 @@ fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction) {
     ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play);
 }
 
-/// Shows, from right to left, the buttons that end or export the animation, and its current position.
-fn ends(ui: &mut Ui, player: &mut Player) {
+/// Shows, from right to left, the buttons that end or export the animation.
+fn ends(ui: &mut Ui) {
     let hint = "Closes the animation and restores the state from before it";
     button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close);
     let hint = "Closes the animation and keeps the current state";
     button(ui, ["Keep", "Keep this", hint], PlayAction::Keep);
     ui.button("Export…").asks(FigureAction::AskAnimation);
-    position(ui, player);
 }
 
 /// Shows the choice of animation.

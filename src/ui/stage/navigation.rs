@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{
-    Align2, Area, Button, Context, Id, Order, Pos2, Rect, RichText, ScrollArea, Ui, Vec2, vec2,
+    Align2, Area, Button, Context, Event, Id, Order, Pos2, Rect, RichText, ScrollArea, Ui, Vec2,
+    vec2,
 };
 
 use super::column::OpenStep;
@@ -75,20 +76,28 @@ const SWIPE: f32 = 60.0;
 /// Goes to the next step if a finger swipes over the column to the left, and back if it swipes to the right.
 pub(super) fn swipe(ui: &Ui, column: Rect) {
     let slot = Id::unique("swipe");
-    let way = ui.data(|data| data.get_temp::<[Pos2; 2]>(slot));
-    if ui.input(|input| input.any_touches()) {
-        let Some(to) = ui.input(|input| input.pointer.latest_pos()) else { return };
-        let from = way.map_or(to, |[from, _]| from);
+    let (before, ctx) = (ui.data(|data| data.get_temp::<[Pos2; 2]>(slot)), ui.ctx());
+    // A finger may move and leave in one frame.
+    let (way, is_down) = ui.input(|input| {
+        let to = |event: &Event| match event {
+            Event::Touch { pos, .. } => Some(*pos),
+            _ => None,
+        };
+        let ends = |way: Option<[Pos2; 2]>, to| Some([way.map_or(to, |[from, _]| from), to]);
+        (input.events.iter().filter_map(to).fold(before, ends), input.any_touches())
+    });
+    let Some([from, to]) = way else { return };
+    if is_down && ctx.dragged_id().is_none() {
         ui.data_mut(|data| data.insert_temp(slot, [from, to]));
-    } else if let Some([from, to]) = way {
-        ui.data_mut(|data| data.remove::<[Pos2; 2]>(slot));
-        let way = to - from;
-        let is_swipe = way.x.abs() > SWIPE.max(2.0 * way.y.abs());
-        // In a field, a finger selects.
-        if is_swipe && column.contains(from) && !ui.ctx().text_edit_focused() {
-            let to = if way.x > 0.0 { LessonAction::Previous } else { LessonAction::Next };
-            request(ui.ctx(), to);
-        }
+        return;
+    }
+    ui.data_mut(|data| data.remove::<[Pos2; 2]>(slot));
+    let is_on_column =
+        column.contains(from) && ctx.layer_id_at(from).is_none_or(|layer| layer == ui.layer_id());
+    let way = to - from;
+    if !is_down && is_on_column && way.x.abs() > SWIPE.max(2.0 * way.y.abs()) {
+        let to = if way.x > 0.0 { LessonAction::Previous } else { LessonAction::Next };
+        request(ctx, to);
     }
 }
 

@@ -90,6 +90,6 @@ fn a_lesson_that_was_changed_meanwhile_is_not_saved_as_a_page() {
     window.key_press(egui::Key::Enter);
     window.run();
     assert_says(&window, "The page was not saved");
-    let reason = "was changed since the lesson was opened: open it again, then save the page";
+    let reason = "has changed since the lesson was opened: open it again, then save the page";
     assert_says(&window, &format!("{}: {reason}", path.display()));
 }

@@ -64,7 +64,7 @@ fn the_mistakes_of_a_class_are_counted() {
           not complete        1  #
           far-root: That is the second root, where the ray leaves. Which one is first?
         The code in line 16 is mistyped or cut off: copy it again as a whole.
-        There is no code in line 1.
+        Lines without a code: 1.
     "#]]
     .assert_eq(&run.stdout);
 }
@@ -77,7 +77,7 @@ fn they_are_counted_as_json() {
     assert_eq!(first["counts"][0], json!(["right", 5]));
     assert_eq!(value["exercises"][1]["saw_solution"], 0);
     assert_eq!(value["not_readable"][0][0], 16);
-    assert_eq!(value["lines_without"], json!([1]));
+    assert_eq!(value["lines_without"], json!(1));
 }
 
 /// The right answers to one question are wrong to another.

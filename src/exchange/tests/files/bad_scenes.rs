@@ -135,7 +135,7 @@ const CAMERAS: Cases = &[
     ("eye = [0, 0, 0]\neye = [0, 0, 1]\n", "4:1: eye is given twice"),
     ("[camera]\n", "3:2: camera is given twice"),
     ("eye = [0, 0, 1e999]\n", "3:14: 1e999 is too large a number"),
-    ("eye = [0, 0, 01]\n", "3:14: mistyped, as the format TOML has it: unexpected leading zero"),
+    ("eye = [0, 0, 01]\n", "3:14: not valid TOML: unexpected leading zero"),
     (
         "name = \"ö\" eye = 1\n",
         "3:12: only one name and one value fit in a line: begin a new line here",
@@ -261,7 +261,7 @@ const BEHIND_THE_CAMERA: Cases = &[
     ),
     (
         "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1.\n",
-        "8:12: mistyped, as the format TOML has it: invalid fraction, expected digits",
+        "8:12: not valid TOML: invalid fraction, expected digits",
     ),
 ];
 

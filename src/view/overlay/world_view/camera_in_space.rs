@@ -118,15 +118,15 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws the camera's body, unless its viewport is large enough to be seen, or its arrows or the frustum
-    /// show where it looks. The body is a box of constant size on the screen, with the eye in the middle of its
+    /// Draws the camera's body in place of a viewport that is too small to be seen, unless arrows or the frustum
+    /// show where the camera looks. The body is a box of constant size on the screen, with the eye in the middle of its
     /// front.
     ///
     /// The box stands behind the eye, where the viewport can never be. The frustum, the viewport, the
     /// picture and the ray are always drawn to scale: an enlarged frustum would show the viewport in the
     /// wrong place.
     fn body(&mut self, resolved: &ResolvedCamera) {
-        if shows_where_it_looks(self.items) {
+        if shows_where_it_looks(self.items) || !self.items.shows(Item::Viewport) {
             return;
         }
         let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
