@@ -75,8 +75,7 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
         ShownLines::Implicit => &steps[..1],
         ShownLines::Parametric => &steps[1..2],
     };
-    // A row of text is no taller where a finger's buttons are.
-    ui.spacing_mut().interact_size.y = 0.0;
+    theme::rows_of_text(ui);
     for (what, formula) in shown {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;

@@ -106,7 +106,10 @@ impl App {
                 }
                 change_look(&mut self.scene.session, action);
             }
-            Action::Vote(action) => vote::apply(ctx, &mut self.scene.session, action),
+            Action::Vote(action) => {
+                Popup::close_all(ctx);
+                vote::apply(ctx, &mut self.scene.session, action);
+            }
             Action::Help(action) => self.over.apply(action),
         }
         None

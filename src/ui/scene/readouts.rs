@@ -340,8 +340,7 @@ fn rows(ui: &mut Ui, rows: &[Vec<Reading>], sizes: &[f32], height: f32, style: N
     let choices = digits.flat_map(|digits| sizes.iter().map(move |size| (digits, *size)));
     let choice = choices.clone().find(fits).or(choices.last()).unwrap_or((FEWEST, WRITTEN));
     let height = height.min(LINE * choice.1);
-    // The rows are no buttons, which a finger needs higher.
-    ui.spacing_mut().interact_size.y = 0.0;
+    theme::rows_of_text(ui);
     for row in rows {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;

@@ -81,6 +81,11 @@ pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
+/// Makes rows of text as tall as for a mouse: they are no buttons, which a finger needs taller.
+pub(crate) fn rows_of_text(ui: &mut Ui) {
+    ui.spacing_mut().interact_size.y = egui::style::Spacing::default().interact_size.y;
+}
+
 /// Installs a look in a context, where it takes effect at the next pass. Does nothing if it is already
 /// installed.
 pub(crate) fn install(ctx: &Context, look: Look) {

@@ -133,3 +133,13 @@ fn on_a_phone_the_fields_are_below_the_views_and_every_menu_is_whole() {
         assert!(shown.any(|entry| entry.rect().right() <= 390.0), "{menu}");
     }
 }
+
+#[test]
+fn the_numbers_at_the_foot_of_a_large_view_are_whole() {
+    for layout in [ViewLayout::World, ViewLayout::Camera] {
+        let settings = Settings { layout, ..Settings::default() };
+        let harness = sized(vec2(1280.0, 800.0), settings);
+        let number = number(&harness, "hit = plane 2 “back wall”");
+        assert!(number.bottom() <= 800.0, "{layout:?}: {number}");
+    }
+}
