@@ -25,6 +25,11 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
     };
     let fragment = Link { shown, ray, page: None }.to_fragment();
     let fragment = fragment.map_err(|error| scene_fault(&scene, error.problem))?;
+    if let Some(base) = arguments.base.as_deref().filter(|base| !link::is_address(base)) {
+        let problem =
+            format!("--base {base}: not the address of a page, which begins with https://");
+        return Err(CommandError::Arguments(problem));
+    }
     let url = link::url(arguments.base.as_deref().unwrap_or_default(), &fragment);
     let code = || QrCode::of(&url).map_err(|problem| scene_fault(&scene, problem));
     let Some(output) = &arguments.output else {

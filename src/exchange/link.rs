@@ -144,6 +144,17 @@ pub fn is_meant(text: &str) -> bool {
     page.is_some_and(is_page) && !text.contains(char::is_whitespace)
 }
 
+/// Returns true if a text can be the address of a page: with a scheme that a browser opens, or a host alone.
+pub fn is_address(text: &str) -> bool {
+    match text.trim().split_once("://") {
+        Some((scheme, rest)) => ["http", "https", "file"].contains(&scheme) && !rest.is_empty(),
+        None => {
+            let host = text.trim().split('/').next().unwrap_or_default();
+            host.contains('.') && !host.contains(char::is_whitespace)
+        }
+    }
+}
+
 /// Returns the URL of a page at this address with this fragment. Without an address, it is relative: the
 /// page's usual file name.
 pub fn url(address: &str, fragment: &str) -> String {

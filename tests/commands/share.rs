@@ -72,6 +72,9 @@ fn what_has_no_link_or_code_is_refused() {
     run("share --lesson 14").refused("there is no lesson 14");
     run("share --lesson mine.toml").refused("only lessons of the program have a link");
     run("share canonical --qr").refused("--base <URL>");
+    for wrong in ["nowhere", "javascript:alert(1)", "https://", "ftp://a.b"] {
+        run(&format!("share canonical --base {wrong}")).refused("not the address of a page");
+    }
     run("share canonical --base a.b -o code.pdf").refused("a code is an .svg or a .png");
     run("share canonical --pixel 400,0").failed(
         1,

@@ -397,12 +397,13 @@ def main():
     print(subprocess.run(["chromium", "--version"], capture_output=True, text=True).stdout.strip())
     sizes(arguments.page)
     the_first_picture_comes_at_once(arguments.page)
-    checks = [a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
-              a_file_is_dropped_changed_and_saved,
-              a_link_is_shared_and_opened, another_program_reads_the_code_of_a_link,
-              a_page_is_saved_and_opens_at_its_step, a_scene_in_a_page_runs_no_script,
-              every_pixel_is_the_desktops, unsaved_changes_outlive_the_page, a_full_storage_is_told_once, it_stands_on_a_phone, a_finger_presents_and_goes_on,
-              it_stands_at_three_sizes]
+    checks = [
+        a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
+        a_file_is_dropped_changed_and_saved, a_link_is_shared_and_opened,
+        another_program_reads_the_code_of_a_link, a_page_is_saved_and_opens_at_its_step,
+        a_scene_in_a_page_runs_no_script, every_pixel_is_the_desktops, unsaved_changes_outlive_the_page,
+        a_full_storage_is_told_once, it_stands_on_a_phone, a_finger_presents_and_goes_on, it_stands_at_three_sizes,
+    ]
     if arguments.beside:
         beside(arguments.beside)
     failed = 0

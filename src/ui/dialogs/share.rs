@@ -98,6 +98,9 @@ impl ShareForm {
         ui.add(field).named("address of the page");
         if self.address.trim().is_empty() {
             ui.label("The address must stand before the link. Without it there is no QR code.");
+        } else if !link::is_address(&self.address) {
+            let problem = "This is not the address of a page. It begins with https://";
+            ui.label(fault_text(ui, problem));
         } else {
             let known = self.code.take().filter(|code| code.url == url);
             let code = self.code.insert(known.unwrap_or_else(|| ShownCode::of(url.clone())));

@@ -216,3 +216,11 @@ fn while_presenting_the_code_fills_the_figure_and_the_step_goes_on() {
     press(&mut window, Key::F5);
     assert!(!says(&window, "QR code"), "it belongs to presenting");
 }
+
+#[test]
+fn what_is_no_address_has_no_code() {
+    let mut window = window("canonical");
+    press(&mut window, Key::Q);
+    type_address(&mut window, "not a url");
+    assert_says(&window, "This is not the address of a page. It begins with https://");
+}
