@@ -50,7 +50,11 @@ def choose(browser, command):
 
 
 def saved_scene(browser):
+    """The scene file that is downloaded: at once or, from a lesson, after a question for its name."""
     browser.key("s", CTRL)
+    time.sleep(0.5)
+    if not any(name.endswith(".toml") for name in browser.downloads()):
+        browser.key("Enter")
     return next(text for name, text in browser.downloads().items() if name.endswith(".toml"))
 
 
