@@ -41,9 +41,9 @@ const FIELD: f32 = 150.0;
 const SIGN: f32 = 18.0;
 /// Space on each side of the text in a field, in points.
 const MARGIN: f32 = 4.0;
-/// Height of the substitution of one line into another, as a multiple of a line's height. Some of its steps,
+/// Height of the substitution of one line into another, as a multiple of a line's height. Most of its steps,
 /// and the verdict, take two rows.
-pub(crate) const SUBSTITUTION: f32 = 13.0;
+pub(crate) const SUBSTITUTION: f32 = 14.5;
 
 /// The names of a vector's coordinates: for screen readers, and as symbols.
 const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
