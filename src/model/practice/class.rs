@@ -141,7 +141,7 @@ fn outcomes(own: &Exercises, mistakes: &mut BTreeSet<Mistake>) -> BTreeSet<Strin
 pub struct ClassCodes {
     /// The text with the codes.
     pub text: String,
-    /// The answers in it, as of the last [`update`](Self::update).
+    /// The answers in it, as of the last `update`.
     pub answers: ClassAnswers,
 }
 
