@@ -26,8 +26,8 @@ use crate::view::typesetting::theme::{self, error_color};
 const HINT: &str =
     "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits.";
 
-/// Height of a row of fields, as a multiple of the text's size, and at least as one of a button's.
-const ROW: [f32; 2] = [2.1, 1.0];
+/// Height of a row of fields, as a multiple of the text's size. It is at least that of a button.
+const ROW: f32 = 2.1;
 /// Number of lines of text below the fields: for verdicts or the hint.
 const VERDICT_LINES: f32 = 2.5;
 /// Padding of the solution at the left and right, and the radius of its corners, in points.
@@ -153,7 +153,7 @@ fn solution_height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32; 
 
 /// Returns the height of a row of fields.
 fn row_of_fields(ui: &Ui, size: f32) -> f32 {
-    (ROW[0] * size).max(ROW[1] * ui.spacing().interact_size.y)
+    (ROW * size).max(ui.spacing().interact_size.y)
 }
 
 /// Returns the size of verdicts below fields with text of this size.
@@ -370,8 +370,9 @@ pub(crate) fn lab(exercises: &Exercises) -> Option<LinesLab> {
     let Given::Lines { line, origin, direction } = exercises.question().given else { return None };
     let line = ImplicitLine { a: line.x, b: line.y, c: line.z };
     let ray = ParametricLine { p: origin, d: direction };
-    let meeting = ray.at(exercises.right_t()?);
-    let mut lab = LinesLab::new(line, ray, exercises.right_t()?);
+    let t = exercises.right_t()?;
+    let meeting = ray.at(t);
+    let mut lab = LinesLab::new(line, ray, t);
     let reach = [origin, meeting].map(|point| point.abs().max_element());
     let half_extent = 1.5 * reach.into_iter().fold(2.0, f64::max);
     lab.window = Window { half_extent, ..lab.window };
