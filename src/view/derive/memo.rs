@@ -1,5 +1,4 @@
-//! Caches that hold one value, for the last input. Also reuses a view's image buffers, because allocating
-//! new memory costs as much as painting into it.
+//! Caches that hold one value, for the last input, and that use the memory of older values again.
 
 use std::sync::Arc;
 
@@ -54,25 +53,44 @@ impl<K: PartialEq> Memo<K, Subsampling> {
     }
 }
 
-/// Maximum number of images of a view that are in use at a time: one is being painted, one is shown by the
-/// window, and one may be uploading as a texture.
-const MOST: usize = 3;
+/// The last N values of a cache. The memory of one that is no longer in use is used again, because computing
+/// into newly allocated memory takes twice as long.
+#[derive(Debug)]
+pub(super) struct Spares<T, const N: usize>(Vec<Arc<T>>);
 
-/// The last images of a view, whose buffers are reused once they are no longer shown.
+impl<T, const N: usize> Default for Spares<T, N> {
+    fn default() -> Self {
+        Spares(Vec::new())
+    }
+}
+
+impl<T, const N: usize> Spares<T, N> {
+    /// Takes the oldest value that only this cache still refers to, and for which `fits` returns true.
+    pub(super) fn take(&mut self, fits: impl Fn(&T) -> bool) -> Option<T> {
+        let free = self.0.iter().position(|kept| Arc::strong_count(kept) == 1 && fits(kept))?;
+        Arc::into_inner(self.0.remove(free))
+    }
+
+    /// Keeps a value that is in use now, unless it is the one kept last.
+    pub(super) fn keep(&mut self, value: &Arc<T>) {
+        if !self.0.last().is_some_and(|last| Arc::ptr_eq(last, value)) {
+            self.0.push(Arc::clone(value));
+            self.0.drain(..self.0.len().saturating_sub(N));
+        }
+    }
+}
+
+/// The last images of a view, whose buffers are reused once they are no longer shown. Three are in use at a
+/// time: one is being painted, one is shown by the window, and one may be uploading as a texture.
 #[derive(Debug, Default)]
-pub(super) struct SpareImages(Vec<Arc<ColorImage>>);
+pub(super) struct SpareImages(Spares<ColorImage, 3>);
 
 impl SpareImages {
     /// Returns a buffer of pixels with arbitrary contents; the caller must paint every pixel.
     fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
-        let size_in_dots = size.map(|n| n as usize);
-        let is_free =
-            |image: &Arc<ColorImage>| image.size == size_in_dots && Arc::strong_count(image) == 1;
-        let free = self.0.iter().position(is_free).map(|index| self.0.swap_remove(index));
-        match free.and_then(Arc::into_inner) {
-            Some(image) => image.pixels,
-            None => vec![Color32::BLACK; size_in_dots.iter().product()],
-        }
+        let size = size.map(|n| n as usize);
+        let spare = self.0.take(|image| image.size == size).map(|image| image.pixels);
+        spare.unwrap_or_else(|| vec![Color32::BLACK; size.iter().product()])
     }
 
     /// Returns an image of `size` pixels that `draw` has painted. Keeps a reference to it, so that its
@@ -94,10 +112,7 @@ impl SpareImages {
                 marks: Arc::new(drawing.marks),
                 spheres: Arc::new(drawing.spheres),
             };
-            if self.0.len() == MOST {
-                self.0.remove(0);
-            }
-            self.0.push(Arc::clone(&shown.image));
+            self.0.keep(&shown.image);
             shown
         })
     }

@@ -24,7 +24,7 @@ mod picture;
 mod second_picture;
 mod views;
 
-use memo::{Memo, SpareImages};
+use memo::{Memo, SpareImages, Spares};
 use objects::{Enclosing, GoodWorld, Objects};
 use picture::{GoodPicture, Pictures, repainted, trace_picture, watched};
 use second_picture::{SecondPictures, ghost_camera};

@@ -16,7 +16,7 @@ use pinhole_lecture::numbers::grouped;
 use crate::model::{Inspection, Item};
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, opaque};
+use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
 use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
 /// Maximum number of ray-object tests that a method may do for one picture. They take about a second,
@@ -112,9 +112,7 @@ pub(super) struct Pictures {
     /// The answers of the error map's method.
     compared: Memo<(Method, TraceKey), Arc<Compared>>,
     picture: Memo<PictureKey, MadePicture>,
-    /// The last two pictures. The next picture reuses the memory of the older one, because tracing into
-    /// newly allocated memory takes twice as long.
-    shown: Vec<Arc<Picture>>,
+    shown: Spares<Picture, 2>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
@@ -213,7 +211,8 @@ impl Pictures {
             let mut fresh = None;
             let key = (trace_key.clone(), outputs.t);
             let spare = self.rough.take_other(&key).and_then(Arc::into_inner);
-            let spare = spare.zip(spare_pixels(&mut self.shown));
+            let pixels = self.shown.take(|_| true).map(|picture| picture.pixels);
+            let spare = spare.zip(pixels);
             let frame = self.rough.get(key, |((resolved, _, raster), _)| {
                 self.traced += 1;
                 let memory = (spare, watch);
@@ -224,18 +223,9 @@ impl Pictures {
             let pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
             (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
         });
-        if !self.shown.last().is_some_and(|last| Arc::ptr_eq(last, &picture)) {
-            self.shown.push(Arc::clone(&picture));
-            self.shown.drain(..self.shown.len().saturating_sub(2));
-        }
+        self.shown.keep(&picture);
         (picture, steps, counts)
     }
-}
-
-/// Takes the pixel buffer of a picture that is no longer shown; `None` if all pictures are still in use.
-fn spare_pixels(shown: &mut Vec<Arc<Picture>>) -> Option<Vec<Color32>> {
-    let free = shown.iter().position(|picture| Arc::strong_count(picture) == 1)?;
-    Arc::into_inner(shown.remove(free)).map(|picture| picture.pixels)
 }
 
 fn picture_of(frame: &Frame<f32>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {

@@ -27,7 +27,8 @@ use crate::view::derivation::{
 };
 use crate::view::derive::{
     Derived, Enclosing, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork, Purpose, Shown,
-    SpareImages, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture, watched,
+    SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
+    watched,
 };
 use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
@@ -203,7 +204,9 @@ pub(super) struct WorldPictures {
     frame: Memo<(WorldTraceKey, Subsampling), Arc<Frame<f32>>>,
     /// The last picture. The last part of its key is the generation number of the colours.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
+    shown: Spares<WorldPicture, 2>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
+    painted: Spares<Vec<Color32>, 2>,
     /// Number of pictures of the observer traced so far.
     pub(super) traced: u64,
 }
@@ -226,40 +229,46 @@ impl WorldPictures {
         let colors = (Shade::Object, color_of);
         let trace_key = (observer, good.generation, enclosing);
         let subsampling = self.fineness.at_most(trace_key.clone(), sizes.subsampling);
-        Some(self.picture.get((trace_key, subsampling, good.palette), |(trace_key, ..)| {
-            let mut fresh = None;
-            let frame = self.frame.get((trace_key.clone(), subsampling), |_| {
-                self.traced += 1;
-                let image = observer.image();
-                let raster = subsampling.raster(image, [image.width(), image.height()]);
-                let (outputs, memory) = (Outputs::default(), (None, watch));
-                let mut traced = trace_picture(&scene, &observer, &raster, outputs, colors, memory);
-                watched(watch, WorkKind::Trace, || {
-                    paint_key_light(&traced.0, &scene, color_of, &mut traced.1);
+        let picture =
+            self.picture.get((trace_key, subsampling, good.palette), |(trace_key, ..)| {
+                let mut fresh = None;
+                let spare = self.shown.take(|_| true);
+                let spare = spare.and_then(|old| Arc::into_inner(old.frame).zip(Some(old.pixels)));
+                let frame = self.frame.get((trace_key.clone(), subsampling), |_| {
+                    self.traced += 1;
+                    let image = observer.image();
+                    let raster = subsampling.raster(image, [image.width(), image.height()]);
+                    let (outputs, memory) = (Outputs::default(), (spare, watch));
+                    let mut traced =
+                        trace_picture(&scene, &observer, &raster, outputs, colors, memory);
+                    watched(watch, WorkKind::Trace, || {
+                        paint_key_light(&traced.0, &scene, color_of, &mut traced.1);
+                    });
+                    if subsampling == Subsampling::NONE {
+                        fresh = Some(traced.1);
+                        return Arc::new(traced.0);
+                    }
+                    // The overlay looks up the object at every screen pixel, so the frame must have a value for
+                    // each of them.
+                    fresh = Some(raster.spread(image, &traced.1));
+                    Arc::new(traced.0.spread())
                 });
-                if subsampling == Subsampling::NONE {
-                    fresh = Some(traced.1);
-                    return Arc::new(traced.0);
-                }
-                // The overlay looks up the object at every screen pixel, so the frame must have a value for
-                // each of them.
-                fresh = Some(raster.spread(image, &traced.1));
-                Arc::new(traced.0.spread())
+                let pixels = fresh.unwrap_or_else(|| {
+                    let mut pixels = repainted(&frame, &scene, colors, watch);
+                    paint_key_light(&frame, &scene, color_of, &mut pixels);
+                    pixels
+                });
+                let enclosing = Arc::clone(&trace_key.2);
+                let edges = match subsampling {
+                    Subsampling::NONE => {
+                        watched(watch, WorkKind::Trace, || edge_blends(&frame, &scene))
+                    }
+                    _ => Vec::new(),
+                };
+                Arc::new(WorldPicture { frame, pixels, edges, enclosing, subsampling })
             });
-            let pixels = fresh.unwrap_or_else(|| {
-                let mut pixels = repainted(&frame, &scene, colors, watch);
-                paint_key_light(&frame, &scene, color_of, &mut pixels);
-                pixels
-            });
-            let enclosing = Arc::clone(&trace_key.2);
-            let edges = match subsampling {
-                Subsampling::NONE => {
-                    watched(watch, WorkKind::Trace, || edge_blends(&frame, &scene))
-                }
-                _ => Vec::new(),
-            };
-            Arc::new(WorldPicture { frame, pixels, edges, enclosing, subsampling })
-        }))
+        self.shown.keep(&picture);
+        Some(picture)
     }
 
     /// Returns the observer's picture with a backdrop painted over it.
@@ -270,13 +279,16 @@ impl WorldPictures {
         watch: OnWork<'_>,
     ) -> Arc<Vec<Color32>> {
         let key = (Same(Arc::clone(world)), backdrop.clone());
-        self.backdrop.get(key, |(world, backdrop)| {
+        let painted = self.backdrop.get(key, |(world, backdrop)| {
             watched(watch, WorkKind::Overlay, || {
-                let mut dots = world.0.pixels.clone();
+                let mut dots = self.painted.take(|_| true).unwrap_or_default();
+                dots.clone_from(&world.0.pixels);
                 backdrop.paint(&world.0.frame, &world.0.edges, &mut dots);
                 Arc::new(dots)
             })
-        })
+        });
+        self.painted.keep(&painted);
+        painted
     }
 }
 
