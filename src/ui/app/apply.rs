@@ -93,7 +93,7 @@ impl App {
             }
             Action::Observe(observe) => {
                 let size = self.views.world_size();
-                in_views(&mut self.scene, &mut self.question).observe(observe, size);
+                in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
             }
             Action::Object(action) => return self.scene.change_objects(action),
             // An exercise has no pixel to select.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event};
 use pinhole_exchange::host::host;
-use pinhole_exchange::{ExportScene, Exported, SceneSource, answers, limits, link};
+use pinhole_exchange::{Document, ExportScene, Exported, SceneSource, answers, limits, link};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
@@ -15,6 +15,7 @@ use crate::model::translator::with;
 use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
 use crate::ui::app::App;
+use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, PathField, Question};
 use crate::ui::ray::lines;
@@ -219,9 +220,8 @@ impl App {
             }
             FigureAction::Copy => self.copy_figure(ctx),
             FigureAction::CopyDerivation(markup) => {
-                let derivation =
-                    derivation_of(&self.in_views().open.document, &self.figure_session());
-                ctx.copy_text(derivation.written_in(markup));
+                let (document, session) = self.figure_source();
+                ctx.copy_text(derivation_of(document, &session).written_in(markup));
                 None
             }
         }
@@ -255,19 +255,17 @@ impl App {
         }
     }
 
-    /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
-    fn in_views(&self) -> &OpenScene {
-        self.question.as_ref().unwrap_or(&self.scene)
-    }
-
     fn figure(&self, order: &Order) -> Result<Figure, String> {
         let is_folded = |section: &_| self.tools.derivation.is_folded(section);
-        order.figure(&self.in_views().open.document, &self.figure_session(), is_folded)
+        let (document, session) = self.figure_source();
+        order.figure(document, &session, is_folded)
     }
 
-    /// Returns the session without what is under the pointer, because figures do not highlight it.
-    fn figure_session(&self) -> Session {
-        Session { hovered: None, ..self.in_views().session.clone() }
+    /// Returns the document in the views, and its session without what is under the pointer, because figures
+    /// do not highlight it.
+    fn figure_source(&self) -> (&Document, Session) {
+        let scene = in_views(&self.scene, self.question.as_ref());
+        (&scene.open.document, Session { hovered: None, ..scene.session.clone() })
     }
 
     /// Returns a figure's subject with its size on the screen, or with a default size if it is not on
@@ -279,7 +277,8 @@ impl App {
             _ => &derived.camera_view,
         };
         let shown = view.as_ref().map(|view| view.image.size.map(|dots| dots as f32 / scale));
-        let aspect = self.in_views().open.document.camera.image.aspect() as f32;
+        let scene = in_views(&self.scene, self.question.as_ref());
+        let aspect = scene.open.document.camera.image.aspect() as f32;
         let points = match subject {
             FigureSubject::World => shown.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             FigureSubject::Camera => {
@@ -297,20 +296,14 @@ impl App {
     /// Writes a figure to a file.
     fn export(&self, order: &Order, path: &Path) -> Result<(), String> {
         self.scene.open.check_output(path)?;
+        let (document, session) = self.figure_source();
         let bytes = match Content::for_path(order.subject, path)? {
             Content::Text(markup) => {
-                let derivation =
-                    derivation_of(&self.in_views().open.document, &self.figure_session());
-                derivation.written_in(markup).into_bytes()
+                derivation_of(document, &session).written_in(markup).into_bytes()
             }
             Content::Figure(format) => {
                 let mut figure = self.figure(order)?;
-                order.refine(
-                    &mut figure,
-                    format,
-                    &self.in_views().open.document,
-                    &self.figure_session(),
-                )?;
+                order.refine(&mut figure, format, document, &session)?;
                 figure.to_file(format)?
             }
         };

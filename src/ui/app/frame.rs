@@ -42,7 +42,7 @@ impl App {
         let ctx = ui.ctx().clone();
         self.waiting.drain(..).for_each(|action| request(&ctx, action));
         let OpenScene { open, session, chosen_object, .. } =
-            in_views(&mut self.scene, &mut self.question);
+            in_views(&mut self.scene, self.question.as_mut());
         let (document, shown) = (&mut open.document, &self.views.derived);
         let mut input = ViewInput { ctx: &ctx, shown, document, session, chosen_object };
         self.dragging.take(&mut input, self.over.covers());
@@ -351,7 +351,7 @@ impl App {
             self.views.rested_at = pointer;
         }
         let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
-        let scene = in_views(&mut self.scene, &mut self.question);
+        let scene = in_views(&mut self.scene, self.question.as_mut());
         let shown = &self.views.derived;
         if let Some(size) = views::world_size(rects) {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();

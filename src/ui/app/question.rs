@@ -10,11 +10,8 @@ use crate::model::lessons::StepView;
 use crate::model::{Concept, EquationStep, Formulas, OpenDocument, Session, Settings};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
-pub(super) fn in_views<'a>(
-    open: &'a mut OpenScene,
-    question: &'a mut Option<OpenScene>,
-) -> &'a mut OpenScene {
-    question.as_mut().unwrap_or(open)
+pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
+    question.unwrap_or(open)
 }
 
 impl OpenScene {

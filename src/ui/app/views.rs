@@ -58,7 +58,7 @@ impl App {
     /// Derives everything that is shown.
     pub(super) fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let (ctx, second) = (ui.ctx(), self.page().second.zip(rects.second));
-        let (scene, views) = (self.question.as_ref().unwrap_or(&self.scene), &mut self.views);
+        let (scene, views) = (in_views(&self.scene, self.question.as_ref()), &mut self.views);
         let time = ctx.input(|i| i.time);
         let objects = scene.open.document.object_count();
         let moves = self.playback.is_running() || is_hand_moving(ctx);
@@ -105,7 +105,7 @@ impl App {
     pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
         let spoken = self.spoken_in_views();
         let App { scene, question, dragging, views: shown, .. } = self;
-        let scene = in_views(scene, question);
+        let scene = in_views(scene, question.as_mut());
         shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
         let picture = rects.camera.or(rects.world);
