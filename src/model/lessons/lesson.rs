@@ -124,10 +124,17 @@ pub struct StepId {
 }
 
 /// The open lesson at one of its steps.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct OpenLesson {
     id: StepId,
     lesson: Arc<Lesson>,
+}
+
+impl PartialEq for OpenLesson {
+    /// Returns true if this is the same step of the same loaded lesson. The contents are not compared.
+    fn eq(&self, other: &OpenLesson) -> bool {
+        self.id == other.id && Arc::ptr_eq(&self.lesson, &other.lesson)
+    }
 }
 
 impl OpenLesson {
@@ -204,7 +211,8 @@ impl OpenLesson {
 
     /// Returns true if both steps show the same scene, in which case the world view keeps its observer.
     pub fn shares_scene_with(&self, other: &OpenLesson) -> bool {
-        self.lesson == other.lesson && self.step().scene_from == other.step().scene_from
+        Arc::ptr_eq(&self.lesson, &other.lesson)
+            && self.step().scene_from == other.step().scene_from
     }
 }
 
