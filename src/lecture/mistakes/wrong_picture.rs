@@ -315,9 +315,6 @@ const SAMPLES: u32 = 72;
 /// Two pictures differ if at least one in this many pixels shows another object.
 const DIFFERS_FROM: usize = 100;
 
-/// Maximum number of options in a vote.
-const OPTIONS: usize = 4;
-
 /// A multiple-choice question for an audience, which shows a wrong picture and asks which mistake was
 /// made.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -329,6 +326,9 @@ pub struct Vote {
 }
 
 impl Vote {
+    /// Maximum number of options.
+    pub const OPTIONS: usize = 4;
+
     /// Creates the question for this seed. The same camera, scene and seed give the same question, and
     /// consecutive seeds give different mistakes. Returns `None` if there are no two mistakes that can
     /// be distinguished by their pictures of this scene.
@@ -347,7 +347,7 @@ impl Vote {
         let mut chosen = vec![right];
         for index in order {
             let is_new = |other: &usize| differ(&pictures[index].1, &pictures[*other].1);
-            if chosen.len() < OPTIONS && chosen.iter().all(is_new) {
+            if chosen.len() < Vote::OPTIONS && chosen.iter().all(is_new) {
                 chosen.push(index);
             }
         }

@@ -5,14 +5,11 @@ use pinhole_lecture::Vote;
 /// Number of rounds: before and after neighbours have talked about their answers.
 pub const ROUNDS: usize = 2;
 
-/// Maximum number of options of a vote.
-pub const OPTIONS: usize = 4;
-
 /// Maximum number of hands for an option.
 const MOST_HANDS: u32 = 9999;
 
 /// The hands raised in one round, for each option.
-pub type Hands = [u32; OPTIONS];
+pub type Hands = [u32; Vote::OPTIONS];
 
 /// An open vote.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +79,7 @@ impl OpenVote {
     pub fn read_typed(&self) -> Result<Hands, String> {
         let count = self.vote.options.len();
         let example = ["12", "40", "9", "3"][..count].join(" ");
-        let mut hands = [0; OPTIONS];
+        let mut hands = [0; Vote::OPTIONS];
         let words = self.typed.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
         let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
         if words.len() != count {
@@ -111,7 +108,7 @@ mod tests {
     use super::*;
 
     fn typed(text: &str) -> OpenVote {
-        let vote = Vote { options: Mistake::GALLERY[..OPTIONS].to_vec(), right: 1 };
+        let vote = Vote { options: Mistake::GALLERY[..Vote::OPTIONS].to_vec(), right: 1 };
         OpenVote { typed: text.to_owned(), ..OpenVote::new(vote) }
     }
 

@@ -11,7 +11,7 @@ use crate::model::{
 };
 use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
-use crate::ui::practice::{answers, class, mistakes};
+use crate::ui::practice::{answers, class, mistakes, vote};
 use crate::ui::scene::views;
 use crate::view::typesetting::notation::{plain, without_marks};
 
@@ -103,9 +103,8 @@ impl App {
     /// Tells the comparison with a wrong camera, or the vote on it.
     fn mistake(&self, view: &MistakesView, lines: &mut Vec<String>) {
         if let Some(open) = &view.open_vote {
-            lines.push("Which mistake made the wrong picture?".to_owned());
-            let options = open.vote.options.iter().zip(["A", "B", "C", "D"]);
-            lines.extend(options.map(|(mistake, letter)| format!("{letter}: {}", mistake.name())));
+            lines.push(vote::ASKED.to_owned());
+            lines.extend((0..open.vote.options.len()).map(|index| vote::named(open, index)));
         }
         let wrong = self.views.derived.wrong_camera.as_deref();
         lines.extend(wrong.map(|wrong| mistakes::spoken(wrong, view, false)));

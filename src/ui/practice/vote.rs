@@ -22,6 +22,8 @@ use crate::ui::widgets::{
 };
 use crate::view::typesetting::theme::error_color;
 
+/// The question's text.
+pub(crate) const ASKED: &str = "Which mistake made the wrong picture?";
 /// The letters of the options.
 const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
 
@@ -135,11 +137,10 @@ pub(super) fn ui(
 }
 
 fn question(ui: &mut Ui, rect: Rect) {
-    let text = "Which mistake made the wrong picture?";
-    let width = text_width(ui, text, FontId::proportional(QUESTION));
+    let width = text_width(ui, ASKED, FontId::proportional(QUESTION));
     let size = QUESTION * (rect.width() / width.max(1.0)).min(1.0);
     inside(ui, rect, |ui| {
-        ui.add(egui::Label::new(RichText::new(text).size(size).strong()).truncate())
+        ui.add(egui::Label::new(RichText::new(ASKED).size(size).strong()).truncate())
     });
 }
 
@@ -163,13 +164,17 @@ fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
     }
 }
 
+/// Returns an option's letter and the mistake's name.
+pub(crate) fn named(open: &OpenVote, index: usize) -> String {
+    format!("{}: {}", LETTERS[index], open.vote.options[index].name())
+}
+
 /// Shows an option. Returns true if the user votes for it.
 fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let mistake = open.vote.options[index];
     let id = ui.scope_id().with(("option", index));
     let response = ui.interact(rect, id, Sense::click());
-    let name = format!("{}: {}", LETTERS[index], mistake.name());
-    let response = response.with_role(Role::Button).named(name);
+    let response = response.with_role(Role::Button).named(named(open, index));
     let is_right = index == open.vote.right;
     let is_chosen = open.answer == Some(index);
     let visuals = ui.visuals();
@@ -303,7 +308,7 @@ fn instructions(open: &OpenVote) -> String {
 /// Returns the verdict, the formula, and the checks that catch the mistake.
 fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
     let mistake = open.vote.mistake();
-    let verdict = format!("{}: {}. {}", LETTERS[open.vote.right], mistake.name(), mistake.shows());
+    let verdict = format!("{}. {}", named(open, open.vote.right), mistake.shows());
     let failing = wrong.into_iter().flat_map(failing);
     let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
     let checks = match &catching[..] {
