@@ -2,7 +2,7 @@
 //! solution; as the main figure, the lines of a question in two dimensions.
 
 use egui::{Align, Color32, FontId, Key, Label, Layout, RichText, Stroke, TextEdit, Ui, vec2};
-use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart};
+use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
 use super::column::SIZES;
@@ -331,13 +331,12 @@ fn verdicts(ui: &mut Ui, exercises: &Exercises, focused: Option<usize>, size: f3
     }
     said.sort_by_key(|(k, _, said)| (Some(*k) != focused, **said == Feedback::NotAnswered));
     for (_, part, said) in said {
-        let sentence = said.sentence(part);
-        if sentence == "Right." {
+        if *said == Feedback::Judged(Verdict::Right) {
             continue;
         }
         let is_wrong =
             !said.is_good() && !matches!(said, Feedback::NotAnswered | Feedback::Missing);
-        let text = format!("{}: {sentence}", part.asked.symbol());
+        let text = format!("{}: {}", part.asked.symbol(), said.sentence(part));
         let height = marked_text::height_within(ui, &text, size, ui.available_width());
         if height > ui.available_height() + 1.0 && ui.cursor().top() > ui.max_rect().top() {
             break;
