@@ -84,16 +84,8 @@ impl OpenDocument {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
         };
-        let (origin, saved) = (Origin::Scene(source), document.clone());
-        OpenDocument {
-            document,
-            before_animation: None,
-            saved,
-            text,
-            stamps,
-            origin,
-            forgiving: false,
-        }
+        let origin = Origin::Scene(source);
+        OpenDocument { text, stamps, origin, ..Self::made_up(document, String::new()) }
     }
 
     /// Opens the lesson step with this title. While the lesson is open, changes to the document do not
