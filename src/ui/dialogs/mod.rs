@@ -185,6 +185,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>) {
     let response = Modal::new(id).show(ctx, |ui| {
         let room = ctx.content_rect().size() - Vec2::splat(2.0 * EDGE);
         ui.set_width(room.x.min(WIDTH));
+        // A scroll area stays as small as in the last pass, so that a dialog that fits could not grow.
         let is_too_high = size_before.is_some_and(|size| size.y > room.y);
         let answer = if is_too_high {
             let scrolled = ScrollArea::vertical().max_height(room.y);

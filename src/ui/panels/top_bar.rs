@@ -36,12 +36,10 @@ pub(crate) fn ui(
             let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
             ui.menu_button("File", |ui| file_menu(ui, recent, there));
             ui.menu_button("Edit", |ui| edit_menu(ui, steps, there));
-            if is_in_menu(ui) {
-                SubMenuButton::new("View")
-                    .config(stays)
-                    .ui(ui, |ui| view_menu(ui, there, settings));
-            } else {
-                MenuButton::new("View").config(stays).ui(ui, |ui| view_menu(ui, there, settings));
+            let view = |ui: &mut Ui| view_menu(ui, there, settings);
+            match is_in_menu(ui) {
+                true => drop(SubMenuButton::new("View").config(stays).ui(ui, view)),
+                false => drop(MenuButton::new("View").config(stays).ui(ui, view)),
             }
             ui.menu_button("Lessons", lessons_menu);
             ui.menu_button("Play", play::menu);
