@@ -83,7 +83,7 @@ impl App {
     /// observer, because the step has its own.
     fn open_animation(&mut self, kind: Kind) {
         if self.question.is_some() {
-            self.say("Animations are of a scene: leave the exercise first".to_owned(), Vec::new());
+            self.say("Leave the exercise to play an animation of a scene".to_owned(), Vec::new());
             return;
         }
         let (scene, derived) = (&mut self.scene, &self.views.derived);
