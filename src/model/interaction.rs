@@ -30,6 +30,10 @@ pub const KEY_ZOOM: f64 = 1.15;
 /// Logarithm of the zoom factor per point of wheel scrolling, for the world view's observer and for the
 /// page *Lines*.
 pub const WHEEL_ZOOM: f32 = 0.004;
+/// Minimum distance of the observer from what it is zoomed at, as a fraction of that thing's size.
+pub const NEAREST: f64 = 0.25;
+/// Maximum distance of a zoomed observer, in distances at which it sees everything.
+pub const FARTHEST: f64 = 20.0;
 /// Scroll distance, in points, that increases the loupe's magnification by one step.
 pub const LOUPE_SCROLL: f32 = 40.0;
 

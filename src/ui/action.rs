@@ -5,17 +5,19 @@ use std::path::PathBuf;
 
 use egui::{Context, Id};
 use pinhole_core::steering::Keep;
-use pinhole_core::{DVec2, Shade};
+use pinhole_core::{DVec2, Shade, Sphere};
 use pinhole_exchange::host::host;
 use pinhole_exchange::link::Link;
 use pinhole_exchange::{Document, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
 use crate::figures::{Frames, Order};
+use crate::model::observer::Axis;
 use crate::model::play::Kind;
 use crate::model::session::presenting::Pen;
 use crate::model::{Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
+use crate::view::overlay::PointShown;
 
 /// A document that was generated, such as an exercise's scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -230,7 +232,7 @@ pub enum Steer {
 
 /// Moves the observer, the camera from which the world view is drawn, by key presses. The numbers count
 /// steps, as in [`Steer`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Observe {
     /// Orbit the point that the observer looks at.
     Orbit(i32, i32),
@@ -238,10 +240,24 @@ pub enum Observe {
     Pan(i32, i32),
     /// Move nearer.
     Zoom(i32),
+    /// Move nearer to a point by a factor; the point keeps its place in the view.
+    ZoomTo(PointShown, f64),
+    /// Look along an axis.
+    Along(Axis),
+    /// Frame a sphere.
+    FrameSphere(Sphere),
     /// Frame the eye and the viewport.
     FrameCamera,
     /// Frame the whole scene.
     FrameAll,
+}
+
+impl Observe {
+    /// Returns true if the observer jumps to another view, rather than moving by steps.
+    pub(crate) fn is_another_view(&self) -> bool {
+        use Observe::{Along, FrameAll, FrameCamera, FrameSphere};
+        matches!(self, Along(_) | FrameAll | FrameCamera | FrameSphere(_))
+    }
 }
 
 /// Adds, removes or chooses one of the scene's objects.

@@ -14,7 +14,7 @@ use pinhole_core::{Camera, DVec3, NO_OBJECT, Plane, Scene, Shade, Sphere};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
-    covered: [None; 3],
+    covered: [None; 4],
     world: Some([120, 90]),
     camera: Some([100, 80]),
     second: None,

@@ -33,6 +33,9 @@ const FOV: f64 = 35.0 * std::f64::consts::PI / 180.0;
 /// direction.
 const STEEPEST: f64 = 89.0 * std::f64::consts::PI / 180.0;
 
+/// The height of the view, in diameters of a sphere that fills it.
+const MARGIN_AROUND: f64 = 1.3;
+
 /// Minimum and maximum distance of an observer from its target.
 const DISTANCES: (f64, f64) = (1e-9, 1e12);
 
@@ -134,13 +137,51 @@ impl Observer {
         *self = self.in_range();
     }
 
-    /// Moves the observer towards the target if the factor is above 1, and away from it otherwise.
-    pub fn zoom(&mut self, factor: f64) {
-        if factor > 0.0 {
+    /// Divides the observer's distance from a point by a factor. The direction stays the same, so the point
+    /// keeps its place in the picture. The observer does not come closer to the point than `limits[0]`, nor
+    /// farther from the target than `limits[1]`.
+    pub fn zoom(&mut self, point: DVec3, factor: f64, limits: [f64; 2]) {
+        if factor > 0.0 && factor.is_finite() && point.is_finite() {
+            let reach = (self.target + self.distance * self.back()).distance(point);
+            // An observer that is beyond a limit does not jump back.
+            let most = (reach / limits[0]).max(1.0);
+            let least = (self.distance / limits[1]).min(1.0);
+            let factor = factor.max(least).min(most);
+            self.target = point + (self.target - point) / factor;
             self.distance /= factor;
         }
         *self = self.in_range();
     }
+
+    /// Returns the observer that looks along one of the world's axes: from the side, from above, or from the
+    /// front. Its target and distance stay the same.
+    #[must_use]
+    pub fn along(&self, axis: Axis) -> Observer {
+        let [azimuth, elevation] = match axis {
+            Axis::X => [std::f64::consts::FRAC_PI_2, 0.0],
+            Axis::Y => [0.0, STEEPEST],
+            Axis::Z => [0.0, 0.0],
+        };
+        Observer { azimuth, elevation, ..*self }
+    }
+
+    /// Returns the observer that looks at a sphere from the same direction, and sees all of it.
+    #[must_use]
+    pub fn framing_sphere(&self, sphere: &Sphere) -> Observer {
+        let distance = MARGIN_AROUND * sphere.radius / (0.5 * FOV).sin();
+        Observer { target: sphere.center, distance, ..*self }.in_range()
+    }
+}
+
+/// One of the world's axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The x axis, which points to the right for the canonical camera.
+    X,
+    /// The y axis, which points up.
+    Y,
+    /// The z axis, which points backwards for the canonical camera.
+    Z,
 }
 
 /// Returns the indices, ascending, of the spheres that would hide the camera from the observer: those

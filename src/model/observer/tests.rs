@@ -150,12 +150,31 @@ fn panning_moves_what_is_at_the_target_with_the_hand() {
 #[test]
 fn zooming_in_brings_the_target_nearer() {
     let mut observer = Observer::new(DVec3::ZERO, 0.0, 0.0, 8.0);
-    observer.zoom(2.0);
+    observer.zoom(observer.target(), 2.0, FREE);
     assert_eq!(observer.distance(), 4.0);
     for nonsense in [0.0, -1.0, f64::NAN] {
-        observer.zoom(nonsense);
+        observer.zoom(observer.target(), nonsense, FREE);
         assert_eq!(observer.distance(), 4.0);
     }
+}
+
+/// No limits of a zoom.
+const FREE: [f64; 2] = [1e-300, f64::MAX];
+
+#[test]
+fn a_point_stays_in_place_while_it_is_zoomed_to_within_the_limits() {
+    let mut observer = Observer::new(DVec3::new(1.0, 2.0, 3.0), 0.7, 0.4, 9.0);
+    let point = DVec3::new(2.0, 1.0, 4.5);
+    let (place, eye) = (seen_at(&observer, point), resolve(&observer).eye());
+    observer.zoom(point, 3.0, FREE);
+    assert!(seen_at(&observer, point).distance(place) < 1e-12);
+    let reach = |observer: &Observer| resolve(observer).eye().distance(point);
+    assert!((reach(&observer) - eye.distance(point) / 3.0).abs() < 1e-12);
+    observer.zoom(point, 1e9, [0.5, 40.0]);
+    assert!((reach(&observer) - 0.5).abs() < 1e-12);
+    observer.zoom(point, 1e-9, [0.5, 40.0]);
+    assert!((observer.distance() - 40.0).abs() < 1e-9);
+    assert!(seen_at(&observer, point).distance(place) < 1e-9);
 }
 
 #[test]
@@ -198,7 +217,7 @@ proptest! {
         resolve(&observer);
         observer.orbit(moves[0], moves[1]);
         observer.pan(moves[2], moves[3]);
-        observer.zoom(moves[4]);
+        observer.zoom(observer.target() + moves[4], moves[4], FREE);
         resolve(&observer);
     }
 }

@@ -93,6 +93,9 @@ impl App {
             }
             Action::Observe(observe) => {
                 let size = self.views.world_size();
+                if observe.is_another_view() {
+                    self.views.glide.begin(ctx);
+                }
                 in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
             }
             Action::Object(action) => return self.scene.change_objects(action),

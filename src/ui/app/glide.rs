@@ -1,5 +1,5 @@
-//! The glide of the observer (the world view's own camera) from one step of a lesson to the next, so that
-//! a class sees how one picture becomes the other.
+//! The glide of the observer (the world view's own camera) from one step of a lesson to the next, or to
+//! another view that the user asks for, so that a class sees how one picture becomes the other.
 
 use egui::Context;
 
@@ -20,6 +20,11 @@ pub(super) struct Glide {
 }
 
 impl Glide {
+    /// Begins a glide from the observer that is shown now.
+    pub(super) fn begin(&mut self, ctx: &Context) {
+        self.from = self.shown.map(|shown| (shown, ctx.input(|i| i.time)));
+    }
+
     /// Returns the observer to show, which is on its way to `to` after a step to another view of the same
     /// scene. A press of the mouse or another step ends the glide; with `is_still` there is none.
     pub(super) fn follow(

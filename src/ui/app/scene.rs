@@ -10,7 +10,7 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
-use crate::model::interaction::{KEY_PAN, KEY_TURN, KEY_ZOOM};
+use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
@@ -190,7 +190,14 @@ impl OpenScene {
 
     /// Moves the observer of a world view of this size.
     pub(super) fn observe(&mut self, observe: Observe, size: ViewSize) {
+        let camera = &self.open.document.camera;
         let Some(observer) = &mut self.session.observer else { return };
+        let everything =
+            self.framed.map_or(observer.distance(), |framed| framed.observer.distance());
+        let limits = |size: Option<f64>| {
+            let size = size.unwrap_or(camera.viewport.width.max(camera.viewport.height));
+            [NEAREST * size, FARTHEST * everything]
+        };
         match observe {
             Observe::Orbit(right, up) => {
                 observer.orbit(KEY_TURN * f64::from(right), KEY_TURN * f64::from(up));
@@ -198,10 +205,15 @@ impl OpenScene {
             Observe::Pan(right, up) => {
                 observer.pan(-KEY_PAN * f64::from(right), KEY_PAN * f64::from(up));
             }
-            Observe::Zoom(steps) => observer.zoom(KEY_ZOOM.powi(steps)),
-            Observe::FrameCamera => {
-                *observer = observer.framing_camera(&self.open.document.camera, size);
+            Observe::Zoom(steps) => {
+                observer.zoom(observer.target(), KEY_ZOOM.powi(steps), limits(None));
             }
+            Observe::ZoomTo(shown, factor) => {
+                observer.zoom(shown.point, factor, limits(shown.size));
+            }
+            Observe::Along(axis) => *observer = observer.along(axis),
+            Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere),
+            Observe::FrameCamera => *observer = observer.framing_camera(camera, size),
             // The next pass frames the whole scene, because it knows the view's aspect.
             Observe::FrameAll => self.session.observer = None,
         }

@@ -12,7 +12,7 @@ use crate::model::practice::answer_marks;
 use crate::model::symbols::typeset_message;
 use crate::model::{Fault, Session, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
-use crate::ui::scene::{ViewRects, views};
+use crate::ui::scene::{ViewRects, gizmo, views};
 use crate::ui::widgets::ViewTexture;
 use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 use crate::view::derive::{Derived, Deriver, ViewSizes};
@@ -40,8 +40,8 @@ pub(super) struct Views {
     pub(super) rested_at: Option<Pos2>,
     /// The times of the last frame's work, if they are measured.
     pub(super) frame_work: Option<FrameWork>,
-    /// The observer's glide from one step of a lesson to the next.
-    glide: Glide,
+    /// The observer's glide to another view.
+    pub(super) glide: Glide,
     world_size: Option<ViewSize>,
     world: ViewTexture,
     camera: ViewTexture,
@@ -136,6 +136,11 @@ impl App {
         if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;
             views::strips(ui, rects, &mut scene.session.settings, image);
+            if let (Some(area), Some(frame)) =
+                (rects.world.and_then(gizmo::area), &derived.world_frame)
+            {
+                gizmo::show(ui, area, frame.camera().basis());
+            }
         }
         let (document, session) = (&scene.open.document, &scene.session);
         // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.

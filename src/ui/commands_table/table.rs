@@ -8,6 +8,7 @@ use pinhole_lecture::{Exercise, Mistake};
 
 use crate::model::Item;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
+use crate::model::observer::Axis;
 use crate::model::play::Kind;
 use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
@@ -30,10 +31,11 @@ macro_rules! commands {
 
 /// The gestures with the mouse or with held keys, each as its group, the gesture and its effect. This table
 /// is only for the list of keys; other code handles the gestures.
-pub const GESTURES: [(Group, &str, &str); 16] = [
+pub const GESTURES: [(Group, &str, &str); 17] = [
     (Group::Views, "Drag in the world view", "Orbit the observer"),
     (Group::Views, "Shift+drag in the world view", "Pan the observer"),
-    (Group::Views, "Wheel in the world view", "Zoom"),
+    (Group::Views, "Wheel in the world view", "Zoom to what is under the pointer"),
+    (Group::Views, "Double click", "Frame the sphere or the camera there, or everything"),
     (Group::Views, "Click", "Select the pixel there"),
     (Group::Hand, "Drag a handle", "Move it parallel to the screen"),
     (Group::Hand, "Click a handle", "Reach the next handle there"),
@@ -364,6 +366,12 @@ fn zooms() -> Vec<UiCommand> {
             [key(CameraView, CTRL_SHIFT, Key::ArrowDown)], Steer::Dolly(-1);
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
+        Views, "Look along x", "Shows the scene from the side.",
+            [plain(WorldView, Key::X)], Observe::Along(Axis::X);
+        Views, "Look along y", "Shows the scene from above.",
+            [plain(WorldView, Key::Y)], Observe::Along(Axis::Y);
+        Views, "Look along z", "Shows the scene from the front.",
+            [plain(WorldView, Key::Z)], Observe::Along(Axis::Z);
         Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
         Views, "Observer farther", "Moves the observer away from what it looks at.",

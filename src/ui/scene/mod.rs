@@ -2,6 +2,7 @@
 
 pub mod compare;
 pub mod dragging;
+pub(crate) mod gizmo;
 pub mod readouts;
 pub mod steps;
 pub mod view_rects;

@@ -11,11 +11,11 @@ use egui::{
     RichText, Sense, Ui, Vec2, pos2, vec2,
 };
 use pinhole_core::steering::Keep;
-use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
+use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection, Sphere};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
-use crate::model::interaction::{MARK_REACH, WHEEL_ZOOM};
+use crate::model::interaction::{HANDLE_REACH, MARK_REACH, WHEEL_ZOOM};
 use crate::model::readings::ReadingValue;
 use crate::model::session::presenting::{PEN_COLORS, Pen};
 use crate::model::symbols::typeset_message;
@@ -23,14 +23,14 @@ use crate::model::{
     Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, Settings, ViewLayout,
     ViewSize,
 };
-use crate::ui::action::request;
+use crate::ui::action::{Observe, request};
 use crate::ui::commands_table::{self, When};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
-use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
+use crate::ui::scene::{gizmo, readouts};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, Shown, ViewSizes};
-use crate::view::overlay;
+use crate::view::overlay::{self, PointShown};
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::{labels, theme};
 
@@ -71,14 +71,16 @@ fn covered(rects: &ViewRects, world: Rect) -> [Option<Rect>; 2] {
     })
 }
 
-/// Returns what covers the world view, its title included, in its physical pixels: left, top, right and
+/// Returns what covers the world view, its title and its gizmo included, in its physical pixels: left, top, right and
 /// bottom.
-fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 3] {
+fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 4] {
     let scale = ui.ctx().pixels_per_point();
     let [camera, rest] = rects.world.map(|world| covered(rects, world)).unwrap_or_default();
     let title = rects.world.zip(rects.world_title);
     let title = title.map(|(world, title)| title.translate(-world.min.to_vec2()));
-    [camera, rest, title].map(|rect| {
+    let gizmo = rects.world.filter(|_| title.is_some());
+    let gizmo = gizmo.and_then(|world| Some(gizmo::area(world)?.translate(-world.min.to_vec2())));
+    [camera, rest, title, gizmo].map(|rect| {
         let Rect { min, max } = rect? * scale;
         Some([min.x, min.y, max.x, max.y])
     })
@@ -118,6 +120,10 @@ pub(crate) fn inputs(
     for (rect, name) in areas {
         let Some(rect) = rect else { continue };
         let response = view(ui, rect, name);
+        // A double click may be on a handle.
+        if let (WORLD, Some(observer)) = (name, &session.observer) {
+            frame_clicked(ui, &response, observer, shown);
+        }
         match name {
             _ if session.handles.is_busy => {}
             WORLD => world_input(ui, &response, session, shown),
@@ -219,14 +225,17 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     }
     if let Some(t) = dragged_ray_point(ui, response, session.ray_point_t, shown) {
         session.ray_point_t = Some(t);
-    } else if let Some(observer) = &mut session.observer {
-        observe(ui, response, observer);
+        return;
+    }
+    if let Some(observer) = &mut session.observer {
+        move_observer(ui, response, observer);
+        zoom(ui, response, observer, shown);
     }
 }
 
-/// Moves the observer, the camera of the world view, with the mouse: drag to orbit, drag with Shift or
-/// another button to pan, wheel to zoom.
-pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
+/// Moves the observer, the camera of the world view, with the mouse: drag to orbit, drag with Shift or another
+/// button to pan.
+fn move_observer(ui: &Ui, response: &Response, observer: &mut Observer) {
     let shift = ui.input(|i| i.modifiers.shift);
     let delta = response.drag_delta();
     let height = response.rect.height().max(1.0);
@@ -238,10 +247,43 @@ pub(crate) fn observe(ui: &Ui, response: &Response, observer: &mut Observer) {
             observer.pan(dx, dy);
         }
     }
+}
+
+/// Zooms to what is under the pointer by wheel or pinch.
+fn zoom(ui: &Ui, response: &Response, observer: &Observer, shown: &Derived) {
     let factor = wheel_zoom(ui);
-    if response.contains_pointer() && factor != 1.0 {
-        observer.zoom(factor);
+    if response.contains_pointer()
+        && factor != 1.0
+        && let Some((under, _)) = under_pointer(ui, response, observer, shown)
+    {
+        request(ui.ctx(), Observe::ZoomTo(under, factor));
     }
+}
+
+/// Frames the sphere or the camera that was double-clicked, or everything.
+fn frame_clicked(ui: &Ui, response: &Response, observer: &Observer, shown: &Derived) {
+    if response.double_clicked()
+        && let Some((under, sphere)) = under_pointer(ui, response, observer, shown)
+    {
+        let all = if under.size.is_some() { Observe::FrameCamera } else { Observe::FrameAll };
+        request(ui.ctx(), sphere.map_or(all, Observe::FrameSphere));
+    }
+}
+
+/// Returns the point of the world under the pointer, and the sphere there.
+fn under_pointer(
+    ui: &Ui,
+    response: &Response,
+    observer: &Observer,
+    shown: &Derived,
+) -> Option<(PointShown, Option<Sphere>)> {
+    let (frame, scene) = (shown.world_frame.as_deref()?, shown.scene.as_deref()?);
+    let at = dot_under(ui, response.rect, ui.input(|i| i.pointer.latest_pos())?);
+    let reach = HANDLE_REACH as f32 * ui.ctx().pixels_per_point();
+    let (camera, reach) = (shown.resolved.as_ref(), (at.into(), reach));
+    let point = overlay::point_at(scene, camera, frame, observer.target(), reach);
+    let sphere = sphere_at(shown, at).and_then(|k| scene.spheres().get(k as usize));
+    Some((point, sphere.copied()))
 }
 
 /// Returns the factor by which wheel and pinch enlarge a view.
@@ -384,7 +426,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
         });
     };
     if let Some(rect) = rects.world_title {
-        let hint = "Drag: orbit. Shift+drag or right drag: pan. Wheel: zoom. F: show everything. Drag a \
+        let hint = "Drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to what is there. Double click: frame it. F: show everything. Drag a \
                     handle to move it.";
         title(ui, settings, rect, WORLD.to_owned(), hint, ViewLayout::World);
     }

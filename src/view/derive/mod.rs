@@ -176,7 +176,7 @@ pub struct ViewSizes {
     pub purpose: Purpose,
     /// The rectangles of the world view, in physical pixels, that other content covers; see
     /// [`WorldView::covered`](crate::view::overlay::WorldView).
-    pub covered: [Option<[f32; 4]>; 3],
+    pub covered: [Option<[f32; 4]>; 4],
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
     /// True if the user is dragging something. Slow work is then postponed if possible.

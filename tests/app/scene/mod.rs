@@ -7,6 +7,7 @@ mod covered;
 pub(super) mod framing;
 mod handles;
 mod labels;
+mod observing;
 pub(super) mod overlaps;
 use egui_kittest::Harness;
 use pinhole::ui::app::App;

@@ -104,7 +104,7 @@ fn the_ground_stays_while_the_observer_zooms() {
     let stage = Stage::new(Camera::CANONICAL, balls, vec![wall]);
     let seen_from = |factor: f64| {
         let mut observer = stage.observer;
-        observer.zoom(factor);
+        observer.zoom(observer.target(), factor, [1e-300, f64::MAX]);
         WorldView { observer, ..stage.view() }.backdrop(stage.scene())
     };
     let near = seen_from(1.0);

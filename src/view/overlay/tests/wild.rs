@@ -76,7 +76,7 @@ proptest! {
     ) {
         let mut observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0));
         observer.orbit(turn.0, turn.1);
-        observer.zoom(turn.2);
+        observer.zoom(observer.target(), turn.2, [1e-300, f64::MAX]);
         let stage = Stage::seen_by(camera, scene, observer);
         check_drawing(&stage.drawing());
     }

@@ -10,6 +10,7 @@ pub(super) mod labels;
 pub(super) mod sketch;
 pub(super) mod sphere_figure;
 mod uncovered;
+pub(super) mod under_pointer;
 pub(super) mod whiteboard;
 
 use std::sync::Arc;

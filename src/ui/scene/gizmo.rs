@@ -1,0 +1,65 @@
+//! The gizmo of the world view: the world's axes as the observer sees them. A click on an axis looks along it.
+
+use egui::accesskit::Role;
+use egui::{Align2, FontId, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
+
+use pinhole_core::{Basis, DVec3};
+
+use super::view_rects::STRIP;
+use crate::model::observer::Axis;
+use crate::ui::action::Observe;
+use crate::ui::widgets::ResponseExt as _;
+use crate::view::typesetting::theme;
+
+/// The axes, each with its letter and the view along it.
+const AXES: [(Axis, &str, &str); 3] = [
+    (Axis::X, "x", "Look along x, from the side"),
+    (Axis::Y, "y", "Look along y, from above"),
+    (Axis::Z, "z", "Look along z, from the front"),
+];
+
+/// Length of an axis, in points.
+const LENGTH: f32 = 26.0;
+/// Radius of the disc at the end of an axis, in points.
+const RADIUS: f32 = 9.0;
+/// Distance of the gizmo from the edges of the world view and from its title, in points.
+const MARGIN: f32 = 6.0;
+/// Minimum size of a world view that has a gizmo, in points.
+const LEAST: f32 = 240.0;
+
+/// Returns the rectangle of the gizmo in the upper right corner of a world view; `None` if it is too small.
+pub(crate) fn area(world: Rect) -> Option<Rect> {
+    let size = Vec2::splat(2.0 * (LENGTH + RADIUS));
+    let corner = pos2(world.right() - MARGIN, world.top() + STRIP + MARGIN);
+    let area = Rect::from_min_size(corner - vec2(size.x, 0.0), size);
+    (world.size().min_elem() >= LEAST).then_some(area)
+}
+
+/// Shows the gizmo for an observer with this basis.
+pub(crate) fn show(ui: &Ui, area: Rect, Basis { u, v, w }: &Basis) {
+    let directions = DVec3::AXES.map(|axis| DVec3::new(axis.dot(*u), axis.dot(*v), axis.dot(*w)));
+    let mut ends: Vec<_> = AXES.into_iter().zip(directions).enumerate().collect();
+    // The nearest axis is drawn last.
+    ends.sort_by(|(_, (_, a)), (_, (_, b))| a.z.total_cmp(&b.z));
+    let colors = theme::style(ui).colors();
+    let painter = ui.painter();
+    for (k, ((axis, letter, about), direction)) in ends {
+        let end = area.center() + LENGTH * vec2(direction.x as f32, -direction.y as f32);
+        let disc = Rect::from_center_size(end, Vec2::splat(2.0 * RADIUS));
+        let response = ui.interact(disc, ui.scope_id().with(("gizmo", letter)), Sense::click());
+        let stroke = Stroke::new(2.0, colors.axes[k]);
+        painter.line_segment([area.center(), end], stroke);
+        let is_marked = response.hovered() || response.has_focus();
+        let [fill, ink] = match is_marked {
+            true => [colors.axes[k], colors.background],
+            false => [colors.background, colors.axes[k]],
+        };
+        painter.circle(end, RADIUS, fill, stroke);
+        painter.text(end, Align2::CENTER_CENTER, letter, FontId::proportional(13.0), ink);
+        response
+            .with_role(Role::Button)
+            .named(about)
+            .on_hover_text(about)
+            .asks(Observe::Along(axis));
+    }
+}

@@ -1,0 +1,123 @@
+//! The observer: zooming to what is under the pointer, framing by a double click, and the gizmo of axes.
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::ui::app::App;
+use pinhole_core::{DVec3, Frame, NO_OBJECT};
+
+use crate::harness::window;
+
+fn world<'a>(harness: &'a Harness<'_, App>) -> &'a Frame<f32> {
+    harness.state().derived().world_frame.as_deref().expect("a world view")
+}
+
+/// The position on the screen of the middle of what the world view shows of an object, and its number of dots.
+fn seen(harness: &Harness<'_, App>, object: u32) -> (Pos2, usize) {
+    let frame = world(harness);
+    let width = frame.camera().image().width() as usize;
+    let dots = (0..frame.object.len()).filter(|k| frame.object[*k] == object);
+    let dots: Vec<_> = dots.map(|k| vec2((k % width) as f32, (k / width) as f32)).collect();
+    let middle = dots.iter().fold(egui::Vec2::ZERO, |sum, dot| sum + *dot) / dots.len() as f32;
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    (view.min + middle / harness.ctx.pixels_per_point(), dots.len())
+}
+
+fn object_at(harness: &Harness<'_, App>, at: Pos2) -> u32 {
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    let dot = (at - view.min) * harness.ctx.pixels_per_point();
+    let frame = world(harness);
+    frame.object[dot.y as usize * frame.camera().image().width() as usize + dot.x as usize]
+}
+
+fn turn_wheel(harness: &mut Harness<'_, App>, at: Pos2, notches: u32, lines: f32) {
+    harness.hover_at(at);
+    harness.run();
+    for _ in 0..notches {
+        harness.event(Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, lines),
+            modifiers: Modifiers::NONE,
+            phase: TouchPhase::Move,
+            source: MouseWheelSource::Wheel,
+        });
+        harness.run_ok();
+    }
+}
+
+#[test]
+fn the_wheel_zooms_to_what_is_under_the_pointer_and_back() {
+    for (scene, ball) in [("canonical", 0), ("look-at", 1), ("planet", 1)] {
+        let mut harness = window(scene);
+        let framed = harness.state().session().observer;
+        let (at, before) = seen(&harness, ball);
+        assert_eq!(object_at(&harness, at), ball);
+        turn_wheel(&mut harness, at, 12, 1.0);
+        assert_eq!(object_at(&harness, at), ball, "{scene}: it is still under the pointer");
+        assert!(seen(&harness, ball).1 > 4 * before, "{scene}: and larger");
+        turn_wheel(&mut harness, at, 1, 60.0);
+        assert_eq!(object_at(&harness, at), ball, "{scene}: there is a limit");
+        turn_wheel(&mut harness, at, 1, -200.0);
+        let sees = world(&harness).object.iter().any(|object| *object != NO_OBJECT);
+        assert!(sees, "{scene}: and one on the way back");
+        harness.key_press(Key::F);
+        harness.run();
+        assert_eq!(harness.state().session().observer, framed);
+    }
+}
+
+#[test]
+fn a_double_click_frames_what_is_there() {
+    let mut harness = window("look-at");
+    let framed = harness.state().session().observer;
+    let (at, _) = seen(&harness, 0);
+    let double_click = |harness: &mut Harness<'_, App>, at: Pos2| {
+        harness.hover_at(at);
+        harness.run();
+        for pressed in [true, false, true, false] {
+            let (button, modifiers) = (egui::PointerButton::Primary, Modifiers::NONE);
+            let event = Event::PointerButton { pos: at, button, pressed, modifiers };
+            harness.input_mut().events.push(event);
+        }
+        harness.run();
+    };
+    double_click(&mut harness, at);
+    let frame = world(&harness);
+    let [width, height] = [frame.camera().image().width(), frame.camera().image().height()];
+    let rows = (0..height).filter(|row| {
+        let row = (row * width) as usize..((row + 1) * width) as usize;
+        frame.object[row].contains(&0)
+    });
+    let rows = rows.count() as u32;
+    assert!(rows > height / 2 && rows < height, "{rows} of {height} rows show the sphere");
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    let empty = view.left_bottom() + vec2(30.0, -60.0);
+    assert_eq!(object_at(&harness, empty), NO_OBJECT);
+    double_click(&mut harness, empty);
+    assert_eq!(harness.state().session().observer, framed, "beside it, everything is framed");
+}
+
+#[test]
+fn the_gizmo_and_its_keys_look_along_the_axes() {
+    let mut harness = window("canonical");
+    let names =
+        ["Look along x, from the side", "Look along y, from above", "Look along z, from the front"];
+    for (name, (axis, key)) in
+        names.into_iter().zip(DVec3::AXES.into_iter().zip([Key::X, Key::Y, Key::Z]))
+    {
+        let looks =
+            |harness: &Harness<'_, App>| world(harness).camera().basis().w.dot(axis) > 0.999;
+        harness.get_by_role_and_label(Role::Button, name).click();
+        harness.run();
+        assert!(looks(&harness), "{name}");
+        harness.key_press(Key::F);
+        harness.run();
+        assert!(!looks(&harness));
+        harness.get_by_role_and_label(Role::Image, "World view").focus();
+        harness.run();
+        harness.key_press(key);
+        harness.run();
+        assert!(looks(&harness), "{name}, by its key");
+    }
+}
