@@ -61,7 +61,7 @@
 //! 4. patterns that match only the variants with *at* or *up*: `core/camera/difference.rs`,
 //!    `core/steering/handles.rs`, `view/handles.rs`, `highlighted.rs` in `view/overlay/world_view/` and in
 //!    `view/overlay/camera_view/`, `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
-//! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/families.rs` converts it.
+//! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/subject.rs` converts it.
 //!
 //! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). These places must be changed
 //! by hand:

@@ -1,5 +1,5 @@
 //! A reference implementation that computes the true results for a pinhole camera, and families of
-//! cases in which they are hard to compute.
+//! rays for which they are hard to compute.
 //!
 //! The reference uses the formulas of the textbook with arbitrary-precision arithmetic, on the exact
 //! values of the given `f64` numbers. It shares no code with the program that it checks. What it
@@ -24,12 +24,15 @@ mod object;
 mod quotient;
 mod real;
 mod surd;
-#[cfg(test)]
-mod tests;
 mod trace;
 
 pub use camera::{Camera, Orientation, Status, View, basis};
-pub use families::{Draw, Family, FrameCase, Make, RayCase};
+pub use families::{Draw, Family, RayCase};
 pub use object::Object;
 pub use real::{Real, angle_between};
 pub use trace::{Hit, first_hit, roots};
+
+#[cfg(test)]
+extern crate self as pinhole_reference;
+#[cfg(test)]
+mod tests;

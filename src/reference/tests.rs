@@ -4,11 +4,17 @@ use std::cmp::Ordering;
 
 use crate::camera::{Camera, Orientation};
 use crate::dyadic::{Dyadic, Toward, Vector, cross, dot, minus, vector};
-use crate::families::{Draw, Family, FrameCase};
+use crate::families::Draw;
 use crate::object::Object;
 use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
+
+#[allow(dead_code, reason = "other tests use more of it")]
+#[path = "../core/tests/common/frames.rs"]
+mod frames;
+
+use frames::FrameCase;
 
 fn any_f64(draw: &mut Draw) -> f64 {
     loop {
@@ -258,13 +264,13 @@ fn the_textbook_at_twice_the_precision_agrees() {
     let on_no_edge = |name: &str| {
         name.starts_with("frame-") && !name.ends_with("ties") && !name.ends_with("touching")
     };
-    for family in Family::all().filter(|family| on_no_edge(family.name)) {
+    for family in frames::FAMILIES.iter().filter(|family| on_no_edge(family.name)) {
         for &knob in family.knobs {
             // Exact tangents are excluded; those off by an ulp are not.
             if family.name == "frame-tangent" && knob == 0.0 {
                 continue;
             }
-            for case in family.frames(knob, 30, 2, false) {
+            for case in family.cases(knob, 30, 2, false) {
                 agrees_with_the_textbook(family.name, &case);
             }
         }

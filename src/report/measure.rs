@@ -76,7 +76,7 @@ impl Measurement {
     /// Creates the measurement of all stress families, which takes about two minutes on two cores. The
     /// seed determines the cases, on every machine alike, and every ray is compared with the reference.
     pub fn of_families(seed: u64) -> Measurement {
-        let timed = "the family's rays one by one, or its frames at some 8000 pixels";
+        let timed = "the family's rays one by one";
         Measurement::new(families::cases(seed), timed, families::NOTE, Some(seed))
     }
 

@@ -177,12 +177,8 @@ pub(crate) struct Overall<'a> {
     pub(crate) methods: Vec<MethodOverall<'a>>,
     /// The noun for what is summarized: `families` or `scenes`.
     pub(crate) noun: &'static str,
-    /// Number of scenes or families over which the shares of wrong decisions are averaged: those for
-    /// which every method has results, except perhaps the one that only traces frames.
-    pub(crate) in_share: usize,
-    /// Number of scenes or families over which errors and times are summarized: those for which every
-    /// method has results.
-    pub(crate) in_errors: usize,
+    /// Number of scenes or families that are summarized: those for which every method has results.
+    pub(crate) shared: usize,
 }
 
 /// The summary of a method over all scenes or families. Shares, errors and times include only those for
@@ -201,9 +197,6 @@ pub(crate) struct MethodOverall<'a> {
     pub(crate) times: Vec<f64>,
 }
 
-/// The name of the method that traces frames but not single rays.
-const OF_FRAMES_ALONE: &str = "ladder-f32";
-
 /// Returns the summary of every method over all scenes or families.
 pub(crate) fn overall<'a>(summaries: &'a [Summary<'a>]) -> Overall<'a> {
     let mut all: Vec<&MethodSummary> = Vec::new();
@@ -214,30 +207,25 @@ pub(crate) fn overall<'a>(summaries: &'a [Summary<'a>]) -> Overall<'a> {
     }
     let has = |summary: &Summary, worst: &&MethodSummary| summary.method(worst.name).is_some();
     let has_all = |summary: &&Summary| all.iter().all(|worst| has(summary, worst));
-    let has_most = |summary: &&Summary| {
-        all.iter().all(|worst| worst.name == OF_FRAMES_ALONE || has(summary, worst))
-    };
     let shared: Vec<&Summary> = summaries.iter().filter(has_all).collect();
-    let in_share: Vec<&Summary> = summaries.iter().filter(has_most).collect();
-    let method = |first| MethodOverall::new(first, summaries, &in_share, &shared);
+    let method = |first| MethodOverall::new(first, summaries, &shared);
     let mut methods: Vec<MethodOverall> = all.iter().copied().map(method).collect();
     // The precisions of a formula are adjacent. The formulas keep the order in which they first occur.
     let place = |formula: &str| all.iter().position(|method| method.formula == formula);
     methods.sort_by_key(|method| (place(method.first.formula), method.first.digits));
     let has_knobs = summaries.iter().any(|summary| summary.cases[0].knob.is_some());
     let noun = if has_knobs { "families" } else { "scenes" };
-    Overall { methods, noun, in_share: in_share.len(), in_errors: shared.len() }
+    Overall { methods, noun, shared: shared.len() }
 }
 
 impl<'a> MethodOverall<'a> {
     fn new(
         first: &'a MethodSummary<'a>,
         summaries: &[Summary],
-        in_share: &[&Summary],
         shared: &[&Summary],
     ) -> MethodOverall<'a> {
         let everywhere = || summaries.iter().filter_map(|summary| summary.method(first.name));
-        let cases = in_share.iter().flat_map(|summary| &summary.cases);
+        let cases = shared.iter().flat_map(|summary| &summary.cases);
         let rows = cases.flat_map(|case| &case.methods).filter(|row| row.name == first.name);
         let shares: Vec<f64> = rows.filter_map(|row| row.wrong_share).collect();
         let own = || shared.iter().filter_map(|summary| summary.method(first.name));
@@ -312,7 +300,7 @@ mod tests {
         let report = Report { cases, ..Report::default() };
         let summaries = summaries(&report);
         let all = overall(&summaries);
-        assert_eq!((all.noun, all.in_share, all.in_errors), ("families", 1, 1));
+        assert_eq!((all.noun, all.shared), ("families", 1));
         assert!(all.methods.iter().all(|m| (m.share.unwrap() - 0.2).abs() < 1e-12));
         assert_eq!(all.methods[0].wrong, 130);
     }

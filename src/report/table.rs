@@ -70,11 +70,11 @@ pub fn to_table(report: &Report) -> String {
 
 /// Writes the summary of all scenes or families, with one line per method.
 fn summary(out: &mut String, all: &Overall) {
-    let Overall { methods, noun, in_share, in_errors } = all;
+    let Overall { methods, noun, shared } = all;
     let about = format!(
-        "all {noun} together: share: the mean of the cases of the {in_share} {noun} that all methods have, \
-         but ladder-f32, where it has them; largest errors in t in ulps of f64 (none: no digit right, or \
-         no hit alike) and times in nanoseconds a pixel: of {in_errors} {noun} that all methods have"
+        "the {shared} {noun} that all methods have, together: share: the mean of their cases; \
+         largest errors in t in ulps of f64 (none: no digit right, or no hit alike) and times in nanoseconds \
+         a pixel"
     );
     wrapped(out, "", &about);
     let cells = |method: &MethodOverall| {

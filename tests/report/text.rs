@@ -31,9 +31,8 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
                    radius, origin and direction move to make that t exact; an error in ulps of f64 is, to first order, at most
                    the problem's condition times it; × base: the shortest rounds compared
 
-        all families together: share: the mean of the cases of the 2 families that all methods have, but ladder-f32, where it
-        has them; largest errors in t in ulps of f64 (none: no digit right, or no hit alike) and times in nanoseconds a pixel:
-        of 2 families that all methods have
+        the 2 families that all methods have, together: share: the mean of their cases; largest errors in t in ulps of f64
+        (none: no digit right, or no hit alike) and times in nanoseconds a pixel
                                              largest error in t           ns a pixel
         method        wrong    of   share  least  middle   most  least  middle  most
         ladder            0  8192     0 %    0.5     0.5    0.5   9.18    9.18  9.18

@@ -4,8 +4,9 @@
 use std::collections::BTreeSet;
 
 use pinhole_core::*;
-use pinhole_reference::{Family, FrameCase, View};
+use pinhole_reference::View;
 
+use crate::common::frames::{self, FrameCase};
 use crate::common::{given, margins};
 
 /// Returns the exact value whose sign answers the hardest question about a pixel, divided by the
@@ -128,9 +129,9 @@ fn check(case: &FrameCase, name: &str, seen: &mut BTreeSet<String>) {
 #[test]
 fn each_margin_is_what_the_reference_says() {
     let mut seen = BTreeSet::new();
-    for family in Family::all() {
+    for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.frames(*knob, 18, 2, false) {
+            for case in family.cases(*knob, 18, 2, false) {
                 check(&case, &format!("{} {knob}", family.name), &mut seen);
             }
         }

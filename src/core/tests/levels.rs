@@ -1,10 +1,9 @@
 //! Tests that whole frames are bit for bit the same on every SIMD level.
 
 use pinhole_core::*;
-use pinhole_reference::Family;
 
 use crate::common::levels::levels;
-use crate::common::{Numbers, camera, given, plane, sphere, vec3};
+use crate::common::{Numbers, camera, frames, given, plane, sphere, vec3};
 
 /// A scene with its name and its camera, and the minimum number of objects that its picture shows.
 struct Shown {
@@ -151,9 +150,9 @@ fn scenes_are_the_same_bits_on_every_level() {
 fn stress_frames_are_the_same_bits_on_every_level() {
     let levels = levels();
     let mut frames = 0;
-    for family in Family::all() {
+    for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.frames(*knob, 5, 4, false) {
+            for case in family.cases(*knob, 5, 4, false) {
                 if case.camera.rows.max(case.camera.columns) > ImageSize::MAX {
                     continue;
                 }

@@ -3,9 +3,9 @@
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::*;
-use pinhole_reference::{Camera as GivenCamera, Family, Hit, Object, Orientation as Given};
+use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given};
 
-use crate::common::{exact, first_hit_by, given};
+use crate::common::{exact, first_hit_by, frames, given};
 
 /// The ray whose first hit is asked for.
 #[derive(Clone, Debug)]
@@ -329,9 +329,9 @@ fn an_origin_in_a_plane_is_beyond_f64() {
 #[test]
 fn frames_reach_every_step() {
     let mut steps = Steps::default();
-    for family in Family::all() {
+    for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.frames(*knob, 7, 1, false) {
+            for case in family.cases(*knob, 7, 1, false) {
                 if case.camera.rows.max(case.camera.columns) > 64 {
                     continue;
                 }

@@ -11,7 +11,7 @@ use crate::camera::Orientation;
 pub struct Draw {
     state: u64,
     /// True if all numbers of the case must be exact in `f32`.
-    pub(crate) single: bool,
+    pub single: bool,
 }
 
 /// Upper limits of the random integers from which a case is built in which objects touch each other, or
@@ -91,7 +91,7 @@ impl Draw {
 
     /// Returns a random number from `low` to `high`. Each binade (the numbers with the same binary
     /// exponent) has the same probability.
-    pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
+    pub fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
         let size = low * self.power_of_two(0, binades);
         (size * self.between(1.0, 2.0)).min(high)
@@ -159,7 +159,7 @@ impl Draw {
     /// length, and this length. They are the columns of the rotation matrix of a random quaternion `a +
     /// bi + cj + dk` with integer coefficients, times the quaternion's squared length, which clears the
     /// denominators (the Euler-Rodrigues formula).
-    pub(crate) fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
+    pub fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
         let [b, c, d] = self.whole_vector(largest);
         let a = self.whole(-largest, largest);
         let columns = [
@@ -194,7 +194,7 @@ impl Draw {
 
     /// Returns `x` in the form in which the case uses it: rounded to `f32` if numbers must be exact in
     /// `f32`, but never to infinity or 0.
-    pub(crate) fn given(&self, x: f64) -> f64 {
+    pub fn given(&self, x: f64) -> f64 {
         if !self.single || x == 0.0 {
             return x;
         }

@@ -1,7 +1,6 @@
-//! Families of difficult cases, each with a parameter, its knob, that sets how difficult they are.
+//! Families of difficult rays, each with a parameter, its knob, that sets how difficult they are.
 
 mod draw;
-mod frames;
 mod rays;
 
 pub use draw::Draw;
@@ -9,7 +8,6 @@ pub use draw::Draw;
 use std::sync::LazyLock;
 
 use self::draw::scaled;
-use crate::camera::{Camera, Orientation};
 use crate::object::Object;
 
 /// A single ray, and the objects to intersect it with.
@@ -21,25 +19,6 @@ pub struct RayCase {
     pub origin: [f64; 3],
     /// The ray's direction, not normalized.
     pub direction: [f64; 3],
-}
-
-/// A whole picture.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FrameCase {
-    /// The camera, with a small image.
-    pub camera: Camera,
-    /// Spheres first, then planes.
-    pub objects: Vec<Object>,
-}
-
-/// The function that makes a case from random numbers and the value of the family's knob (the parameter
-/// that sets the difficulty).
-#[derive(Clone, Copy, Debug)]
-pub enum Make {
-    /// Makes a single ray, for [`Family::rays`].
-    Rays(fn(&mut Draw, f64) -> RayCase),
-    /// Makes a whole picture, for [`Family::frames`].
-    Frames(fn(&mut Draw, f64) -> FrameCase),
 }
 
 /// Cases that are difficult for the same reason, with a parameter, the knob, that sets how difficult
@@ -58,7 +37,7 @@ pub struct Family {
     /// The knob's values, in ascending order.
     pub knobs: &'static [f64],
     /// The function that makes a case.
-    pub make: Make,
+    make: fn(&mut Draw, f64) -> RayCase,
 }
 
 const ULPS: [f64; 3] = [-1.0, 0.0, 1.0];
@@ -69,10 +48,10 @@ const PLANETS: [f64; 6] = [3.0, 4.0, 5.0, 6.0, 7.0, 8.0];
 
 /// A family: its name, the meaning of its knob (the parameter that sets the difficulty), the knob's
 /// values, and the function that makes a case.
-type FamilyRow<C> = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> C);
+type FamilyRow = (&'static str, &'static str, &'static [f64], fn(&mut Draw, f64) -> RayCase);
 
 /// For each family's name, a sentence that says what its cases have in common.
-const ABOUT: [(&str, &str); 35] = [
+const ABOUT: [(&str, &str); 23] = [
     ("ordinary", "A sphere of everyday size, seen from a few radii away."),
     ("course-floor", "The course's floor: a sphere of radius 5000 whose top is 1 below the eye."),
     ("several", "Spheres and planes of everyday size: which one is first?"),
@@ -108,36 +87,18 @@ const ABOUT: [(&str, &str); 35] = [
     ("ties-touching-outside", "Spheres that touch from outside, and a ray through the contact."),
     ("ties-sphere-plane", "A plane that touches a sphere, and a ray through the contact."),
     ("ties-planes", "The same plane twice, or planes that cross where the ray goes."),
-    ("frame-ordinary", "Pictures of everyday spheres and planes."),
-    ("frame-tangent", "A pixel's ray touches a sphere exactly, and radii one ulp beside."),
-    ("frame-ties", "Two spheres with the same centre, alike or an ulp apart."),
-    ("frame-touching", "A sphere that touches another from inside, in the middle of a pixel."),
-    ("frame-planet", "The horizon of a huge sphere 0.001 to 10 below the eye."),
-    ("frame-tiny-far", "Spheres that are tiny for their distance, beside pixels' rays."),
-    ("frame-eye-near-surface", "The eye just above or below a sphere's surface."),
-    ("frame-offset", "An everyday camera and scene, far from the world's origin."),
-    ("frame-up-near-view", "A camera whose up is nearly parallel to its view."),
-    ("frame-long-thin", "A picture of one row or one column."),
-    ("viewport-extreme", "A viewport or its distance, or both, of an extreme size."),
-    ("frame-range", "Camera and scene so large or small that squares leave the range of numbers."),
 ];
 
-/// All families: first those of single rays, then those of pictures.
 static ALL: LazyLock<Vec<Family>> = LazyLock::new(|| {
-    let family = |name, knob_name, knobs, make| {
+    let family = |(name, knob_name, knobs, make)| {
         let about = ABOUT.iter().find(|(known, _)| *known == name).map_or("", |(_, about)| about);
         Family { name, about, knob_name, knobs, make }
     };
-    let rays = rays::FAMILIES.into_iter();
-    let rays = rays.map(|(name, knob, knobs, make)| family(name, knob, knobs, Make::Rays(make)));
-    let frames = frames::FAMILIES.into_iter();
-    let frames =
-        frames.map(|(name, knob, knobs, make)| family(name, knob, knobs, Make::Frames(make)));
-    rays.chain(frames).collect()
+    rays::FAMILIES.into_iter().map(family).collect()
 });
 
 impl Family {
-    /// Returns all families: first those of single rays, then those of pictures.
+    /// Returns all families.
     pub fn all() -> impl Iterator<Item = &'static Family> {
         ALL.iter()
     }
@@ -147,14 +108,12 @@ impl Family {
         Family::all().find(|family| family.name == name)
     }
 
-    /// Returns the first `count` cases of a family of rays for one value of its [knob](Family::knobs).
-    /// Returns no cases for a family of pictures. If `single` is true, all numbers are exact in `f32`,
-    /// units in the last place are those of `f32`, and powers of ten outside the range of `f32` are
-    /// moved into it.
+    /// Returns the first `count` cases for one value of the [knob](Family::knobs). If `single` is true,
+    /// all numbers are exact in `f32`, units in the last place are those of `f32`, and powers of ten
+    /// outside the range of `f32` are moved into it.
     pub fn rays(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<RayCase> {
-        let Make::Rays(make) = self.make else { return Vec::new() };
         let given = |mut draw: Draw| {
-            let RayCase { objects, origin, direction } = make(&mut draw, knob);
+            let RayCase { objects, origin, direction } = (self.make)(&mut draw, knob);
             RayCase {
                 objects: objects.into_iter().map(|object| object.given(&draw)).collect(),
                 origin: draw.given3(origin),
@@ -163,31 +122,12 @@ impl Family {
         };
         Draw::cases(seed, self.name, knob, count, single).map(given).collect()
     }
-
-    /// Returns the first `count` cases of a family of pictures, as [`Family::rays`] does for rays.
-    /// Returns no cases for a family of rays.
-    pub fn frames(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
-        let Make::Frames(make) = self.make else { return Vec::new() };
-        let given = |mut draw: Draw| {
-            let FrameCase { camera, objects } = make(&mut draw, knob);
-            let camera = Camera {
-                eye: draw.given3(camera.eye),
-                orientation: camera.orientation.map(|v| draw.given3(v)),
-                width: draw.given(camera.width),
-                height: draw.given(camera.height),
-                distance: draw.given(camera.distance),
-                ..camera
-            };
-            let objects = objects.into_iter().map(|object| object.given(&draw)).collect();
-            FrameCase { camera, objects }
-        };
-        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
-    }
 }
 
 impl Object {
     /// Returns the object with its points, its normal and its radius mapped by these functions.
-    fn map(
+    #[must_use]
+    pub fn map(
         self,
         map_point: impl Fn([f64; 3]) -> [f64; 3],
         normal: impl Fn([f64; 3]) -> [f64; 3],
@@ -203,7 +143,9 @@ impl Object {
         }
     }
 
-    fn given(self, draw: &Draw) -> Object {
+    /// Returns the object in the form in which the case uses it, as [`Draw::given`] does for a number.
+    #[must_use]
+    pub fn given(self, draw: &Draw) -> Object {
         self.map(|v| draw.given3(v), |v| draw.given3(v), |x| draw.given(x))
     }
 }
@@ -219,45 +161,5 @@ impl RayCase {
             origin: length(self.origin),
             direction: scaled(self.direction, stretch),
         }
-    }
-}
-
-impl Orientation {
-    /// Returns the orientation with each of its vectors mapped by `vector`.
-    #[must_use]
-    pub fn map(self, vector: impl Fn([f64; 3]) -> [f64; 3]) -> Orientation {
-        match self {
-            Orientation::At { at, up } => Orientation::At { at: vector(at), up: vector(up) },
-            Orientation::View { view, up } => {
-                Orientation::View { view: vector(view), up: vector(up) }
-            }
-            Orientation::Basis { u, v, w } => {
-                Orientation::Basis { u: vector(u), v: vector(v), w: vector(w) }
-            }
-        }
-    }
-}
-
-impl FrameCase {
-    /// Returns the case with its points and radii mapped by these functions.
-    fn map(
-        self,
-        map_point: impl Fn([f64; 3]) -> [f64; 3],
-        radius: impl Fn(f64) -> f64,
-    ) -> FrameCase {
-        let orientation = match self.camera.orientation {
-            Orientation::At { at, up } => Orientation::At { at: map_point(at), up },
-            other => other,
-        };
-        let camera = Camera { eye: map_point(self.camera.eye), orientation, ..self.camera };
-        let objects =
-            self.objects.into_iter().map(|object| object.map(&map_point, |normal| normal, &radius));
-        FrameCase { camera, objects: objects.collect() }
-    }
-
-    /// Returns the case with all lengths of the world multiplied by `scale`, but not those of the
-    /// viewport. Only t changes.
-    fn scaled(self, scale: f64) -> FrameCase {
-        self.map(|v| scaled(v, scale), |radius| radius * scale)
     }
 }

@@ -9,7 +9,7 @@ use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
 use crate::families::{FamilyRow, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
-pub(crate) const FAMILIES: [FamilyRow<RayCase>; 23] = [
+pub(crate) const FAMILIES: [FamilyRow; 23] = [
     ("ordinary", "distance from centre / radius", &[0.0, 0.5, 0.9, 0.99, 1.01, 2.0], everyday),
     ("course-floor", "slope (0.02 touches)", &[0.019, 0.0201, 0.03, 0.1, 0.3, 1.0], course_floor),
     ("several", "number of objects", &[2.0, 5.0, 20.0], several),

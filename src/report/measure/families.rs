@@ -1,33 +1,21 @@
 //! The cases of the stress families, which are hard for intersection methods: one case for each setting
 //! of each family's knob (the parameter that makes it easier or harder).
 
-use std::sync::Arc;
-
 use pinhole_core::methods::{Method, Precision};
-use pinhole_core::{
-    Basis, Camera, ImageSize, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
-    Viewport,
-};
-use pinhole_reference::{self as reference, Family, FrameCase, Make, Object, RayCase};
+use pinhole_core::{Plane, Ray, Scene, Sphere};
+use pinhole_reference::{Family, Object, RayCase};
 
 use super::case::{CaseRun, Limits, Set};
 use super::scenes::methods_for;
-use super::subject::{CaseSubject, MeasuredPicture};
+use super::subject::CaseSubject;
 use crate::report::model::Case;
 
 /// Number of rays for each setting of a knob.
 const RAYS: usize = 600;
-/// Number of pictures for each setting of a knob.
-const FRAMES: usize = 4;
-/// Approximate number of pixels that a small picture is given for timing.
-const TIMED: u32 = 90 * 90;
-/// Maximum number of pixels per side of a picture.
-const SIDE: u32 = 256;
 
 /// A note for readers of the results.
 pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: numbers exact in f32, ulps \
-     of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2); \
-     ladder-f32 gets the pictures of the f64 methods";
+     of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2)";
 
 /// Returns the cases of all families, and sentences about measurements that are omitted.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
@@ -36,8 +24,7 @@ pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
     let cases = Family::all().flat_map(of_knobs).collect();
     let planes = "families of planes alone: one row a precision: all methods but the ladder share \
                   the textbook's plane";
-    let frames = "ladder-f32 in the families of single rays: it traces frames alone, those of the \
-                  families named frame-";
+    let frames = "ladder-f32 in the families: it traces frames alone, and a family has single rays";
     (cases, vec![planes.to_owned(), frames.to_owned()])
 }
 
@@ -60,24 +47,12 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
     let mut skipped = 0;
     let mut set = |precision: Precision| {
-        let single = precision == Precision::F32;
-        let (subject, methods) = match family.make {
-            Make::Rays(_) => {
-                let given = family.rays(knob, seed, RAYS, single);
-                let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
-                skipped += given.len() - cases.len();
-                let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
-                (CaseSubject::Rays(cases), methods_for(has_spheres))
-            }
-            Make::Frames(_) => {
-                let given = family.frames(knob, seed, FRAMES, single);
-                let pictures: Vec<_> = given.iter().filter_map(picture).collect();
-                skipped += given.len() - pictures.len();
-                let has_spheres = pictures.iter().any(|p| !p.scene.spheres().is_empty());
-                (CaseSubject::Frames(pictures), methods_for(has_spheres))
-            }
-        };
-        Set::new(subject, methods.filter(|method| given_in(*method) == precision))
+        let given = family.rays(knob, seed, RAYS, precision == Precision::F32);
+        let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
+        skipped += given.len() - cases.len();
+        let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
+        let methods = methods_for(has_spheres).filter(|method| given_in(*method) == precision);
+        Set::new(CaseSubject::Rays(cases), methods)
     };
     let sets = vec![set(Precision::F64), set(Precision::F32)];
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
@@ -111,45 +86,4 @@ fn scene_of(objects: &[Object]) -> Option<Scene> {
 
 fn ray_case(case: &RayCase) -> Option<(Scene, Ray)> {
     Some((scene_of(&case.objects)?, Ray::new(case.origin, case.direction).ok()?))
-}
-
-fn picture(case: &FrameCase) -> Option<MeasuredPicture> {
-    let camera = core_camera(&case.camera)?;
-    let resolved: ResolvedCamera = camera.resolve().ok()?;
-    let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
-    let scene = Arc::new(scene_of(&case.objects)?);
-    let timed = timed(&camera).unwrap_or((resolved, raster.clone()));
-    Some(MeasuredPicture::new(scene, &camera, &resolved, raster, timed))
-}
-
-/// Returns the camera with more pixels, for timing, so that the work done once per picture takes only a
-/// small part of the time; `None` if the picture is already large enough. Each pixel is divided into an
-/// odd number of pixels in each direction. One of them has the same centre, and thus the same ray,
-/// which may be the difficult one.
-fn timed(camera: &Camera) -> Option<(ResolvedCamera, Raster)> {
-    let (columns, rows) = (camera.image.width(), camera.image.height());
-    let times = (f64::from(TIMED) / (f64::from(columns) * f64::from(rows))).sqrt() as u32;
-    let times = times.checked_sub(1 - times % 2).filter(|times| *times > 1)?;
-    let image = ImageSize::new(columns * times, rows * times).ok()?;
-    let resolved = Camera { image, ..*camera }.resolve().ok()?;
-    Some((resolved, Raster::full(image)))
-}
-
-fn core_camera(camera: &reference::Camera) -> Option<Camera> {
-    let reference::Camera { eye, orientation, width, height, distance, columns, rows } = *camera;
-    let orientation = match orientation {
-        reference::Orientation::At { at, up } => Orientation::At { at: at.into(), up: up.into() },
-        reference::Orientation::View { view, up } => {
-            Orientation::View { view: view.into(), up: up.into() }
-        }
-        reference::Orientation::Basis { u, v, w } => {
-            Orientation::Basis(Basis { u: u.into(), v: v.into(), w: w.into() })
-        }
-    };
-    Some(Camera {
-        eye: eye.into(),
-        orientation,
-        viewport: Viewport { width, height, distance },
-        image: ImageSize::new(columns, rows).ok()?,
-    })
 }

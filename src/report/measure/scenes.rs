@@ -92,9 +92,9 @@ fn make(
         )
     });
     let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
-    let timed = (*resolved, timed_raster(resolved, scene.len()));
+    let timed = timed_raster(resolved, scene.len());
     let picture = MeasuredPicture::new(scene, camera, resolved, raster, timed);
-    (vec![Set::new(CaseSubject::Frames(vec![picture]), methods)], left_out)
+    (vec![Set::new(CaseSubject::Frame(Box::new(picture)), methods)], left_out)
 }
 
 /// Returns the pixels that are traced for timing: all of them or, if they are too many, evenly spaced

@@ -24,8 +24,8 @@ pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference
 pub(super) enum CaseSubject {
     /// Single rays, each with its own scene.
     Rays(Vec<(Scene, Ray)>),
-    /// The rays of the pixels of pictures.
-    Frames(Vec<MeasuredPicture>),
+    /// The rays of the pixels of a picture.
+    Frame(Box<MeasuredPicture>),
 }
 
 /// A scene seen by a camera.
@@ -39,17 +39,16 @@ pub(super) struct MeasuredPicture {
     view: Option<View>,
     /// The pixels that are compared with the reference.
     raster: Raster,
-    /// The camera and the raster that are traced for timing.
-    timed: (ResolvedCamera, Raster),
+    /// The pixels that are traced for timing.
+    timed: Raster,
 }
 
 /// A method that is prepared for a subject.
 pub(super) struct Kernel {
-    /// The method's loops whose hits are compared with the reference: one per picture, or one for all
-    /// single rays.
-    compared: Vec<Box<dyn MethodKernel>>,
+    /// The method's loops whose hits are compared with the reference.
+    compared: Box<dyn MethodKernel>,
     /// The method's loops that are run to time it.
-    timed: Vec<Box<dyn MethodKernel>>,
+    timed: Box<dyn MethodKernel>,
     /// Number of times that `timed` is run in one time measurement.
     repeats: u32,
 }
@@ -66,21 +65,8 @@ impl CaseSubject {
     pub(super) fn len(&self) -> usize {
         match self {
             CaseSubject::Rays(cases) => cases.len(),
-            CaseSubject::Frames(pictures) => pictures.iter().map(|p| p.raster.len()).sum(),
+            CaseSubject::Frame(picture) => picture.raster.len(),
         }
-    }
-
-    /// Returns the index of the picture to which the ray `index` belongs, and the index of its pixel in
-    /// that picture. For single rays, returns 0 and `index`. Returns `None` if there is no such ray.
-    fn locate(&self, mut index: usize) -> Option<(usize, usize)> {
-        let CaseSubject::Frames(pictures) = self else { return Some((0, index)) };
-        for (number, picture) in pictures.iter().enumerate() {
-            if index < picture.raster.len() {
-                return Some((number, index));
-            }
-            index -= picture.raster.len();
-        }
-        None
     }
 
     /// Returns the true first hit of the ray `index`, and the [`Problem`] from which its condition
@@ -92,11 +78,9 @@ impl CaseSubject {
                 let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
                 (scene, *ray, reference::first_hit(&objects_of(scene), origin, direction)?)
             }
-            CaseSubject::Frames(pictures) => {
-                let (number, pixel) = self.locate(index)?;
-                let picture = &pictures[number];
-                let ray = picture.camera.ray_of_pixel(picture.pixel(pixel));
-                (&*picture.scene, ray, picture.truth(pixel)?)
+            CaseSubject::Frame(picture) => {
+                let ray = picture.camera.ray_of_pixel(picture.pixel(index));
+                (&*picture.scene, ray, picture.truth(index)?)
             }
         };
         let object = scene.object(u32::try_from(hit.object).ok()?)?;
@@ -115,32 +99,27 @@ impl CaseSubject {
                 compared.run();
                 let fitting = MEASUREMENT.div_duration_f64(start.elapsed()) as u32;
                 let repeats = fitting.clamp(1, 100);
-                Kernel { compared: vec![compared], timed: vec![timed], repeats }
+                Kernel { compared, timed, repeats }
             }
-            CaseSubject::Frames(pictures) => {
-                let make = |picture: &MeasuredPicture, camera: &ResolvedCamera, raster: &Raster| {
-                    frame_kernel(method, &picture.scene, camera, raster)
-                };
-                Kernel {
-                    compared: pictures.iter().map(|p| make(p, &p.camera, &p.raster)).collect(),
-                    timed: pictures.iter().map(|p| make(p, &p.timed.0, &p.timed.1)).collect(),
-                    repeats: 1,
-                }
+            CaseSubject::Frame(picture) => {
+                let MeasuredPicture { scene, camera, raster, timed, .. } = &**picture;
+                let [compared, timed] =
+                    [raster, timed].map(|raster| frame_kernel(method, scene, camera, raster));
+                Kernel { compared, timed, repeats: 1 }
             }
         })
     }
 
     /// Returns the first hit that a method finds for the ray `index`; `None` if it finds none.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
-        let (number, index) = self.locate(index)?;
-        kernel.compared[number].hit(index)
+        kernel.compared.hit(index)
     }
 
     /// Returns the number of pixels (or rays) that are traced for timing.
     pub(super) fn pixels_timed(&self) -> usize {
         match self {
             CaseSubject::Rays(cases) => cases.len(),
-            CaseSubject::Frames(pictures) => pictures.iter().map(|p| p.timed.1.len()).sum(),
+            CaseSubject::Frame(picture) => picture.timed.len(),
         }
     }
 
@@ -150,7 +129,7 @@ impl CaseSubject {
         let mut measure = || {
             let start = Instant::now();
             for _ in 0..kernel.repeats {
-                kernel.timed.iter_mut().for_each(|kernel| kernel.run());
+                kernel.timed.run();
             }
             start.elapsed()
         };
@@ -166,11 +145,7 @@ impl Kernel {
     /// Returns how many decisions, and how many values of `t`, the ladder made in `f64`, in
     /// double-double and in exact integers, in the last time measurement; `None` for other methods.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
-        let mut each = self.timed.iter().map(|kernel| kernel.steps());
-        each.try_fold([Steps::default(); 2], |[decisions, of_t], steps| {
-            let [more, more_of_t] = steps?;
-            Some([decisions + more, of_t + more_of_t])
-        })
+        self.timed.steps()
     }
 }
 
@@ -183,7 +158,7 @@ impl MeasuredPicture {
         given: &Camera,
         camera: &ResolvedCamera,
         raster: Raster,
-        timed: (ResolvedCamera, Raster),
+        timed: Raster,
     ) -> MeasuredPicture {
         let (objects, of_reference, camera) =
             (objects_of(&scene), reference_camera(given), *camera);

@@ -129,15 +129,13 @@ fn first(painter: &Painter, report: &Report, summaries: &[Summary]) {
     let bottom = table::of_all(painter, pos2(MARGIN, TOP), &all);
     let wrong = "Wrong: hit or miss, which object is first, or another root of it; such rays are in no \
                  error. None: no digit of t is right, or no hit is.";
-    let mut y = paragraph(painter, bottom + 2.0, &format!("{wrong} {WORDS}"));
-    let summary::Overall { noun, in_share, in_errors, .. } = all;
-    if in_errors < in_share {
-        let which = format!(
-            "Of the {in_share} {noun} that all formulas have, ladder-f32 has {in_errors}: errors and times are \
-             of those. The error of each is that of its worst setting, the time that of its middle one."
-        );
-        y = paragraph(painter, y, &which);
-    }
+    let of_family = match all.noun {
+        "families" => {
+            " A family's error is that of its worst setting, its time that of the middle one."
+        }
+        _ => "",
+    };
+    let y = paragraph(painter, bottom + 2.0, &format!("{wrong}{of_family} {WORDS}"));
     foot(painter, y, report);
 }
 

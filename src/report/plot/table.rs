@@ -55,7 +55,7 @@ pub(super) fn of_scene<'a>(painter: &Painter, at: Pos2, summary: &'a Summary<'a>
 
 /// Draws the table for all scenes or families. Returns the position of its lower edge.
 pub(super) fn of_all<'a>(painter: &Painter, at: Pos2, all: &Overall<'a>) -> f32 {
-    let Overall { methods, noun, in_share, in_errors } = all;
+    let Overall { methods, noun, shared } = all;
     let row = |method: &MethodOverall<'a>| {
         let wrong = match method.share {
             None => "-".to_owned(),
@@ -66,9 +66,9 @@ pub(super) fn of_all<'a>(painter: &Painter, at: Pos2, all: &Overall<'a>) -> f32 
         TableRow { method: method.first, wrong, is_wrong: method.wrong > 0 }
     };
     let rows: Vec<TableRow> = methods.iter().map(row).collect();
-    let about = format!("mean share, {in_share} {noun}");
+    let about = format!("mean share, {shared} {noun}");
     let body = table(painter, at, PAGE.x - 2.0 * MARGIN, &rows, &about);
-    let spread = format!("least to most of {in_errors} {noun} that all have");
+    let spread = format!("least to most of {shared} {noun} that all have");
     let head = |x: f32, name: &str, about: &str| {
         painter.text(pos2(x, at.y), Align2::LEFT_CENTER, name, bold(17.0), TEXT);
         painter.text(pos2(x, at.y + 20.0), Align2::LEFT_CENTER, about, plain(SMALL), WEAK);

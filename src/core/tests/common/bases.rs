@@ -1,6 +1,8 @@
-//! Families of difficult camera bases, like those of rays and frames in `pinhole_reference::Family`.
+//! Families of difficult camera bases, like those of rays in `pinhole_reference::Family`.
 
 use pinhole_reference::{Draw, Orientation};
+
+use super::frames::mapped;
 
 /// A camera's place and orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +29,10 @@ impl BasisFamily {
     pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<BasisCase> {
         let given = |mut draw: Draw| {
             let BasisCase { eye, orientation } = (self.make)(&mut draw, knob);
-            BasisCase { eye: draw.given3(eye), orientation: orientation.map(|v| draw.given3(v)) }
+            BasisCase {
+                eye: draw.given3(eye),
+                orientation: mapped(orientation, |v| draw.given3(v)),
+            }
         };
         Draw::cases(seed, self.name, knob, count, single).map(given).collect()
     }

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod bases;
+pub(crate) mod frames;
 pub(crate) mod given;
 pub(crate) mod invalid;
 pub(crate) mod levels;

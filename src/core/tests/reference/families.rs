@@ -4,11 +4,12 @@ use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use pinhole_reference::{
-    Camera, Family, FrameCase, Make, Object, Orientation, RayCase, Real, Status, View,
-    angle_between, basis, first_hit, roots,
+    Camera, Family, Object, Orientation, RayCase, Real, Status, View, angle_between, basis,
+    first_hit, roots,
 };
 
 use crate::common::bases::{self, BasisCase, BasisFamily};
+use crate::common::frames::{self, FrameCase, FrameFamily};
 use crate::common::invalid;
 
 const SEED: u64 = 20;
@@ -19,7 +20,7 @@ fn rays(name: &str, knob: f64, single: bool) -> Vec<RayCase> {
 }
 
 fn frames(name: &str, knob: f64, count: usize) -> Vec<FrameCase> {
-    Family::named(name).unwrap().frames(knob, SEED, count, false)
+    FrameFamily::named(name).cases(knob, SEED, count, false)
 }
 
 fn bases(name: &str) -> &'static BasisFamily {
@@ -31,12 +32,6 @@ enum Case {
     Ray(RayCase),
     Basis(BasisCase),
     Frame(FrameCase),
-}
-
-fn cases(family: &Family, knob: f64, count: usize, single: bool) -> Vec<Case> {
-    let rays = family.rays(knob, SEED, count, single).into_iter().map(Case::Ray);
-    let frames = family.frames(knob, SEED, count, single).into_iter().map(Case::Frame);
-    rays.chain(frames).collect()
 }
 
 fn is_valid(object: &Object) -> bool {
@@ -105,28 +100,29 @@ fn some_of_all(mut visit: impl FnMut(&str, f64, bool, &Case)) {
             }
         }
     };
-    let (rays, frames): (Vec<&Family>, Vec<&Family>) = Family::all().partition(|f| is_of_rays(f));
-    for family in rays {
-        some_of(family.name, family.knobs, &|knob, single| cases(family, knob, 12, single));
+    for family in Family::all() {
+        some_of(family.name, family.knobs, &|knob, single| {
+            family.rays(knob, SEED, 12, single).into_iter().map(Case::Ray).collect()
+        });
     }
     for family in &bases::FAMILIES {
         some_of(family.name, family.knobs, &|knob, single| {
             family.cases(knob, SEED, 12, single).into_iter().map(Case::Basis).collect()
         });
     }
-    for family in frames {
-        some_of(family.name, family.knobs, &|knob, single| cases(family, knob, 12, single));
+    for family in &frames::FAMILIES {
+        some_of(family.name, family.knobs, &|knob, single| {
+            family.cases(knob, SEED, 12, single).into_iter().map(Case::Frame).collect()
+        });
     }
-}
-
-fn is_of_rays(family: &Family) -> bool {
-    matches!(family.make, Make::Rays(_))
 }
 
 #[test]
 fn the_table_is_complete() {
     let of_bases = bases::FAMILIES.iter().map(|family| family.name);
-    let names: Vec<&str> = Family::all().map(|family| family.name).chain(of_bases).collect();
+    let of_frames = frames::FAMILIES.iter().map(|family| family.name);
+    let names = Family::all().map(|family| family.name).chain(of_bases).chain(of_frames);
+    let names: Vec<&str> = names.collect();
     assert_eq!(names.iter().collect::<BTreeSet<_>>().len(), names.len());
     for family in Family::all() {
         let is_kebab = |c: char| c.is_ascii_lowercase() || c == '-';
@@ -135,7 +131,6 @@ fn the_table_is_complete() {
         assert!(family.about.ends_with(['.', '?']), "{}", family.name);
         assert!(family.knobs.is_sorted() && family.knobs.len() > 1, "{}", family.name);
     }
-    assert!(Family::all().any(is_of_rays) && !Family::all().all(is_of_rays));
 }
 
 #[test]
@@ -324,9 +319,9 @@ fn outlines_go_through_pixel_centres() {
 
 #[test]
 fn frames_have_a_basis_and_see_something() {
-    for family in Family::all().filter(|family| !is_of_rays(family)) {
+    for family in &frames::FAMILIES {
         for &knob in family.knobs {
-            let cases = family.frames(knob, SEED, 4, false);
+            let cases = family.cases(knob, SEED, 4, false);
             let sees = |case: &FrameCase| {
                 let Camera { rows, columns, .. } = case.camera;
                 let view = case.camera.prepare(&case.objects).unwrap();

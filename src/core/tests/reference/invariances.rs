@@ -4,10 +4,10 @@
 use std::cmp::Ordering;
 
 use pinhole_reference::{
-    Camera, Family, FrameCase, Hit, Make, Object, Orientation, RayCase, Real, angle_between, basis,
-    first_hit, roots,
+    Camera, Family, Hit, Object, Orientation, RayCase, Real, angle_between, basis, first_hit, roots,
 };
 
+use crate::common::frames::{FrameCase, FrameFamily, mapped as mapped_orientation};
 use crate::common::{bases, margins};
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
@@ -16,8 +16,7 @@ type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
 /// range of `f64`.
 fn everyday_ray_families() -> impl Iterator<Item = &'static Family> {
     let is_extreme = |name: &str| name.ends_with("-range");
-    Family::all()
-        .filter(move |family| matches!(family.make, Make::Rays(_)) && !is_extreme(family.name))
+    Family::all().filter(move |family| !is_extreme(family.name))
 }
 
 fn all_rays(count: usize) -> impl Iterator<Item = RayCase> {
@@ -194,19 +193,13 @@ fn a_camera_along_the_axes_is_an_ordinary_ray() {
 #[test]
 fn a_camera_may_be_turned_with_its_world() {
     for FrameCase { camera, objects } in
-        Family::named("frame-ordinary").unwrap().frames(8.0, 15, 6, false)
+        FrameFamily::named("frame-ordinary").cases(8.0, 15, 6, false)
     {
-        let turned = |orientation| match orientation {
-            Orientation::At { at, up } => Orientation::At { at: permuted(at), up: permuted(up) },
-            Orientation::View { view, up } => {
-                Orientation::View { view: permuted(view), up: permuted(up) }
-            }
-            Orientation::Basis { u, v, w } => {
-                Orientation::Basis { u: permuted(u), v: permuted(v), w: permuted(w) }
-            }
+        let other = Camera {
+            eye: permuted(camera.eye),
+            orientation: mapped_orientation(camera.orientation, permuted),
+            ..camera
         };
-        let other =
-            Camera { eye: permuted(camera.eye), orientation: turned(camera.orientation), ..camera };
         let view = camera.prepare(&objects).unwrap();
         let other_view = other.prepare(&mapped(&objects, &permuted, &permuted, 1.0)).unwrap();
         for (row, column) in (0..camera.rows).zip((0..camera.columns).rev()) {
@@ -224,8 +217,8 @@ fn a_camera_may_be_turned_with_its_world() {
 
 #[test]
 fn a_pixel_is_the_uv_of_its_centre() {
-    let family = Family::named("frame-ordinary").unwrap();
-    for FrameCase { mut camera, objects } in family.frames(3.0, 16, 4, false) {
+    let family = FrameFamily::named("frame-ordinary");
+    for FrameCase { mut camera, objects } in family.cases(3.0, 16, 4, false) {
         // With powers of two the centre's position is a double.
         (camera.columns, camera.rows, camera.width, camera.height) = (16, 8, 1.0, 0.5);
         let view = camera.prepare(&objects).unwrap();

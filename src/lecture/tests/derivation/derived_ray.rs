@@ -2,11 +2,11 @@
 
 use pinhole_core::*;
 use pinhole_lecture::RayDerivation;
-use pinhole_reference::{Family, angle_between};
+use pinhole_reference::angle_between;
 use proptest::prelude::*;
 
 use super::{AT_45_DEGREES, vector};
-use crate::common::{assert_ulps, assert_ulps3, given, ulps, vec3};
+use crate::common::{assert_ulps, assert_ulps3, frames, given, ulps, vec3};
 use crate::config;
 
 #[test]
@@ -81,9 +81,9 @@ proptest! {
 #[test]
 fn the_direction_is_that_of_the_reference() {
     let mut rays = 0;
-    for family in Family::all() {
+    for family in &frames::FAMILIES {
         for &knob in family.knobs {
-            for case in family.frames(knob, 5, 2, false) {
+            for case in family.cases(knob, 5, 2, false) {
                 let Ok(view) = case.camera.prepare(&[]) else { continue };
                 let resolved = given::camera(&case.camera).resolve().unwrap();
                 let pixel = Pixel { row: 1, column: 2 };

@@ -1,29 +1,150 @@
-//! Families of difficult cases that are whole pictures. In some of them, outlines of spheres pass
-//! exactly through pixel centres, or objects coincide.
+//! Families of difficult cases that are whole pictures, like those of rays in
+//! `pinhole_reference::Family`. In some of them, outlines of spheres pass exactly through pixel
+//! centres, or objects coincide.
 
-use crate::camera::{Camera, Orientation};
-use crate::families::draw::{Draw, cross, dot, plus, scaled};
-use crate::families::{FamilyRow, FrameCase, OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
-use crate::object::Object;
+use pinhole_reference::{Camera, Draw, Object, Orientation};
 
-pub(crate) const FAMILIES: [FamilyRow<FrameCase>; 12] = [
-    ("frame-ordinary", "number of objects", &[1.0, 3.0, 8.0], everyday),
-    ("frame-tangent", "radius, in ulps from tangent", &ULPS, tangent),
-    ("frame-ties", "second radius, ulps from first", &ULPS, ties),
-    ("frame-touching", "inner radius, in ulps from touching", &ULPS, touching),
-    ("frame-planet", "log10 of the radius", &PLANETS, planet),
-    ("frame-tiny-far", "log10 of radius / distance", &SMALL, tiny_far),
-    ("frame-eye-near-surface", "log10 of height / radius", &TO_ROUNDING, eye_near_surface),
-    ("frame-offset", "log10 of the offset", &OFFSETS, offset),
-    ("frame-up-near-view", "log10 of the angle, in radians", &TO_ROUNDING, up_near_view),
-    ("frame-long-thin", "log10 of its pixels", &[0.0, 1.0, 2.0, 3.0, 4.0], long_thin),
-    (
-        "viewport-extreme",
-        "log10 of the size",
-        &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
-        viewport_extreme,
-    ),
-    ("frame-range", "log10 of the scale", &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0], range),
+/// A whole picture.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct FrameCase {
+    /// The camera, with a small image.
+    pub(crate) camera: Camera,
+    /// Spheres first, then planes.
+    pub(crate) objects: Vec<Object>,
+}
+
+/// Pictures that are difficult for the same reason, with a parameter, the knob, that sets how difficult
+/// they are.
+pub(crate) struct FrameFamily {
+    /// Its name, in kebab-case.
+    pub(crate) name: &'static str,
+    /// The knob's values, in ascending order.
+    pub(crate) knobs: &'static [f64],
+    make: fn(&mut Draw, f64) -> FrameCase,
+}
+
+impl FrameFamily {
+    /// Returns the family with this name.
+    pub(crate) fn named(name: &str) -> &'static FrameFamily {
+        FAMILIES.iter().find(|family| family.name == name).expect("a family")
+    }
+
+    /// Returns `count` cases for one value of the knob. If `single` is true, all numbers are exact in
+    /// `f32`.
+    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
+        let given = |mut draw: Draw| {
+            let FrameCase { camera, objects } = (self.make)(&mut draw, knob);
+            let camera = Camera {
+                eye: draw.given3(camera.eye),
+                orientation: mapped(camera.orientation, |v| draw.given3(v)),
+                width: draw.given(camera.width),
+                height: draw.given(camera.height),
+                distance: draw.given(camera.distance),
+                ..camera
+            };
+            let objects = objects.into_iter().map(|object| object.given(&draw)).collect();
+            FrameCase { camera, objects }
+        };
+        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
+    }
+}
+
+/// Returns the orientation with each of its vectors mapped by `vector`.
+pub(crate) fn mapped(
+    orientation: Orientation,
+    vector: impl Fn([f64; 3]) -> [f64; 3],
+) -> Orientation {
+    match orientation {
+        Orientation::At { at, up } => Orientation::At { at: vector(at), up: vector(up) },
+        Orientation::View { view, up } => Orientation::View { view: vector(view), up: vector(up) },
+        Orientation::Basis { u, v, w } => {
+            Orientation::Basis { u: vector(u), v: vector(v), w: vector(w) }
+        }
+    }
+}
+
+impl FrameCase {
+    /// Returns the case with its points and radii mapped by these functions.
+    fn map(
+        self,
+        map_point: impl Fn([f64; 3]) -> [f64; 3],
+        radius: impl Fn(f64) -> f64,
+    ) -> FrameCase {
+        let orientation = match self.camera.orientation {
+            Orientation::At { at, up } => Orientation::At { at: map_point(at), up },
+            other => other,
+        };
+        let camera = Camera { eye: map_point(self.camera.eye), orientation, ..self.camera };
+        let objects =
+            self.objects.into_iter().map(|object| object.map(&map_point, |normal| normal, &radius));
+        FrameCase { camera, objects: objects.collect() }
+    }
+
+    /// Returns the case with all lengths of the world multiplied by `scale`, but not those of the
+    /// viewport. Only t changes.
+    fn scaled(self, scale: f64) -> FrameCase {
+        self.map(|v| scaled(v, scale), |radius| radius * scale)
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn scaled(a: [f64; 3], s: f64) -> [f64; 3] {
+    a.map(|x| x * s)
+}
+
+/// Returns `a + s b`.
+fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
+const ULPS: [f64; 3] = [-1.0, 0.0, 1.0];
+const TO_ROUNDING: [f64; 8] = [-16.0, -14.0, -12.0, -10.0, -8.0, -6.0, -3.0, -1.0];
+
+/// All families of pictures.
+pub(crate) const FAMILIES: [FrameFamily; 12] = [
+    // The knob: number of objects.
+    FrameFamily { name: "frame-ordinary", knobs: &[1.0, 3.0, 8.0], make: everyday },
+    // The knob: radius, in ulps from tangent.
+    FrameFamily { name: "frame-tangent", knobs: &ULPS, make: tangent },
+    // The knob: second radius, ulps from first.
+    FrameFamily { name: "frame-ties", knobs: &ULPS, make: ties },
+    // The knob: inner radius, in ulps from touching.
+    FrameFamily { name: "frame-touching", knobs: &ULPS, make: touching },
+    // The knob: log10 of the radius.
+    FrameFamily { name: "frame-planet", knobs: &[3.0, 4.0, 5.0, 6.0, 7.0, 8.0], make: planet },
+    // The knob: log10 of radius / distance.
+    FrameFamily {
+        name: "frame-tiny-far",
+        knobs: &[-12.0, -10.0, -8.0, -6.0, -3.0, -1.0],
+        make: tiny_far,
+    },
+    // The knob: log10 of height / radius.
+    FrameFamily { name: "frame-eye-near-surface", knobs: &TO_ROUNDING, make: eye_near_surface },
+    // The knob: log10 of the offset.
+    FrameFamily { name: "frame-offset", knobs: &[3.0, 6.0, 9.0, 12.0], make: offset },
+    // The knob: log10 of the angle, in radians.
+    FrameFamily { name: "frame-up-near-view", knobs: &TO_ROUNDING, make: up_near_view },
+    // The knob: log10 of its pixels.
+    FrameFamily { name: "frame-long-thin", knobs: &[0.0, 1.0, 2.0, 3.0, 4.0], make: long_thin },
+    // The knob: log10 of the size.
+    FrameFamily {
+        name: "viewport-extreme",
+        knobs: &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
+        make: viewport_extreme,
+    },
+    // The knob: log10 of the scale.
+    FrameFamily {
+        name: "frame-range",
+        knobs: &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
+        make: range,
+    },
 ];
 
 /// Returns a camera at `eye` that looks at a point, with 16 to 24 pixels along each side of the image.
