@@ -69,8 +69,8 @@ impl Measurement {
         scene: &Scene,
         camera: &Camera,
     ) -> Result<Measurement, CameraError> {
-        let cases = scenes::cases(name, scene, camera)?;
-        Ok(Measurement::new(cases, "a frame of the scene", scenes::NOTE, None))
+        let (case, left_out) = scenes::case(name, scene, camera)?;
+        Ok(Measurement::new((vec![case], left_out), "a frame of the scene", scenes::NOTE, None))
     }
 
     /// Creates the measurement of all stress families, which takes about two minutes on two cores. The

@@ -49,9 +49,6 @@ pub struct Case {
     pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
-    /// For a part of a scene that is measured separately, such as its planes, the name of the whole
-    /// scene, which is a case of its own. `None` for a whole scene or a family.
-    pub part_of: Option<String>,
 }
 
 /// Median and maximum of the condition number of t. If centre, radius, origin and direction each change

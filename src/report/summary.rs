@@ -51,11 +51,9 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
-/// Returns the summaries of a report's scenes and families, in order. Separately measured parts of a
-/// scene, such as its planes, are excluded, since otherwise their rays would be counted twice.
+/// Returns the summaries of a report's scenes and families, in order.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
-    let families = report.families().into_iter();
-    families.filter(|cases| cases[0].part_of.is_none()).map(Summary::new).collect()
+    report.families().into_iter().map(Summary::new).collect()
 }
 
 impl<'a> Summary<'a> {

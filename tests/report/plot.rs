@@ -189,20 +189,15 @@ fn marks_at_the_same_place_stand_side_by_side_each_with_its_ring() {
     assert!(last(RING) < last("fill=\"#000000\""), "the ladder on top");
 }
 
-/// Planes alone are in the table: their pixels are those of the scene.
 #[test]
-fn a_scene_is_a_page_and_its_parts_are_on_none() {
+fn a_scene_is_a_page() {
     let mut report = sample::report();
-    let mut part = report.cases[0].clone();
-    (part.name, part.part_of) = ("canonical: planes".to_owned(), Some("canonical".to_owned()));
     report.cases.truncate(1);
-    report.cases.push(part);
     assert_eq!(plot::pages(&report, 1.0).len(), 1);
     assert_eq!(count(&svg_of(&report), ">nanoseconds a pixel</tspan></text>"), 1);
-    assert_eq!(count(&svg_of(&report), "canonical: planes"), 0);
     // Several scenes: a summary, and a page each.
     report.cases.push(sample::report().cases.remove(0));
-    report.cases[2].name = "look-at".to_owned();
+    report.cases[1].name = "look-at".to_owned();
     assert_eq!(plot::pages(&report, 1.0).len(), 3);
     assert_eq!(count(&svg_of(&report), ">mean share, 2 scenes</tspan></text>"), 1);
 }

@@ -167,8 +167,7 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                 "max": 50.0
               },
               "condition_f32": null,
-              "about": "",
-              "part_of": null
+              "about": ""
             }
           ],
           "left_out": [

@@ -1,5 +1,4 @@
-//! The cases of a scene: the whole scene, and separate cases for its planes and for the spheres that
-//! contain the eye, which are traced by code of their own.
+//! The case of a scene, which is seen by a camera.
 
 use std::sync::Arc;
 
@@ -21,49 +20,26 @@ const TIMED_TESTS: usize = 1 << 17;
 pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
      its error";
 
-/// Returns the cases of a scene, and sentences about measurements that are omitted. The cases are the
-/// whole scene, the spheres that contain the eye alone, and the planes alone. The latter two are
-/// present only if the scene has such objects, and others as well.
-pub(super) fn cases(
+/// Returns the case of a scene, and sentences about measurements that are omitted.
+pub(super) fn case(
     name: &str,
     scene: &Scene,
     camera: &Camera,
-) -> Result<(Vec<CaseRun>, Vec<String>), CameraError> {
+) -> Result<(CaseRun, Vec<String>), CameraError> {
     let (resolved, camera) = (camera.resolve()?, *camera);
-    let run = |title: String, part_of, scene: Scene, pieces| {
-        let case = Case { name: title.clone(), part_of, ..Case::default() };
-        let limits = Limits { rounds: 41, pieces };
-        CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved))
-    };
-    let mut cases = vec![run(name.to_owned(), None, scene.clone(), 400)];
-    let (spheres, planes) = (scene.spheres(), scene.planes());
-    let around = scene.spheres_around(camera.eye);
-    let around: Vec<_> = around.into_iter().map(|index| spheres[index as usize]).collect();
-    let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
-        if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
-            cases.push(run(format!("{name}: {what}"), Some(name.to_owned()), scene, 100));
-        }
-    };
-    if !around.is_empty() && around.len() < scene.len() {
-        alone("spheres around the eye, alone", &around, &[]);
-    }
-    if !planes.is_empty() && !spheres.is_empty() {
-        alone("planes, alone", &[], planes);
-    }
-    let mut left_out = vec![match (spheres, planes) {
-        ([], []) => "no sphere rows and no plane rows: the scene is empty",
+    let left_out = match (scene.spheres(), scene.planes()) {
+        ([], []) => Some("the scene is empty"),
         ([], _) => {
-            "no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane"
+            Some("the scene has no spheres; all methods but the ladder share the textbook's plane")
         }
-        (_, []) => "no plane rows: the scene has no planes",
-        _ => {
-            "planes, alone: one row a precision: all methods but the ladder share the textbook's plane"
-        }
-    }];
-    if around.is_empty() && !spheres.is_empty() {
-        left_out.push("no inside rows: the eye is outside every sphere");
-    }
-    Ok((cases, left_out.into_iter().map(|what| format!("{name}: {what}")).collect()))
+        _ => None,
+    };
+    let left_out = left_out.map(|what| format!("{name}: no sphere rows: {what}"));
+    let case = Case { name: name.to_owned(), ..Case::default() };
+    let (limits, scene, title) =
+        (Limits { rounds: 41, pieces: 400 }, scene.clone(), name.to_owned());
+    let run = CaseRun::new(case, limits, move || make(&title, scene, &camera, &resolved));
+    Ok((run, left_out.into_iter().collect()))
 }
 
 /// Returns the methods to measure: all of them or, if there are only planes, one for each way of
