@@ -104,7 +104,7 @@
 //! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step: `ui/app/glide.rs` |
 //! | an exercise on the stage | `ui/stage/exercises.rs`; its scene, observer and solution: `ui/app/question.rs` |
 //! | the vote, its rounds and hands | `model/practice/vote.rs`, `ui/practice/vote.rs` |
-//! | codes of answers, and the mistakes of a class | `model/practice/code.rs`, `model/practice/class.rs`, `ui/practice/class.rs`, `cli/check_codes.rs` |
+//! | codes of answers, and the mistakes of a class | `model/practice/code.rs`, `model/practice/class.rs`, `ui/practice/class.rs`, `cli/check_class.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
 //! | a link and its QR code | `exchange/link.rs`, `figures/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |

@@ -81,7 +81,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__check)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --answers --codes --kind --columns --complete --json --tolerance --count-from --map --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --answers --codes --kind --columns --complete --json --csv --tolerance --count-from --map --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

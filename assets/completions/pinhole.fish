@@ -74,6 +74,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write a map of the image: right answers light, wrong ones orange, the rest grey' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'Require every pixel: a pixel without an answer counts as wrong'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l csv -d 'Print a table as CSV, a row for each file of a folder'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path, to standard output in place of the table' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time, a page for each scene; the ending chooses the format. For several scenes, and for the families, OUT.svg is a summary, and the pages are OUT-2.svg, OUT-3.svg and so on' -r -F

@@ -65,10 +65,10 @@ pub enum Command {
     /// Grade a student's basis, rays, hits or picture, and name the mistake
     #[command(
         long_about = include_str!("about/check.txt"),
-        override_usage = "pinhole check [OPTIONS] --answers <IN.csv|IN.png> <SCENE>\n       \
+        override_usage = "pinhole check [OPTIONS] --answers <IN.csv|IN.png|FOLDER> <SCENE>\n       \
                           pinhole check --codes <CODES.txt> [--json]",
-        after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
-                      cannot be read."
+        after_help = "Status 0: all answers agree; 1: not all do, or a file of a class is broken; 2: \
+                      answers, scene or arguments cannot be read."
     )]
     Check(CheckArguments),
     /// Measure the error of every method against its run time
@@ -314,15 +314,15 @@ pub struct CheckArguments {
     ///
     /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
     /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
-    /// shaded in one of the ways of render.
-    #[arg(long, value_name = "IN.csv|IN.png", required_unless_present = "codes")]
+    /// shaded in one of the ways of render. Of a folder, every file is graded.
+    #[arg(long, value_name = "IN.csv|IN.png|FOLDER", required_unless_present = "codes")]
     pub answers: Option<PathBuf>,
     /// Count the mistakes of a class instead, in codes of answers to exercises; - reads standard input
     ///
     /// Students get their code by Copy my answer in Practice. Other words in the text are ignored.
     #[arg(long, value_name = "CODES.txt")]
     #[arg(conflicts_with_all = ["scene", "answers", "kind", "columns", "complete"])]
-    #[arg(conflicts_with_all = ["tolerance", "count_from", "map"])]
+    #[arg(conflicts_with_all = ["tolerance", "count_from", "map", "csv"])]
     pub codes: Option<PathBuf>,
     /// The kind of answers that is asked for; answers of another kind are an error
     #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
@@ -336,6 +336,9 @@ pub struct CheckArguments {
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+    /// Print a table as CSV, a row for each file of a folder
+    #[arg(long, conflicts_with = "json")]
+    pub csv: bool,
     /// Maximum error of an answer relative to its size, by default 0.00001; for a picture, in levels
     /// of 255 per channel, by default 2
     #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]

@@ -4,43 +4,45 @@ use std::fmt::Write as _;
 use std::io::BufWriter;
 use std::path::Path;
 
-use pinhole_core::ImageSize;
+use pinhole_core::{ImageSize, Scene};
 use pinhole_exchange::images::png;
-use pinhole_exchange::{FileError, answers, atomic, limits};
+use pinhole_exchange::{Document, FileError, answers, atomic, limits};
 use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Worst, grade};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::check_codes;
+use super::check_class;
 use super::console::{CommandError, is_standard, named, read, scene_fault, to_json, to_stdout};
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
+/// What is printed, and the exit status: an error unless all answers agree.
+pub(super) type Checked = (String, Result<(), CommandError>);
+
 /// Runs `pinhole check`. If the scene or another input cannot be read, the exit status is not that of wrong
 /// answers, because the student is not to blame.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
-    let (text, all_agree) = match (&arguments.codes, &arguments.scene, &arguments.answers) {
-        (Some(codes), ..) => check_codes::graded(codes, arguments.json).map_err(unreadable)?,
-        (None, Some(scene), Some(answers)) => {
-            let graded = graded(arguments, scene, answers).map_err(unreadable)?;
-            let text = match arguments.json {
-                true => to_json(&Check::new(&graded)).map_err(unreadable)?,
-                false => text(&graded),
-            };
-            (text, graded.grade.all_agree())
-        }
+    let checked = match (&arguments.codes, &arguments.scene, &arguments.answers) {
+        (Some(codes), ..) => check_class::of_codes(codes, arguments.json),
+        (None, Some(scene), Some(answers)) => of_answers(arguments, scene, answers),
         // clap refuses it before.
-        _ => {
-            let problem = "give a SCENE and --answers, or --codes";
-            return Err(CommandError::Arguments(problem.to_owned()));
-        }
+        _ => refused("give a SCENE and --answers, or --codes"),
     };
+    let (text, status) = checked.map_err(unreadable)?;
     match to_stdout(|out| out.write_all(text.as_bytes())) {
         // The exit status reports the grade, even if nobody reads the output.
-        Ok(()) | Err(CommandError::ReaderGone) if all_agree => Ok(()),
-        Ok(()) | Err(CommandError::ReaderGone) => Err(CommandError::Disagrees),
+        Ok(()) | Err(CommandError::ReaderGone) => status,
         Err(error) => Err(unreadable(error)),
     }
+}
+
+/// Returns the status of answers that all agree, or that do not.
+pub(super) fn status(all_agree: bool) -> Result<(), CommandError> {
+    if all_agree { Ok(()) } else { Err(CommandError::Disagrees) }
+}
+
+fn refused<T>(problem: &str) -> Result<T, CommandError> {
+    Err(CommandError::Arguments(problem.to_owned()))
 }
 
 fn unreadable(error: CommandError) -> CommandError {
@@ -50,54 +52,85 @@ fn unreadable(error: CommandError) -> CommandError {
     }
 }
 
-fn graded(
+/// Grades a student's answers, or those of a class in a folder.
+fn of_answers(
     arguments: &CheckArguments,
     scene_path: &Path,
     answers_path: &Path,
-) -> Result<Graded, CommandError> {
+) -> Result<Checked, CommandError> {
     if let Some(map) = &arguments.map {
         named(map, "png", "--map writes PNG")?;
         atomic::check(map)?;
     }
     refuse_reading_twice(scene_path, ("--answers", answers_path))?;
     if arguments.map.as_deref().is_some_and(is_standard) {
-        let problem = "--map needs a file: the grade goes to standard output";
-        return Err(CommandError::Arguments(problem.to_owned()));
+        return refused("--map needs a file: the grade goes to standard output");
     }
-    let document = load(scene_path)?;
-    let resolved = pose(scene_path, &document)?;
-    let scene = document.scene().map_err(|error| scene_fault(scene_path, error))?;
-    let image = resolved.image();
-    let (path, bytes) = read(answers_path, limits::TABLE)?;
-    let mut inputs = files_of(scene_path, &document);
+    let task = Task::read(arguments, scene_path)?;
+    if answers_path.is_dir() {
+        if arguments.map.is_some() {
+            return refused("--map shows one student's answers, and --answers is a folder");
+        }
+        return check_class::of_folder(&task, answers_path, arguments);
+    }
+    if arguments.csv {
+        return refused("--csv has a row for each student: --answers must be a folder");
+    }
+    let mut inputs = files_of(scene_path, &task.document);
     inputs.push(answers_path.to_owned());
     refuse_overwriting(&inputs, arguments.map.as_deref().map(|map| ("--map", map)))?;
-    if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
-        && asked != kind.name()
-    {
-        let problem = format!("these are answers of the kind {}, not {asked}", kind.name());
-        return Err(FileError::of_file(path, problem).into());
-    }
-    if let [missing, ..] = answers::missing(&bytes, &arguments.columns)[..] {
-        let problem = format!("column {missing} is missing: it is asked for");
-        return Err(FileError::of_file(path, problem).into());
-    }
-    let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
-    if arguments.map.is_some() && answers.kind() == AnswerKind::Basis {
-        let problem =
-            "--map shows where in the image answers are wrong: a basis has no place there";
-        return Err(CommandError::Arguments(problem.to_owned()));
-    }
-    let color_of = |object| document.color_of(object);
-    let truth = Truth { camera: &document.camera, scene: &scene, color_of: &color_of };
-    let grade: Grade = grade(&truth, &answers, arguments.tolerance)
-        .map_err(|error| scene_fault(scene_path, error))?;
-    let graded = Graded { answers, grade, image, count_from: arguments.count_from };
-    let graded = if arguments.complete { graded.complete() } else { graded };
+    let graded = task.grade(answers_path)?;
     if let Some(map) = &arguments.map {
-        save_map(map, &graded, image)?;
+        if graded.grade.kind == AnswerKind::Basis {
+            return refused(
+                "--map shows where in the image answers are wrong: a basis has no place there",
+            );
+        }
+        save_map(map, &graded, graded.image)?;
     }
-    Ok(graded)
+    let text = if arguments.json { to_json(&Check::new(&graded))? } else { text(&graded) };
+    Ok((text, status(graded.grade.all_agree())))
+}
+
+/// The scene for which answers are graded, and the options by which they are.
+pub(super) struct Task<'a> {
+    arguments: &'a CheckArguments,
+    scene_path: &'a Path,
+    document: Document,
+    scene: Scene,
+    image: ImageSize,
+}
+
+impl<'a> Task<'a> {
+    fn read(arguments: &'a CheckArguments, scene_path: &'a Path) -> Result<Task<'a>, CommandError> {
+        let document = load(scene_path)?;
+        let image = pose(scene_path, &document)?.image();
+        let scene = document.scene().map_err(|error| scene_fault(scene_path, error))?;
+        Ok(Task { arguments, scene_path, document, scene, image })
+    }
+
+    /// Grades the answers in a file.
+    pub(super) fn grade(&self, answers_path: &Path) -> Result<Graded, CommandError> {
+        let (arguments, document, image) = (self.arguments, &self.document, self.image);
+        let (path, bytes) = read(answers_path, limits::TABLE)?;
+        if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
+            && asked != kind.name()
+        {
+            let problem = format!("these are answers of the kind {}, not {asked}", kind.name());
+            return Err(FileError::of_file(path, problem).into());
+        }
+        if let [missing, ..] = answers::missing(&bytes, &arguments.columns)[..] {
+            let problem = format!("column {missing} is missing: it is asked for");
+            return Err(FileError::of_file(path, problem).into());
+        }
+        let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
+        let color_of = |object| document.color_of(object);
+        let truth = Truth { camera: &document.camera, scene: &self.scene, color_of: &color_of };
+        let grade: Grade = grade(&truth, &answers, arguments.tolerance)
+            .map_err(|error| scene_fault(self.scene_path, error))?;
+        let graded = Graded { answers, grade, image, count_from: arguments.count_from };
+        Ok(if arguments.complete { graded.complete() } else { graded })
+    }
 }
 
 fn save_map(path: &Path, graded: &Graded, image: ImageSize) -> Result<(), FileError> {
@@ -143,14 +176,14 @@ fn text(graded: &Graded) -> String {
 
 /// The JSON output, with its fields in the order in which the man page explains them.
 #[derive(Serialize)]
-struct Check {
-    kind: &'static str,
-    answers: usize,
-    agree: usize,
+pub(super) struct Check {
+    pub(super) kind: &'static str,
+    pub(super) answers: usize,
+    pub(super) agree: usize,
     tolerance: f64,
     worst: Value,
-    mistakes: Vec<&'static str>,
-    advice: String,
+    pub(super) mistakes: Vec<&'static str>,
+    pub(super) advice: String,
     /// Other sets of mistakes that would lead to the same answers.
     alternatives: Vec<Vec<&'static str>>,
     /// The name of the shading with which the graded picture was compared; `None` if the answers are not a
@@ -161,7 +194,7 @@ struct Check {
 }
 
 impl Check {
-    fn new(graded: &Graded) -> Check {
+    pub(super) fn new(graded: &Graded) -> Check {
         let grade = &graded.grade;
         let diagnosis = &grade.diagnosis;
         Check {

@@ -7,7 +7,7 @@
 
 pub mod arguments;
 mod check;
-mod check_codes;
+mod check_class;
 mod console;
 mod figure;
 mod inspect;

@@ -1,6 +1,7 @@
 //! `pinhole check`
 
 mod codes;
+mod folder;
 mod written;
 
 use std::fmt::Write as _;

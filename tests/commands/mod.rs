@@ -130,7 +130,7 @@ fn wrong_arguments_are_status_2() {
     }
     run("render canonical -o a.png --shade phong").refused("lambert, normal, t, object");
     run("render canonical -o a.png --view side").refused("camera, world");
-    run("check canonical").refused("--answers <IN.csv|IN.png>");
+    run("check canonical").refused("--answers <IN.csv|IN.png|FOLDER>");
     run("check canonical --answers a.csv --tolerance -1").refused("\"-1\" is no tolerance");
     run("check canonical --answers a.csv --tolerance=nan").refused("\"nan\" is no tolerance");
     run("check canonical --answers a.csv --count-from 2").refused("2 is not in 0..=1");

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{Exercise, Verdict};
+use pinhole_lecture::grading::Grade;
 use serde::Serialize;
 
 use super::code::codes_in;
@@ -31,6 +32,14 @@ pub struct ClassExercise {
     pub answers: usize,
     /// The number of answers that were sent after the solution was shown.
     pub saw_solution: usize,
+    /// What was found in them.
+    #[serde(flatten)]
+    pub tally: Tally,
+}
+
+/// What was found in the answers of a class.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Tally {
     /// How often each outcome was found: [`RIGHT`] first, then the most common one. A mistake has the name that
     /// `pinhole check` uses. An answer with several mistakes counts for each.
     pub counts: Vec<(String, usize)>,
@@ -43,7 +52,27 @@ pub const RIGHT: &str = "right";
 /// The outcome of a wrong answer that no known mistake explains.
 const OTHER: &str = "another mistake";
 /// The outcome of an answer in which nothing is wrong, but something is missing.
-const INCOMPLETE: &str = "not complete";
+pub(crate) const INCOMPLETE: &str = "not complete";
+/// The outcome of answers that are right to the digits with which they are written.
+const FEW_DIGITS: &str = "too few digits";
+
+impl Tally {
+    /// Counts the outcomes of each answer. `explain` says what is wrong with a mistake.
+    pub(crate) fn new(
+        all: impl Iterator<Item = BTreeSet<String>>,
+        mistakes: &BTreeSet<Mistake>,
+        explain: impl Fn(Mistake) -> &'static str,
+    ) -> Tally {
+        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+        for outcome in all.flatten() {
+            *counts.entry(outcome).or_default() += 1;
+        }
+        let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
+        counts.sort_by_key(|(outcome, count)| (outcome != RIGHT, usize::MAX - count));
+        let explained = |one: &Mistake| format!("{}: {}", one.id(), explain(*one));
+        Tally { counts, explanations: mistakes.iter().map(explained).collect() }
+    }
+}
 
 impl ClassAnswers {
     /// Reads and grades all codes in a text.
@@ -72,7 +101,7 @@ impl ClassAnswers {
 
     /// Returns true if there are codes, and each is that of a right answer.
     pub fn all_right(&self) -> bool {
-        let mut counts = self.exercises.iter().flat_map(|own| &own.counts);
+        let mut counts = self.exercises.iter().flat_map(|own| &own.tally.counts);
         self.not_readable.is_empty()
             && !self.exercises.is_empty()
             && counts.all(|(it, _)| it == RIGHT)
@@ -97,21 +126,14 @@ impl ClassExercise {
             0 => String::new(),
             count => format!(", {count} after a look at the solution"),
         };
-        let mut counts: BTreeMap<String, usize> = BTreeMap::new();
         let mut mistakes = BTreeSet::new();
-        for outcome in all.iter().flat_map(|own| outcomes(own, &mut mistakes)) {
-            *counts.entry(outcome).or_default() += 1;
-        }
-        let mut counts: Vec<(String, usize)> = counts.into_iter().collect();
-        counts.sort_by_key(|(outcome, count)| (outcome != RIGHT, usize::MAX - count));
-        let explained = |one: &Mistake| format!("{}: {}", one.id(), one.exercise_feedback());
+        let found: Vec<_> = all.iter().map(|own| outcomes(own, &mut mistakes)).collect();
         (answers > 0).then(|| ClassExercise {
             exercise: exercise.id(),
             title: format!("{}: {answers} {plural}{seen}", exercise.title()),
             answers,
             saw_solution,
-            counts,
-            explanations: mistakes.iter().map(explained).collect(),
+            tally: Tally::new(found.into_iter(), &mistakes, |one| one.exercise_feedback()),
         })
     }
 }
@@ -134,6 +156,27 @@ fn outcomes(own: &Exercises, mistakes: &mut BTreeSet<Mistake>) -> BTreeSet<Strin
         found.insert(if is_wrong { OTHER } else { outcome }.to_owned());
     }
     found
+}
+
+/// Returns all that is found in a file's graded answers, and adds the mistakes.
+pub(crate) fn outcomes_of_grade(
+    grade: &Grade,
+    mistakes: &mut BTreeSet<Mistake>,
+) -> BTreeSet<String> {
+    let made = &grade.diagnosis.mistakes;
+    let other = grade.diagnosis.other.filter(|_| made.is_empty());
+    let made: Vec<Mistake> = made.iter().copied().chain(other).collect();
+    mistakes.extend(&made);
+    if !made.is_empty() {
+        return made.iter().map(|one| one.id().to_owned()).collect();
+    }
+    let outcome = match grade.right_digits {
+        _ if grade.all_agree() => RIGHT,
+        _ if grade.agree() == grade.is_right.len() => INCOMPLETE,
+        Some(_) => FEW_DIGITS,
+        None => OTHER,
+    };
+    BTreeSet::from([outcome.to_owned()])
 }
 
 /// The codes that a lecturer has collected, and what they say.

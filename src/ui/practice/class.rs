@@ -51,7 +51,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {
 pub(crate) fn spoken(class: &ClassAnswers) -> Vec<String> {
     let counts = |(outcome, count): &(String, usize)| format!("{outcome}: {count}");
     let exercise = |own: &ClassExercise| {
-        let counts = own.counts.iter().map(counts);
+        let counts = own.tally.counts.iter().map(counts);
         [own.title.clone()].into_iter().chain(counts).collect::<Vec<_>>()
     };
     class.exercises.iter().flat_map(exercise).chain(class.problems()).collect()
@@ -82,10 +82,10 @@ fn answers(ui: &mut Ui, class: &ClassAnswers) {
     ScrollArea::vertical().id_salt("class").auto_shrink(false).show(ui, |ui| {
         for own in &class.exercises {
             ui.heading(RichText::new(&own.title).size(LABEL).strong());
-            for (outcome, count) in &own.counts {
+            for (outcome, count) in &own.tally.counts {
                 bar(ui, own.answers, outcome, *count);
             }
-            for line in &own.explanations {
+            for line in &own.tally.explanations {
                 ui.label(line);
             }
             ui.add_space(GAP);

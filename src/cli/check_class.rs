@@ -1,0 +1,224 @@
+//! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+use pinhole_exchange::{FileError, legible, limits};
+use pinhole_lecture::Mistake;
+use pinhole_lecture::numbers::grouped;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::check::{Check, Checked, Task, status};
+use super::console::{CommandError, read, to_json, warn};
+use super::progress::Progress;
+use crate::cli::arguments::CheckArguments;
+use crate::model::practice::class::{ClassAnswers, INCOMPLETE, RIGHT, Tally, outcomes_of_grade};
+
+/// Grades the codes of answers in a text.
+pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<Checked, CommandError> {
+    let (path, bytes) = read(path, limits::TEXT)?;
+    let class = ClassAnswers::read(&String::from_utf8_lossy(&bytes));
+    if class.exercises.is_empty() {
+        let first = class.not_readable.first();
+        let problem = match first {
+            None => "no code in it: the code of an answer begins with answer1/".to_owned(),
+            Some((line, problem)) => {
+                format!("no code can be read: that in line {line} is {problem}")
+            }
+        };
+        return Err(FileError::of_file(path, problem).into());
+    }
+    let text = if as_json {
+        to_json(&class)?
+    } else {
+        let of = class.exercises.iter().map(|own| table(&own.title, own.answers, &own.tally));
+        let problems = class.problems().map(|problem| problem + "\n");
+        of.chain(problems).collect()
+    };
+    Ok((text, status(class.all_right())))
+}
+
+/// Grades every file in a folder. Nothing is printed before the last file is graded.
+pub(super) fn of_folder(
+    task: &Task,
+    folder: &Path,
+    arguments: &CheckArguments,
+) -> Result<Checked, CommandError> {
+    let (skipped, files) = entries(folder)?;
+    if !skipped.is_empty() {
+        warn(&format!("skipped as hidden or a folder: {}", skipped.join(", ")));
+    }
+    if files.is_empty() {
+        let problem = "there is no file in it: it must have a file for each student";
+        return Err(FileError::of_file(folder, problem).into());
+    }
+    let progress = Progress::new("file", Some(files.len()));
+    let graded = files.par_iter().map(|path| {
+        let student = Student::new(path, task);
+        progress.add(1);
+        student
+    });
+    let students: Vec<Student> = graded.collect();
+    drop(progress);
+    let mistakes = students.iter().flat_map(|student| &student.made).copied().collect();
+    let outcomes = students.iter().map(|student| student.outcomes.clone());
+    let tally = Tally::new(outcomes, &mistakes, |one| one.advice());
+    let is_broken = |student: &Student| student.check.is_none();
+    let status = if students.iter().all(is_broken) {
+        let problem = format!("{}: none of its files can be graded", folder.display());
+        Err(CommandError::Unreadable(problem))
+    } else {
+        status(students.iter().all(|student| student.verdict == RIGHT))
+    };
+    let text = if arguments.json {
+        to_json(&ClassFiles { students, tally, skipped })?
+    } else if arguments.csv {
+        csv(&students)
+    } else {
+        let plural = if students.len() == 1 { "file" } else { "files" };
+        let title = format!("{}: {} {plural}", folder.display(), students.len());
+        lines(&students) + "\n" + &table(&legible(&title), students.len(), &tally)
+    };
+    Ok((text, status))
+}
+
+/// Returns the names of a folder's hidden files and folders, and the paths of its other files, each in the
+/// order of names.
+fn entries(folder: &Path) -> Result<(Vec<String>, Vec<PathBuf>), FileError> {
+    let names = fs::read_dir(folder).and_then(|all| {
+        all.map(|entry| Ok(entry?.file_name())).collect::<io::Result<BTreeSet<_>>>()
+    });
+    let names = names.map_err(|error| FileError::unreadable(folder, &error))?;
+    let (mut skipped, mut files) = (Vec::new(), Vec::new());
+    for name in names {
+        let (text, path) = (name.to_string_lossy().into_owned(), folder.join(&name));
+        if text.starts_with('.') || path.is_dir() { skipped.push(text) } else { files.push(path) }
+    }
+    Ok((skipped, files))
+}
+
+/// The JSON output for a folder.
+#[derive(Serialize)]
+struct ClassFiles {
+    students: Vec<Student>,
+    #[serde(flatten)]
+    tally: Tally,
+    skipped: Vec<String>,
+}
+
+/// The verdict on a file that cannot be graded.
+const BROKEN: &str = "broken";
+
+/// A student's file, and what was found in it.
+#[derive(Serialize)]
+struct Student {
+    /// The file's name without its ending.
+    name: String,
+    file: String,
+    /// [`RIGHT`], `wrong`, [`INCOMPLETE`] or [`BROKEN`].
+    verdict: &'static str,
+    #[serde(flatten)]
+    check: Option<Check>,
+    /// The reason why the file cannot be graded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    problem: Option<String>,
+    #[serde(skip)]
+    outcomes: BTreeSet<String>,
+    #[serde(skip)]
+    made: BTreeSet<Mistake>,
+}
+
+impl Student {
+    /// Grades a file.
+    fn new(path: &Path, task: &Task) -> Student {
+        let text = |part: Option<&std::ffi::OsStr>| {
+            part.unwrap_or_default().to_string_lossy().into_owned()
+        };
+        let (name, file) = (text(path.file_stem()), text(path.file_name()));
+        let graded = task.grade(path);
+        let mut made = BTreeSet::new();
+        let outcomes = match &graded {
+            Ok(graded) => outcomes_of_grade(&graded.grade, &mut made),
+            Err(_) => BTreeSet::from([BROKEN.to_owned()]),
+        };
+        let is = |verdict: &&str| outcomes.contains(*verdict);
+        let verdict = [RIGHT, INCOMPLETE, BROKEN].into_iter().find(is).unwrap_or("wrong");
+        let problem = graded.as_ref().err().map(ToString::to_string);
+        let check = graded.as_ref().ok().map(Check::new);
+        Student { name, file, verdict, check, problem, outcomes, made }
+    }
+
+    /// Returns the cells of the student's line.
+    fn cells(&self) -> [String; 4] {
+        let agreement = self.check.as_ref().map(|Check { kind, answers, agree, .. }| {
+            let [agree, all] = [agree, answers].map(|count| grouped(*count as u64));
+            format!("{kind}: {agree} of {all}")
+        });
+        let found = self.outcomes.iter().map(String::as_str).filter(|one| *one != self.verdict);
+        let found: Vec<&str> = found.chain(self.problem.as_deref()).collect();
+        let [name, found] = [&self.name, &found.join(", ")].map(|text| legible(text));
+        [name, self.verdict.to_owned(), agreement.unwrap_or_default(), found]
+    }
+}
+
+/// Returns a line for each student.
+fn lines(students: &[Student]) -> String {
+    let rows: Vec<[String; 4]> = students.iter().map(Student::cells).collect();
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or_default();
+    let (name, verdict, agreement) = (width(0), width(1), width(2));
+    let line = |[a, b, c, d]: &[String; 4]| {
+        let line = format!("{a:name$}  {b:verdict$}  {c:agreement$}  {d}");
+        line.trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+/// Returns a row for each student.
+fn csv(students: &[Student]) -> String {
+    let row = |student: &Student| {
+        let Student { name, file, verdict, check, problem, .. } = student;
+        let of = |cell: fn(&Check) -> String| check.as_ref().map(cell).unwrap_or_default();
+        let cells = [
+            name.clone(),
+            file.clone(),
+            (*verdict).to_owned(),
+            of(|check| check.kind.to_owned()),
+            of(|check| check.answers.to_string()),
+            of(|check| check.agree.to_string()),
+            of(|check| check.mistakes.join(" ")),
+            of(|check| check.advice.clone()),
+            problem.clone().unwrap_or_default(),
+        ];
+        cells.map(quoted).join(",") + "\n"
+    };
+    let header = "name,file,verdict,kind,answers,agree,mistakes,advice,problem\n";
+    header.to_owned() + &students.iter().map(row).collect::<String>()
+}
+
+/// Returns a cell of a CSV file, in quotes where it needs them.
+fn quoted(cell: String) -> String {
+    if !cell.contains([',', '"', '\n', '\r']) {
+        return cell;
+    }
+    format!("\"{}\"", cell.replace('"', "\"\""))
+}
+
+/// Maximum length of a bar, in characters.
+const LONGEST: usize = 40;
+
+/// Returns the outcomes of `answers` answers as bars, and what the mistakes are.
+fn table(title: &str, answers: usize, tally: &Tally) -> String {
+    let mut text = format!("{title}\n");
+    let width = tally.counts.iter().map(|(outcome, _)| outcome.len()).max().unwrap_or_default();
+    for (outcome, count) in &tally.counts {
+        let bar = "#".repeat((count * LONGEST / answers.max(LONGEST)).max(1));
+        let _ = writeln!(text, "  {outcome:width$}  {count:4}  {bar}");
+    }
+    for line in &tally.explanations {
+        let _ = writeln!(text, "  {line}");
+    }
+    text
+}
