@@ -153,9 +153,8 @@ impl Grade {
             _ if self.all_agree() => "All answers agree.".to_owned(),
             _ if all_given_agree => "All answers that are given agree.".to_owned(),
             (Some(digits), []) if self.sentinel.is_none() => {
-                let wanted = self.digits_in_words();
-                let plural = if digits == 1 { "" } else { "s" };
-                format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
+                let (digits, wanted) = (counted(digits), self.digits_in_words());
+                format!("The answers are right to {digits}; write at least {wanted}.")
             }
             (None, []) => match (self.diagnosis.other, self.sentinel) {
                 (Some(other), _) => [other.advice().to_owned()].into_iter().chain(self.remarks()),
@@ -182,8 +181,8 @@ impl Grade {
             .then(|| format!("One of {} answers was looked at.", grouped(*of_every as u64)));
         let is_in_addition = is_named || self.sentinel.is_some();
         let digits = self.right_digits.filter(|_| is_in_addition).map(|digits| {
-            let wanted = self.digits_in_words();
-            format!("They are written to {digits} digits: write at least {wanted}.")
+            let (digits, wanted) = (counted(digits), self.digits_in_words());
+            format!("They are written to {digits}: write at least {wanted}.")
         });
         let objects = self.diagnosis.objects_from_one.then(|| {
             "Objects are counted from 1, and they count from 0: spheres, then planes.".to_owned()
@@ -207,6 +206,11 @@ impl Grade {
             wanted => wanted.to_string(),
         }
     }
+}
+
+/// Returns a number of digits as text: `1 digit`, `3 digits`.
+fn counted(digits: u32) -> String {
+    format!("{digits} digit{}", if digits == 1 { "" } else { "s" })
 }
 
 /// Returns the number of significant digits that an answer should have for this relative tolerance:

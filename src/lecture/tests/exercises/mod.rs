@@ -9,6 +9,7 @@ use pinhole_lecture::mistakes::Mistake;
 
 mod classic;
 mod left_over;
+mod written;
 
 fn numbers(x: &[f64]) -> Answer {
     Answer::Numbers(x.to_vec())

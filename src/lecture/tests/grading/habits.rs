@@ -254,3 +254,37 @@ fn what_lies_behind_alone_is_a_guess() {
     let guess = "This is a guess: every wrong answer is what lies behind";
     assert!(advice.contains(guess), "{advice}");
 }
+
+/// Of three balls in a row, hits of the middle one come neither from the first nor from the last, in the
+/// order of distance or of the list.
+#[test]
+fn the_middle_of_three_is_neither_first_nor_last() {
+    let ball = |z: f64| ([0.0, 0.0, z], 1.0);
+    let seen = |spheres: Vec<([f64; 3], f64)>| Exercise {
+        eye: [0.0, 0.1, 0.2],
+        at: [0.0, 0.1, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [0.06, 0.06, 1.0],
+        spheres,
+        planes: vec![],
+        ..general()
+    };
+    let all = seen(vec![ball(-14.0), ball(-9.0), ball(-4.0)]);
+    let hits = |exercise: &Exercise| {
+        let student = Student { exercise, mistakes: &[] };
+        only_t(student.hits(), Written::exactly)
+    };
+    assert_right(&all, &hits(&all));
+    assert_eq!(found(&all, &hits(&seen(vec![ball(-9.0)]))), [[""; 0]]);
+    let last = found(&all, &hits(&seen(vec![ball(-14.0)])));
+    assert!(last.contains(&vec!["last-object"]), "{last:?}");
+    // Behind the eye, too, only the nearest and the farthest are what a program without t > 0 takes.
+    let behind = seen(vec![ball(14.0), ball(9.0), ball(4.0)]);
+    let taken = [(4.0, vec!["negative-t"]), (9.0, vec![]), (14.0, vec!["negative-t"])];
+    for (z, mistakes) in taken {
+        let exercise = seen(vec![ball(z)]);
+        let student = Student { exercise: &exercise, mistakes: &["negative-t"] };
+        let answers = only_t(student.hits(), Written::exactly);
+        assert_eq!(found(&behind, &answers), [mistakes], "{z}");
+    }
+}

@@ -5,6 +5,8 @@ mod habits;
 mod pictures;
 mod random;
 mod student;
+mod tolerance;
+mod written;
 
 use pinhole_core::*;
 use pinhole_lecture::grading::*;
@@ -84,6 +86,7 @@ fn assert_right(exercise: &Exercise, answers: &Answers) {
     let worst = grade.worst;
     assert!(grade.all_agree(), "{} of {}: {worst:?}", grade.agree(), grade.answers());
     assert_eq!((grade.diagnosis, worst.is_some()), (Diagnosis::default(), true));
+    assert_eq!((grade.right_digits, grade.sentinel), (None, None));
 }
 
 /// The graded mistakes that the student's program can make, each with the variants in which it makes
