@@ -160,6 +160,11 @@ impl App {
                 views::badge(ui, rect, &text);
             }
         }
+        if let (Some(rect), Some(world)) = (rects.world, &derived.world_view)
+            && world.is_empty()
+        {
+            views::badge(ui, rect, "Nothing is in sight: F or a double click shows everything");
+        }
         dragging.show_text(ui, rects, (document, session), derived);
     }
 }

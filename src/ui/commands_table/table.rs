@@ -367,11 +367,11 @@ fn zooms() -> Vec<UiCommand> {
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Look along x", "Shows the scene from the side.",
-            [plain(WorldView, Key::X)], Observe::Along(Axis::X);
+            [plain(View, Key::X)], Observe::Along(Axis::X);
         Views, "Look along y", "Shows the scene from above.",
-            [plain(WorldView, Key::Y)], Observe::Along(Axis::Y);
+            [plain(View, Key::Y)], Observe::Along(Axis::Y);
         Views, "Look along z", "Shows the scene from the front.",
-            [plain(WorldView, Key::Z)], Observe::Along(Axis::Z);
+            [plain(View, Key::Z)], Observe::Along(Axis::Z);
         Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
         Views, "Observer farther", "Moves the observer away from what it looks at.",

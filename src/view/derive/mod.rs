@@ -266,3 +266,11 @@ pub struct Shown {
     /// See [`Drawing::spheres`](crate::view::overlay::Drawing).
     pub spheres: Arc<Vec<Ellipse>>,
 }
+
+impl Shown {
+    /// Returns true if the picture shows nothing but its background.
+    pub fn is_empty(&self) -> bool {
+        let pixels = &self.image.pixels;
+        pixels.iter().all(|pixel| *pixel == pixels[0])
+    }
+}

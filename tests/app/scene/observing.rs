@@ -68,6 +68,24 @@ fn the_wheel_zooms_to_what_is_under_the_pointer_and_back() {
 }
 
 #[test]
+fn where_nothing_is_the_wheel_keeps_the_scene_in_sight_and_an_empty_view_says_how_to_come_back() {
+    let mut harness = window("look-at");
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    turn_wheel(&mut harness, view.min + vec2(60.0, 90.0), 6, 1.0);
+    let lost = "Nothing is in sight: F or a double click shows everything";
+    assert!(harness.query_by_label(lost).is_none());
+    harness.get_by_role_and_label(Role::Image, "World view").focus();
+    for _ in 0..60 {
+        harness.key_press_modifiers(Modifiers::ALT, Key::ArrowRight);
+    }
+    harness.run();
+    harness.get_by_label(lost);
+    harness.key_press(Key::F);
+    harness.run();
+    assert!(harness.query_by_label(lost).is_none());
+}
+
+#[test]
 fn a_double_click_frames_what_is_there() {
     let mut harness = window("look-at");
     let framed = harness.state().session().observer;
@@ -114,8 +132,6 @@ fn the_gizmo_and_its_keys_look_along_the_axes() {
         harness.key_press(Key::F);
         harness.run();
         assert!(!looks(&harness));
-        harness.get_by_role_and_label(Role::Image, "World view").focus();
-        harness.run();
         harness.key_press(key);
         harness.run();
         assert!(looks(&harness), "{name}, by its key");

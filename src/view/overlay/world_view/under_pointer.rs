@@ -1,6 +1,6 @@
 //! The point of the world under the pointer in the world view, which stays there while the view is zoomed.
 
-use pinhole_core::{DVec3, Frame, Ray, ResolvedCamera, Scene};
+use pinhole_core::{DVec3, Frame, Plane, Ray, ResolvedCamera, Scene};
 
 use super::{pick, world_position_of};
 use crate::view::overlay::{camera_uv_at, wide};
@@ -14,11 +14,13 @@ pub struct PointShown {
     pub size: Option<f64>,
 }
 
-/// Distance of the planes that are taken into account, in distances of the observer's target.
-const FAR: f64 = 4.0;
+/// Distance from the target within which planes are drawn, as a fraction of the target's distance from the
+/// observer.
+const FAR: f64 = 0.5;
 
 /// Returns the point at a position of the world view, in screen pixels: on the camera's viewport, at its eye
-/// if that is within `reach`, on a sphere, on a plane, or else at the depth of the observer's `target`.
+/// if that is within `reach`, on a sphere, or on a plane. Where there is nothing,
+/// returns the observer's `target`: zooming to it keeps the scene in sight.
 pub fn point_at(
     scene: &Scene,
     camera: Option<&ResolvedCamera>,
@@ -38,12 +40,14 @@ pub fn point_at(
         let point = sight.at(f64::from(*frame.t.get(index)?));
         Some(PointShown { point, size: Some(sphere.radius) })
     };
-    on_camera.or_else(on_sphere).unwrap_or_else(|| {
-        let w = observer.basis().w;
-        let at_target = (target - observer.eye()).dot(w) / sight.direction.dot(w);
-        let t = plane_hit(scene, &sight, FAR * at_target).unwrap_or(at_target);
-        PointShown { point: sight.at(t), size: None }
-    })
+    let farthest = FAR * target.distance(observer.eye());
+    let on_plane = || {
+        let point =
+            scene.planes().iter().filter_map(|plane| plane_hit(plane, &sight)).reduce(f64::min);
+        let point = point.map(|t| sight.at(t)).filter(|point| point.distance(target) < farthest);
+        PointShown { point: point.unwrap_or(target), size: None }
+    };
+    on_camera.or_else(on_sphere).unwrap_or_else(on_plane)
 }
 
 /// Returns the point of the camera at a position: on its viewport, or its eye.
@@ -65,10 +69,8 @@ fn on_camera(
     Some(PointShown { point, size: Some(size) })
 }
 
-/// Returns the t of the first plane that the line of sight meets before `farthest`.
-fn plane_hit(scene: &Scene, sight: &Ray, farthest: f64) -> Option<f64> {
-    let hits = scene.planes().iter().map(|plane| {
-        (plane.point - sight.origin).dot(plane.normal) / sight.direction.dot(plane.normal)
-    });
-    hits.filter(|t| *t > 0.0 && *t < farthest).reduce(f64::min)
+/// Returns the t at which the line of sight meets a plane in front of the observer.
+fn plane_hit(plane: &Plane, sight: &Ray) -> Option<f64> {
+    let t = (plane.point - sight.origin).dot(plane.normal) / sight.direction.dot(plane.normal);
+    (t > 0.0).then_some(t)
 }
