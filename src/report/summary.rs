@@ -132,22 +132,6 @@ impl<'a> MethodSummary<'a> {
             decisions: rows.iter().map(|row| row.decisions).sum(),
         }
     }
-
-    /// Returns the time and the error of the method; `None` unless all its decisions are right and its
-    /// t has at least one correct digit.
-    fn result(&self) -> Option<(f64, f64)> {
-        match (self.time, self.outcome) {
-            (Some(time), Some(Outcome::Error(error))) if self.wrong == 0 => Some((time, error)),
-            _ => None,
-        }
-    }
-
-    /// Returns true if `other` is at least as fast and at least as accurate as this method, and not
-    /// equal in both.
-    fn is_beaten_by(&self, other: &MethodSummary) -> bool {
-        let (Some(own), Some(others)) = (self.result(), other.result()) else { return false };
-        others.0 <= own.0 && others.1 <= own.1 && others != own
-    }
 }
 
 /// Returns the median of ascending values. For an even number of values, it is the geometric mean of
@@ -156,17 +140,6 @@ pub(crate) fn middle(sorted: &[f64]) -> Option<f64> {
     let (low, high) = (sorted.get(sorted.len().saturating_sub(1) / 2)?, sorted[sorted.len() / 2]);
     // The geometric mean with 0 is not meaningful, so the smaller value is returned.
     Some(if *low == high || *low == 0.0 { *low } else { low.sqrt() * high.sqrt() })
-}
-
-/// Returns the Pareto front, fastest first: the methods that decide everything right, and for which no
-/// other such method is at least as good in both time and error and better in one of them.
-pub(crate) fn front<'a, 'b>(methods: &'b [MethodSummary<'a>]) -> Vec<&'b MethodSummary<'a>> {
-    let is_first = |method: &&MethodSummary| {
-        method.result().is_some() && !methods.iter().any(|other| method.is_beaten_by(other))
-    };
-    let mut front: Vec<&MethodSummary> = methods.iter().filter(is_first).collect();
-    front.sort_by(|a, b| a.time.unwrap_or(0.0).total_cmp(&b.time.unwrap_or(0.0)));
-    front
 }
 
 /// The summary of all scenes or families together.

@@ -12,9 +12,8 @@ fn svg_of(report: &Report) -> String {
     plot::pages(report, 1.0).into_iter().map(page).collect()
 }
 
-/// The ring of a method that decided wrong, and the Pareto front.
+/// The ring of a method that decided wrong.
 const RING: &str = "stroke=\"#b00020\"";
-const FRONT: &str = "#c9d6e6";
 const CONDITION: &str = "#a0a0a0";
 
 /// How often an element with this in it is there.
@@ -40,7 +39,7 @@ fn a_family_has_a_curve_a_method() {
     assert_eq!(count(&svg, ">radius / distance (not to scale)</tspan></text>"), 1);
     let is_curve = |line: &&str| {
         let is_long = line.starts_with("<polyline") && line.matches(',').count() >= 5;
-        is_long && !line.contains(FRONT) && !line.contains(CONDITION)
+        is_long && !line.contains(CONDITION)
     };
     // Those in f32 are dashed.
     assert_eq!(svg.lines().filter(is_curve).count(), 9);
@@ -69,29 +68,13 @@ fn a_formula_is_a_curve_over_its_precisions() {
     assert_eq!(curves(&report), Some(2));
 }
 
-/// The front holds those that no other method beats in both, and none that decides wrong.
 #[test]
-fn the_pareto_front_is_of_methods_that_decide_all_right() {
+fn an_error_as_large_as_t_is_in_a_lane_of_its_own() {
     let mut report = sample::report();
     report.cases.truncate(1);
-    let front = |report: &Report| {
-        let svg = svg_of(report);
-        ["<circle", "<polyline"].map(|shape| {
-            svg.lines().filter(|line| line.contains(shape) && line.contains(FRONT)).count()
-        })
-    };
-    // ladder-f32 is the fastest, and textbook-f64 closer; lagrange-f64 is exact there. Stairs, as
-    // between two of them there is nothing.
-    assert_eq!(front(&report), [3, 4]);
-    let mut alone = report.clone();
-    alone.cases[0].methods.truncate(1);
-    assert_eq!(front(&alone), [1, 0], "a front of one is there too");
-    // No digit of t is right.
-    alone.cases[0].methods[0].ulp_f64.max = Some(1e16);
-    assert_eq!(front(&alone), [0, 0]);
-    assert_eq!(count(&svg_of(&alone), ">no digit right</tspan></text>"), 1);
-    report.cases[0].methods.iter_mut().for_each(|row| row.wrong = 1);
-    assert_eq!(front(&report), [0, 0]);
+    report.cases[0].methods.truncate(1);
+    report.cases[0].methods[0].ulp_f64.max = Some(1e16);
+    assert_eq!(count(&svg_of(&report), ">no digit right</tspan></text>"), 1);
 }
 
 #[test]

@@ -94,8 +94,7 @@ pub fn pages(report: &Report, scale: f32) -> Vec<Figure> {
 
 /// Text that explains the marks of a panel.
 const MARKS: &str = "Down and left is better. A line joins a formula's precisions: hollow (and dashed over \
-    a knob) f32, filled f64, framed double-double. Pale stairs: the Pareto front, those that no other beats \
-    in both time and error and that decide all right. Red ring: also decided wrong (hit or miss, which \
+    a knob) f32, filled f64, framed double-double. Red ring: also decided wrong (hit or miss, which \
     object is first, or another root of it); such rays are in no error.";
 
 /// Text that explains the panels of a family.

@@ -6,15 +6,11 @@ use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Stroke, StrokeKind, pos
 use super::marker::{self, marker_of};
 use super::{FRAME, GRID, SMALL, TEXT, WEAK, plain};
 use crate::report::model::{Case, Digits, NO_DIGIT, SINGLE};
-use crate::report::summary::{MethodSummary, Outcome, Summary, front, outcome};
+use crate::report::summary::{MethodSummary, Outcome, Summary, outcome};
 use crate::view::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
 use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);
-
-/// The colour of the Pareto front (the methods that no other beats in both time and error), which is a
-/// wide pale line behind the curves.
-const FRONT: Color32 = Color32::from_rgb(0xc9, 0xd6, 0xe6);
 
 /// The colour of the condition number.
 const CONDITION: Color32 = Color32::from_gray(0xa0);
@@ -125,8 +121,7 @@ impl PlotMark<'_> {
 }
 
 /// Draws the panel of error against time: for each formula, if `joins` is true, a curve that connects its
-/// precisions; for each method, a mark, and a horizontal bar from its shortest to its longest time; and the
-/// Pareto front behind the curves.
+/// precisions; for each method, a mark, and a horizontal bar from its shortest to its longest time.
 pub(super) fn time<'a>(
     painter: &Painter,
     rect: Rect,
@@ -144,7 +139,6 @@ pub(super) fn time<'a>(
         let center = pos2(scale.position(method.time?), errors.position(outcome));
         Some(PlotMark { method, center, outcome, is_wrong: method.wrong > 0 })
     };
-    draw_front(painter, front(&summary.methods).into_iter().filter_map(mark).map(|m| m.center));
     let marks: Vec<PlotMark> = summary.methods.iter().filter_map(mark).collect();
     for PlotMark { method, center, .. } in &marks {
         if let Some([low, high]) = method.times.map(|times| times.map(|x| scale.position(x))) {
@@ -171,22 +165,6 @@ fn across(painter: &Painter, rect: Rect, ticks: &[Tick], ink: GridInk, name: &st
     columns(painter, rect, ticks, ink);
     let below = pos2(rect.center().x, rect.bottom() + 32.0);
     painter.text(below, Align2::CENTER_CENTER, name, plain(SMALL), TEXT);
-}
-
-/// Draws the Pareto front as stairs. Between two adjacent methods of the front, the smallest error that
-/// can be had is that of the faster one, until there is enough time for the slower one.
-fn draw_front(painter: &Painter, front: impl Iterator<Item = Pos2>) {
-    let mut last: Option<Pos2> = None;
-    for point in front {
-        if let Some(last) = last {
-            let corner = pos2(point.x, last.y);
-            // Each step is drawn separately, because the corners of egui's wide lines are not clean.
-            line(painter, &[last, corner], (7.0, FRONT), SOLID);
-            line(painter, &[corner - egui::vec2(0.0, 3.5), point], (7.0, FRONT), SOLID);
-        }
-        painter.circle_filled(point, 11.0, FRONT);
-        last = Some(point);
-    }
 }
 
 /// Draws the panel of error against the family's knob: for each method, a line through its largest
