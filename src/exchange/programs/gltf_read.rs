@@ -55,7 +55,7 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
     let mut notes = Vec::new();
     let nodes = root.need("nodes", "the camera must be in a node")?.items();
     let cameras = root.need("cameras", "it must hold the camera")?.items();
-    let taken = node_of_camera(&root, &nodes, &cameras, &mut notes)?;
+    let taken = node_of_camera(&nodes, &cameras, &mut notes);
     let (index, number) = taken.ok_or_else(|| {
         FileError::of_file(input.path, "nodes: none has a camera: one must have \"camera\": 0")
     })?;
@@ -92,61 +92,29 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
 }
 
 /// Returns the node whose camera is imported, and its field with that camera's index. It is the first
-/// node with a perspective camera in the scene that is displayed, otherwise in the file, or otherwise
-/// the first node with any camera. Returns `None` if no node has a camera.
+/// node with a perspective camera, or otherwise the first node with any camera. Returns `None` if no
+/// node has a camera.
 fn node_of_camera<'a>(
-    root: &JsonNode<'a>,
     nodes: &[JsonNode<'a>],
     cameras: &[JsonNode],
     notes: &mut Vec<String>,
-) -> Result<Option<(usize, JsonNode<'a>)>, FileError> {
-    let shown = shown(root, nodes)?;
+) -> Option<(usize, JsonNode<'a>)> {
     let all = nodes.iter().enumerate().filter_map(|(k, node)| Some((k, node.get("camera")?)));
     let all: Vec<(usize, JsonNode)> = all.collect();
     let is_perspective = |(_, number): &&(usize, JsonNode)| {
         let camera = number.index().and_then(|number| cameras.get(number));
         camera.is_some_and(|camera| camera.value.get("perspective").is_some())
     };
-    let mut perspective = all.iter().filter(is_perspective);
-    let first = perspective.clone().find(|(k, _)| shown[*k]).or_else(|| perspective.next());
-    let Some(taken) = first else { return Ok(all.into_iter().next()) };
-    let node = &nodes[taken.0];
-    let name = node.value.get("name").and_then(Value::as_str);
-    let name = name.map_or_else(|| node.path.clone(), |name| format!("node \"{name}\""));
+    let taken = all.iter().find(is_perspective).or(all.first())?;
     if all.len() > 1 {
+        let node = &nodes[taken.0];
+        let name = node.value.get("name").and_then(Value::as_str);
+        let name = name.map_or_else(|| node.path.clone(), |name| format!("node \"{name}\""));
         let more = all.len() - 1;
         let (cameras, are) = if more == 1 { ("camera", "is") } else { ("cameras", "are") };
         notes.push(format!("{name} is taken; {more} more {cameras} {are} left out"));
     }
-    if !shown[taken.0] {
-        notes.push(format!("{name} is not in the scene that is shown: no camera is"));
-    }
-    Ok(Some(taken.clone()))
-}
-
-/// Returns, for each node of the file, whether it belongs to the displayed scene. That is the scene
-/// whose index is the value of `scene`, or the first one by default. If there are no scenes, all nodes
-/// count as displayed.
-fn shown(root: &JsonNode, nodes: &[JsonNode]) -> Result<Vec<bool>, FileError> {
-    let scenes = root.get("scenes").map(|scenes| scenes.items()).unwrap_or_default();
-    let scene = match root.get("scene").filter(|_| root.value.get("scenes").is_some()) {
-        Some(number) => {
-            let scene = number.index().and_then(|number| scenes.get(number));
-            let right = "it must be the number of one of the scenes";
-            Some(scene.ok_or_else(|| number.fault(right))?)
-        }
-        None => scenes.first(),
-    };
-    let Some(scene) = scene else { return Ok(vec![true; nodes.len()]) };
-    let mut shown = vec![false; nodes.len()];
-    let mut left: Vec<usize> = scene.indices("nodes").collect();
-    while let Some(index) = left.pop() {
-        if shown.get(index) == Some(&false) {
-            shown[index] = true;
-            left.extend(nodes[index].indices("children"));
-        }
-    }
-    Ok(shown)
+    Some(taken.clone())
 }
 
 /// Returns the map from a node's coordinates to the world's, which combines the transforms of its
