@@ -55,7 +55,7 @@ pub(super) fn of_folder(
         let problem = "there is no file in it: it must have a file for each student";
         return Err(FileError::of_file(folder, problem).into());
     }
-    let progress = Progress::new("file", Some(files.len()));
+    let progress = Progress::new("file", files.len());
     let graded = files.par_iter().map(|path| {
         let student = Student::new(path, task);
         progress.add(1);

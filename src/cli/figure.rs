@@ -10,7 +10,6 @@ use pinhole_exchange::{Document, atomic};
 
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{files_of, follow, load, pose, refuse_overwriting, selection_of, size};
-use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{self, Content, FigureFormat, FigureSubject, Order};
 use crate::model::{Item, Observer, Session, ViewSize};
@@ -45,7 +44,6 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     )?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
-    let _progress = Progress::new("drawing", None);
     let bytes = match content {
         Content::Text(markup) => {
             figures::derivation_of(&document, &session).written_in(markup).into_bytes()

@@ -1,10 +1,8 @@
 //! Shows the progress of long work on a terminal.
 
 use std::io::{self, IsTerminal, Write as _};
-use std::sync::Arc;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{self, RecvTimeoutError, Sender};
-use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use crate::model::recovery::in_words;
@@ -12,9 +10,15 @@ use crate::model::recovery::in_words;
 /// A progress line on standard error. The line appears if standard error is a terminal and the work
 /// takes longer than [`PATIENCE`].
 pub(super) struct Progress {
-    work: Arc<ProgressState>,
-    /// The thread that rewrites the line at intervals. It ends when the sender is dropped.
-    clock: Option<(Sender<()>, JoinHandle<()>)>,
+    since: Instant,
+    done: AtomicUsize,
+    /// The unit that is counted, such as `row`.
+    unit: &'static str,
+    /// The total number of units.
+    all: usize,
+    /// Time from the start after which the line is written next; `None` if standard error is no
+    /// terminal.
+    due: Option<Mutex<Duration>>,
 }
 
 /// Time after which the progress line appears.
@@ -23,57 +27,35 @@ const PATIENCE: Duration = Duration::from_secs(1);
 /// Time from one line to the next.
 const TICK: Duration = Duration::from_millis(100);
 
-struct ProgressState {
-    since: Instant,
-    done: AtomicUsize,
-    /// The unit that is counted, such as `row`, with the total number of units. If the total is unknown, the
-    /// name of the work instead of the unit, with `None`.
-    what: (&'static str, Option<usize>),
-}
-
 impl Progress {
-    /// Adds `count` finished units.
+    /// Creates the progress line for work that consists of `all` units, such as rows.
+    pub(super) fn new(unit: &'static str, all: usize) -> Progress {
+        let due = io::stderr().is_terminal().then(|| Mutex::new(PATIENCE));
+        Progress { since: Instant::now(), done: AtomicUsize::new(0), unit, all, due }
+    }
+
+    /// Adds `count` finished units, and writes the line if it is due.
     pub(super) fn add(&self, count: usize) {
-        self.work.done.fetch_add(count, Ordering::Relaxed);
-    }
-
-    /// Creates the progress line for some work. If the total number of units is known, `what` is the
-    /// unit, such as `row`; otherwise `what` is the name of the work. A separate thread watches the
-    /// clock, because the work may report nothing for a long time.
-    pub(super) fn new(what: &'static str, all: Option<usize>) -> Progress {
-        let what = (what, all);
-        let work =
-            Arc::new(ProgressState { since: Instant::now(), done: AtomicUsize::new(0), what });
-        if !io::stderr().is_terminal() {
-            return Progress { work, clock: None };
+        let done = self.done.fetch_add(count, Ordering::Relaxed) + count;
+        // If the lock is held, another thread is writing the line.
+        let Some(Ok(mut due)) = self.due.as_ref().map(Mutex::try_lock) else { return };
+        let elapsed = self.since.elapsed();
+        let is_last = done == self.all && *due > PATIENCE;
+        if elapsed >= *due || is_last {
+            *due = elapsed + TICK;
+            write_line(&self.line(done, elapsed));
         }
-        let (end, ended) = mpsc::channel::<()>();
-        let shown = Arc::clone(&work);
-        let clock = thread::spawn(move || {
-            let mut wait = PATIENCE;
-            while ended.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
-                write_line(&shown.line());
-                wait = TICK;
-            }
-            if wait == TICK {
-                write_line("");
-            }
-        });
-        Progress { work, clock: Some((end, clock)) }
     }
-}
 
-impl ProgressState {
-    fn line(&self) -> String {
-        let (done, elapsed) = (self.done.load(Ordering::Relaxed), self.since.elapsed());
-        match self.what {
-            (work, None) => format!("{work}, {}", in_words(elapsed)),
-            (_, Some(all)) if done == all => "writing".to_owned(),
-            (what, Some(all)) if done == 0 => format!("{what} 0 of {all}"),
-            (what, Some(all)) => {
+    fn line(&self, done: usize, elapsed: Duration) -> String {
+        let Progress { unit, all, .. } = self;
+        match done {
+            0 => format!("{unit} 0 of {all}"),
+            done if done == *all => "writing".to_owned(),
+            done => {
                 let to_come = all.saturating_sub(done) as f64 / done as f64;
                 let left = in_words(elapsed.mul_f64(to_come));
-                format!("{what} {done} of {all}, {left} left")
+                format!("{unit} {done} of {all}, {left} left")
             }
         }
     }
@@ -88,10 +70,9 @@ fn write_line(line: &str) {
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        if let Some((end, clock)) = self.clock.take() {
-            drop(end);
-            // Even if the thread has panicked, it no longer writes, which is all that matters here.
-            let _ = clock.join();
+        let due = self.due.take().and_then(|due| due.into_inner().ok());
+        if due.is_some_and(|due| due > PATIENCE) {
+            write_line("");
         }
     }
 }
@@ -102,11 +83,10 @@ mod tests {
 
     #[test]
     fn a_line_says_how_far_it_is_and_how_long_it_takes() {
-        let progress = Progress::new("row", Some(200));
-        assert_eq!(progress.work.line(), "row 0 of 200");
-        progress.add(50);
-        assert_eq!(progress.work.line(), "row 50 of 200, 0 seconds left");
-        progress.add(150);
-        assert_eq!(progress.work.line(), "writing");
+        let progress = Progress::new("row", 200);
+        let line = |done| progress.line(done, Duration::from_secs(20));
+        assert_eq!(line(0), "row 0 of 200");
+        assert_eq!(line(50), "row 50 of 200, 60 seconds left");
+        assert_eq!(line(200), "writing");
     }
 }

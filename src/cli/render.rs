@@ -50,13 +50,9 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let scene_image = document.camera.image;
     let image =
         size(arguments.width, arguments.height, [scene_image.width(), scene_image.height()])?;
-    let progress = if arguments.overlay || arguments.view == FigureSubject::World {
-        Progress::new("drawing", None)
-    } else {
-        // Each row is traced. For the OpenEXR file, the pixels' certificates are computed in a second pass.
-        let passes = 1 + usize::from(arguments.aov.is_some());
-        Progress::new("row", Some(passes * image.height() as usize))
-    };
+    // Each row is traced. For the OpenEXR file, the pixels' certificates are computed in a second pass.
+    let passes = 1 + usize::from(arguments.aov.is_some());
+    let progress = Progress::new("row", passes * image.height() as usize);
     let rendering = render_view(&document, arguments, image, |rows| progress.add(rows))
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     let mut batch = Batch::default();

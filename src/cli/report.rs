@@ -77,7 +77,7 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Measurement>, CommandError> {
 
 /// Makes the measurements one after the other; the report contains all of them.
 fn measured(mut runs: Vec<Measurement>) -> Report {
-    let progress = Progress::new("step", Some(runs.iter().map(Measurement::total).sum()));
+    let progress = Progress::new("step", runs.iter().map(Measurement::total).sum());
     let mut all = Report::default();
     for run in &mut runs {
         while !run.is_done() {
