@@ -7,8 +7,6 @@ use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::{Session, Split, ViewLayout};
 use crate::model::{Hovered, NumberStyle};
-use crate::ui::action::LessonAction;
-use crate::ui::commands_table::shortcut;
 use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::ray::{lines, plot};
@@ -93,16 +91,16 @@ impl Page {
     };
 }
 
-/// Shows, in place of a page, a message that the answer is hidden, and the key that reveals it, if there is
-/// room. Shows nothing while presenting, when a dot tells the lecturer.
+/// Shows, in place of a page, a message that the answer is hidden, if there is room. Shows nothing while presenting, when a dot tells the lecturer.
 pub(crate) fn hidden(ui: &mut Ui) {
     if theme::installed(ui.ctx()).presenting {
         return;
     }
-    let text = format!("Hidden until you show the answer ({})", shortcut(LessonAction::Next));
     let room = ui.available_height();
     if room > ui.spacing().interact_size.y {
-        ui.centered_and_justified(|ui| ui.label(RichText::new(text).size(HIDDEN).weak()));
+        ui.centered_and_justified(|ui| {
+            ui.label(RichText::new("Hidden until you show the answer").size(HIDDEN).weak())
+        });
     }
 }
 

@@ -1,6 +1,7 @@
 //! A phone's window, by touch alone: presenting is left, lessons go on, menus open and dialogs are whole.
 
 use egui::accesskit::Role;
+use egui::epaint::Shape;
 use egui::{
     Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, pos2, vec2,
 };
@@ -10,7 +11,7 @@ use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 
-use crate::harness::{command, show, window};
+use crate::harness::{command, open_scene, show, texts_with, window};
 
 const PHONE: egui::Vec2 = vec2(390.0, 844.0);
 /// Height of the bar at the top, in which the scene's name is cut off.
@@ -238,4 +239,124 @@ fn an_animation_can_be_closed_by_touch() {
             assert!(rect.left() >= 0.0 && rect.right() <= PHONE.x, "{name}: {rect}");
         }
     }
+}
+
+/// A phone that a finger has touched, on a lesson's step.
+fn touched_at(lesson: usize, step: usize) -> Harness<'static, App> {
+    let mut harness = phone();
+    tap(&mut harness, pos2(200.0, 100.0));
+    let id = StepId { lesson: Which::Builtin(lesson), step };
+    harness.state_mut().open_lesson(id, None);
+    harness.run_ok();
+    harness
+}
+
+fn type_answer(harness: &mut Harness<'_, App>, field: &str, text: &str) {
+    let at = harness.get_by_role_and_label(Role::TextInput, field).rect().center();
+    tap(harness, at);
+    harness.event(Event::Text(text.to_owned()));
+    harness.run_ok();
+}
+
+#[test]
+fn all_answers_that_are_not_numbers_are_named() {
+    let mut harness = touched_at(5, 5);
+    for field in ["u x", "u y", "u z", "v x", "v y", "v z", "w x", "w y", "w z", "t"] {
+        type_answer(&mut harness, &format!("answer {field}"), "abc");
+    }
+    tap_button(&mut harness, "Check");
+    assert_eq!(texts_with(&harness, "𝐮, 𝐯, 𝐰, 𝑡 are not numbers").len(), 1);
+}
+
+#[test]
+fn a_typed_text_stands_in_the_middle_of_its_field() {
+    let mut harness = touched_at(5, 5);
+    type_answer(&mut harness, "answer t", "12345");
+    let field = harness.get_by_role_and_label(Role::TextInput, "answer t").rect();
+    let shapes = harness.output().shapes.iter();
+    let mut texts = shapes.filter_map(|clipped| match &clipped.shape {
+        Shape::Text(text) if text.galley.text() == "12345" => Some(text.visual_bounding_rect()),
+        _ => None,
+    });
+    let text = texts.next().unwrap();
+    assert!((text.center().y - field.center().y).abs() < 2.0, "{text} in {field}");
+}
+
+#[test]
+fn a_notice_covers_no_button() {
+    let mut harness = touched_at(5, 5);
+    type_answer(&mut harness, "answer t", "4");
+    tap_button(&mut harness, "Copy my answer");
+    let title = harness.get_by_label("The code of your answer is on the clipboard").rect();
+    let close = harness.get_by_role_and_label(Role::Button, "Close").rect();
+    let notice = title.union(close);
+    let buttons = harness.query_all_by_role(Role::Button).map(|button| button.rect());
+    let covered: Vec<Rect> =
+        buttons.filter(|rect| *rect != close && rect.intersects(notice)).collect();
+    assert_eq!(covered, [], "{notice}");
+}
+
+#[test]
+fn instructions_name_what_the_hand_holds() {
+    let mut harness = touched_at(6, 0);
+    let has = |harness: &Harness<'_, App>, words: &str| !texts_with(harness, words).is_empty();
+    assert!(has(&harness, "Tap Play to see") && !has(&harness, "Press Space"));
+    // A mouse is moved.
+    harness.hover_at(pos2(200.0, 120.0));
+    harness.run_ok();
+    assert!(has(&harness, "Press Space to see") && !has(&harness, "Tap Play"));
+    let mut harness = phone();
+    assert!(has(&harness, "Click a pixel"));
+    tap(&mut harness, pos2(200.0, 100.0));
+    assert!(has(&harness, "Tap a pixel") && !has(&harness, "Click"));
+    command(&mut harness, "Guess which");
+    assert!(!has(&harness, "Enter"), "a finger has no keys");
+}
+
+#[test]
+fn vote_and_export_are_whole_and_nothing_in_them_overlaps() {
+    let choices = [Role::RadioButton, Role::CheckBox];
+    for (title, roles) in [("Guess which", &[Role::Button][..]), ("Export a figure", &choices)] {
+        for presenting in [false, true] {
+            let mut harness = phone();
+            tap(&mut harness, pos2(200.0, 100.0));
+            if presenting {
+                harness.key_press(egui::Key::F5);
+                harness.run();
+                harness.set_size(PHONE);
+            }
+            command(&mut harness, title);
+            let nodes = roles.iter().flat_map(|role| harness.query_all_by_role(*role));
+            let all: Vec<Rect> = nodes.map(|node| node.rect()).collect();
+            // Below the window is what can be scrolled to.
+            let all: Vec<Rect> = all.into_iter().filter(|rect| rect.center().y < PHONE.y).collect();
+            for (k, rect) in all.iter().enumerate() {
+                let is_whole = Rect::from_min_size(Pos2::ZERO, PHONE).contains_rect(*rect);
+                assert!(is_whole, "{title}: {rect}");
+                let other = all[..k].iter().find(|other| other.shrink(1.0).intersects(*rect));
+                assert_eq!(other, None, "{title}: {rect}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_codes_of_a_class_have_the_whole_width() {
+    let mut harness = phone();
+    show(&mut harness, ViewLayout::Class);
+    let codes = harness.get_by_role_and_label(Role::MultilineTextInput, "codes").rect();
+    assert!(codes.width() > 300.0, "{codes}");
+}
+
+#[test]
+fn a_ghosts_numbers_have_as_many_digits_as_in_a_wide_window() {
+    let mut harness = phone();
+    open_scene(&mut harness, "look-at");
+    harness.key_press(egui::Key::G);
+    show(&mut harness, ViewLayout::Compare);
+    let now = |harness: &Harness<'_, App>| texts_with(harness, "u: ghost");
+    let on_phone = now(&harness);
+    harness.set_size(vec2(1280.0, 800.0));
+    harness.run();
+    assert_eq!((on_phone.len(), on_phone), (1, now(&harness)));
 }

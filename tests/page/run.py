@@ -225,11 +225,14 @@ def a_page_is_saved_and_opens_at_its_step(page, pictures):
     there = browser.told()
     assert there
     choose(browser, "Save as a page")
+    browser.key("a", CTRL)
+    browser.cdp("Input.insertText", text="week 3/4")
+    time.sleep(0.5)
     browser.shot(pictures / "name.png")
     browser.key("Enter")
     time.sleep(1)
     name, text = next(iter(browser.downloads().items()))
-    assert name.endswith(".html"), name
+    assert name == "week 3-4.html", f"not the name that is asked for, and its slash is not replaced: {name}"
     with tempfile.TemporaryDirectory() as folder:
         saved = Path(folder) / "lesson.html"
         saved.write_text(text)

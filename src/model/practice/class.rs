@@ -184,6 +184,8 @@ pub(crate) fn outcomes_of_grade(
 pub struct ClassCodes {
     /// The text with the codes.
     pub text: String,
+    /// The text that was removed last.
+    pub removed: String,
     /// The answers in it, as of the last `update`.
     pub answers: ClassAnswers,
 }
@@ -192,6 +194,14 @@ impl ClassCodes {
     /// Adds a text with codes.
     pub(crate) fn add(&mut self, text: &str) {
         self.text = [&self.text, text].join("\n").trim().to_owned();
+        self.update();
+    }
+
+    /// Removes all codes or, if there are none, brings back those that were removed.
+    pub(crate) fn remove_or_bring_back(&mut self) {
+        let back =
+            if self.text.is_empty() { std::mem::take(&mut self.removed) } else { String::new() };
+        self.removed = std::mem::replace(&mut self.text, back);
         self.update();
     }
 

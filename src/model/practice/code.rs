@@ -14,7 +14,7 @@ use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use pinhole_exchange::seal::Form;
 use pinhole_lecture::exercises::Exercise;
 
-use super::exercises::{Exercises, TypedAnswer};
+use super::exercises::{Exercises, Feedback, TypedAnswer};
 
 const FORM: Form = Form { prefix: "answer", version: 1 };
 
@@ -37,9 +37,10 @@ impl Exercises {
         FORM.seal(&format!("{}/{seed}/{seen}/{packed}", self.question().exercise.id()))
     }
 
-    /// Returns true if anything was typed or chosen.
-    pub(crate) fn is_begun(&self) -> bool {
-        self.answers.iter().flat_map(TypedAnswer::texts).any(|text| !text.trim().is_empty())
+    /// Returns true if a part of the question is answered, and nothing that was typed cannot be read.
+    pub(crate) fn is_readable(&self) -> bool {
+        let is_read = |own: &TypedAnswer| !matches!(own.answer(), Err(Feedback::NoNumber(_)));
+        self.answers.iter().all(is_read) && self.answers.iter().any(|own| own.answer().is_ok())
     }
 
     /// Opens a question, types these texts into its fields, yes or no where it asks for that, and checks them.

@@ -186,7 +186,8 @@ impl TypedAnswer {
         }
     }
 
-    fn answer(&self) -> Result<Answer, Feedback> {
+    /// Returns the typed answer, or the feedback on one that is missing or cannot be read.
+    pub(crate) fn answer(&self) -> Result<Answer, Feedback> {
         if self.fields.is_empty() {
             return self.yes.map(Answer::Yes).ok_or(Feedback::NotAnswered);
         }

@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{ColorImage, Context, Event};
+use egui::{ColorImage, Context, Event, Ui};
 use pinhole_exchange::host::host;
 use pinhole_exchange::{Document, ExportScene, Exported, SceneSource, answers, limits, link};
 
@@ -43,13 +43,13 @@ pub(super) fn pasted(ctx: &Context) -> Option<Action> {
 }
 
 /// Shows the last notice. A notice about a camera disappears when the camera changes.
-pub(super) fn notice(ctx: &Context, scene: &mut OpenScene) {
+pub(super) fn notice(ui: &Ui, scene: &mut OpenScene) {
     let notice = &mut scene.session.translator.notice;
     let camera = notice.as_ref().and_then(|said| said.camera);
     if camera.is_some_and(|camera| camera != scene.open.document.camera) {
         *notice = None;
     }
-    translator::notice(ctx, notice);
+    translator::notice(ui, notice);
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {

@@ -406,7 +406,7 @@ impl App {
             (Some(stage), step) => stage.show(ui, rects.rest, step.as_ref(), &mut context),
             _ => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
-        files::notice(ui.ctx(), &mut self.scene);
+        files::notice(ui, &mut self.scene);
     }
 }
 

@@ -67,8 +67,11 @@ impl App {
                 self.say("The link is on the clipboard".to_owned(), Vec::new());
             }
             ShareAction::CopyAnswer => {
-                ctx.copy_text(self.session().exercises.to_code());
-                let note = "Send it to your lecturer in any way: it has no name in it.".to_owned();
+                let exercises = &self.session().exercises;
+                ctx.copy_text(exercises.to_code());
+                let seen =
+                    if exercises.saw_solution { " and that you saw the solution" } else { "" };
+                let note = format!("For your lecturer. In it are your answers{seen}, but no name.");
                 self.say("The code of your answer is on the clipboard".to_owned(), vec![note]);
             }
         }

@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use egui::{Context, Event, Key, Modifiers};
 
 use crate::ui::action::{Action, Observe, Steer, VoteAction};
+use crate::view::typesetting::theme;
 
 pub use search::found;
 pub use table::GESTURES;
@@ -125,6 +126,20 @@ pub fn shortcut(action: impl Into<Action>) -> String {
         .and_then(|command| command.keys.first())
         .map(Keys::text)
         .unwrap_or_default()
+}
+
+/// Words for keys and a mouse, and what a finger does instead.
+const BY_TOUCH: [[&str; 2]; 4] = [
+    ["Press Space", "Tap Play"],
+    ["Click", "Tap"],
+    [", then use the arrow keys", ""],
+    ["Reset (R)", "Reset"],
+];
+
+/// Returns an instruction in the words for the last pointer, a mouse or a finger.
+pub(crate) fn instruction(ctx: &Context, text: &str) -> String {
+    let words = if theme::installed(ctx).by_touch { &BY_TOUCH[..] } else { &[] };
+    words.iter().fold(text.to_owned(), |text, [keys, touch]| text.replace(keys, touch))
 }
 
 /// Returns all keys of this action, such as `Page Down, Right`; empty if the action has none.

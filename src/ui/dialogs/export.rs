@@ -184,7 +184,7 @@ impl ExportForm {
         });
         ui.end_row();
         ui.label("");
-        ui.horizontal_wrapped(|ui| {
+        ui.vertical(|ui| {
             let dark = self.style.is_dark();
             for scheme in Scheme::ALL {
                 ui.radio_value(&mut self.style, Style::new(scheme, dark), scheme.label());

@@ -1,14 +1,13 @@
 //! The command palette, which finds every command by a few of its letters.
 
 use egui::{
-    Align, Button, Context, Id, Key, Label, Layout, Modal, Modifiers, RichText, ScrollArea,
-    TextEdit, Ui,
+    Align, Button, Context, Id, Key, Label, Layout, Modal, Modifiers, RichText, ScrollArea, Ui,
 };
 
 use crate::model::session::Session;
 use crate::ui::action::{Action, LookAction, request};
 use crate::ui::commands_table::{UiCommand, found};
-use crate::ui::widgets::ResponseExt as _;
+use crate::ui::widgets::{ResponseExt as _, line_field};
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;
@@ -65,7 +64,7 @@ fn moves(ctx: &Context) -> isize {
 }
 
 fn field(ui: &mut Ui, palette: &mut CommandPalette) {
-    let field = TextEdit::singleline(&mut palette.typed)
+    let field = line_field(&mut palette.typed)
         .hint_text("a few letters of a command, scene, lesson, exercise…")
         .font(egui::FontId::proportional(TEXT + 2.0))
         .desired_width(f32::INFINITY)

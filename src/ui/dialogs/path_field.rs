@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Key, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Button, Key, RichText, ScrollArea, Ui};
 use pinhole_exchange::host::host;
 
-use crate::ui::widgets::ResponseExt as _;
+use crate::ui::widgets::{ResponseExt as _, line_field};
 use crate::view::typesetting::theme::error_color;
 
 /// A question that asks for a file to read or to write.
@@ -156,7 +156,11 @@ impl PathField {
 
     fn list_ui(&mut self, ui: &mut Ui, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
-        let field = TextEdit::singleline(&mut self.text).hint_text(self.question.hint);
+        if !host().has_folders() {
+            // A browser chooses the folder of a download.
+            self.text = self.text.replace(['/', '\\'], "-");
+        }
+        let field = line_field(&mut self.text).hint_text(self.question.hint);
         let response = ui.add(field.desired_width(f32::INFINITY)).named("path");
         if response.changed() {
             self.overwrite = None;

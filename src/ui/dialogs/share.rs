@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Area, Color32, ColorImage, Context, FontId, Id, Label, Order, Rect, RichText, Sense, TextEdit,
-    Ui, Vec2, pos2, vec2,
+    Area, Color32, ColorImage, Context, FontId, Id, Label, Order, Rect, RichText, Sense, Ui, Vec2,
+    pos2, vec2,
 };
 use pinhole_exchange::link;
 
 use crate::figures::QrCode;
 use crate::ui::action::{Action, ShareAction};
-use crate::ui::widgets::{ResponseExt as _, ViewTexture, fault_text, text_width};
+use crate::ui::widgets::{ResponseExt as _, ViewTexture, fault_text, line_field, text_width};
 
 /// Side of the code in the dialog, in points.
 const SIDE: f32 = 260.0;
@@ -91,8 +91,8 @@ impl ShareForm {
         ui.heading("Share");
         let url = link::url(&self.address, &self.fragment);
         ui.label("This link opens what the window shows, in a browser or pasted into a window.");
-        ui.add(TextEdit::singleline(&mut url.as_str()).desired_width(f32::INFINITY)).named("link");
-        let field = TextEdit::singleline(&mut self.address).desired_width(f32::INFINITY);
+        ui.add(line_field(&mut url.as_str()).desired_width(f32::INFINITY)).named("link");
+        let field = line_field(&mut self.address).desired_width(f32::INFINITY);
         ui.label("Address of the page, where pinhole.html is on the web:");
         let field = field.hint_text("https://example.org/pinhole.html");
         ui.add(field).named("address of the page");

@@ -4,7 +4,7 @@ use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, SharedList};
 
-use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, vector_row};
+use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, line_field, vector_row};
 use crate::view::typesetting::theme;
 
 /// Number of rows of the list that are visible at once.
@@ -189,7 +189,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
             item.color = Some(color);
         }
         let mut name = item.name.clone().unwrap_or_default();
-        let field = egui::TextEdit::singleline(&mut name).hint_text("name").desired_width(150.0);
+        let field = line_field(&mut name).hint_text("name").desired_width(150.0);
         if ui.add(field).named("name").changed() {
             item.name = (!name.is_empty()).then_some(name);
         }

@@ -4,23 +4,22 @@
 use egui::accesskit::Role;
 use egui::{
     Align, Align2, CornerRadius, FontId, Layout, Rect, RichText, ScrollArea, Sense, Stroke,
-    StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
 use crate::model::Session;
 use crate::model::practice::class::{ClassAnswers, ClassExercise, RIGHT};
-use crate::ui::widgets::{ResponseExt as _, clipped, fault_text};
-use crate::view::typesetting::theme::{self, error_color};
+use crate::ui::widgets::{ResponseExt as _, clipped, fault_text, marked_text};
+use crate::view::typesetting::theme::{self, STACKED, error_color};
 
 /// Size of the text, in points, and of the labels of the bars.
 const TEXT: f32 = 15.0;
 const LABEL: f32 = 18.0;
 
-/// Width of the column with the codes, in points.
-const CODES: f32 = 330.0;
-/// Maximum share of the page's width for it.
-const SHARE: f32 = 0.42;
-/// Space between the columns, in points.
+/// Share of the page's width for the codes or, where the answers are below them, of its height.
+const SHARE: f32 = 0.38;
+/// Distance of codes and answers from the edges of their areas, and space between two exercises, in points.
+const MARGIN: f32 = 8.0;
 const GAP: f32 = 24.0;
 
 /// Height of a bar with the space around it, in points.
@@ -30,9 +29,9 @@ const NAMED: f32 = 0.42;
 /// Space for the number after the longest bar, in points.
 const COUNT: f32 = 48.0;
 
-/// Tells the lecturer where codes come from.
-const HINT: &str = "In an exercise, Copy my answer puts a code on the clipboard, which students send you in \
-                    any way. Paste the codes here. Other words do no harm.";
+/// Tells where codes come from: the lecturer and, while there are none on the stage, the class.
+const HINT: &str = "In an exercise, Copy my answer puts a code on the clipboard, which students send the \
+                    lecturer in any way. The codes are pasted into this page. Other words do no harm.";
 
 /// Shows the page. While presenting, it hides the codes, since names may stand beside them.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {
@@ -41,10 +40,12 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {
     if session.presenting.is_some() {
         return clipped(ui, whole, |ui| answers(ui, &session.class.answers));
     }
-    let column = CODES.min(SHARE * whole.width());
-    let (left, right) = whole.split_left_right_at_x(whole.left() + column);
-    clipped(ui, left, |ui| codes(ui, session));
-    clipped(ui, right.with_min_x(right.left() + GAP), |ui| answers(ui, &session.class.answers));
+    let (codes_area, area) = match whole.width() < STACKED {
+        true => whole.split_top_bottom_at_fraction(SHARE),
+        false => whole.split_left_right_at_fraction(SHARE),
+    };
+    clipped(ui, codes_area.shrink(MARGIN), |ui| codes(ui, session));
+    clipped(ui, area.shrink(MARGIN), |ui| answers(ui, &session.class.answers));
 }
 
 /// Returns the page's contents for screen readers.
@@ -62,10 +63,10 @@ fn codes(ui: &mut Ui, session: &mut Session) {
     ui.label(HINT);
     ui.add_space(6.0);
     let class = &mut session.class;
-    let is_empty = class.text.is_empty();
-    if ui.add_enabled(!is_empty, egui::Button::new("Remove all codes")).clicked() {
-        class.text.clear();
-        class.update();
+    let is_removed = class.text.is_empty() && !class.removed.is_empty();
+    let verb = if is_removed { "Bring the codes back" } else { "Remove all codes" };
+    if ui.add_enabled(is_removed || !class.text.is_empty(), egui::Button::new(verb)).clicked() {
+        class.remove_or_bring_back();
     }
     ui.add_space(6.0);
     ScrollArea::vertical().id_salt("codes").show(ui, |ui| {
@@ -79,7 +80,11 @@ fn codes(ui: &mut Ui, session: &mut Session) {
 
 /// Shows how many answers are right, how many show which mistake, and which codes cannot be read.
 fn answers(ui: &mut Ui, class: &ClassAnswers) {
+    let presenting = theme::installed(ui.ctx()).presenting;
     ScrollArea::vertical().id_salt("class").auto_shrink(false).show(ui, |ui| {
+        if presenting && class.exercises.is_empty() {
+            marked_text::label(ui, HINT, LABEL);
+        }
         for own in &class.exercises {
             ui.heading(RichText::new(&own.title).size(LABEL).strong());
             for (outcome, count) in &own.tally.counts {
@@ -95,7 +100,7 @@ fn answers(ui: &mut Ui, class: &ClassAnswers) {
             ui.heading(RichText::new(title).size(LABEL).strong());
         }
         // The class need not see whose code is broken.
-        let shown = class.problems().filter(|_| !theme::installed(ui.ctx()).presenting);
+        let shown = class.problems().filter(|_| !presenting);
         for problem in shown.collect::<Vec<_>>() {
             ui.label(fault_text(ui, problem));
         }
@@ -110,8 +115,7 @@ fn bar(ui: &mut Ui, all: usize, outcome: &str, count: usize) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     let from = rect.left() + NAMED * rect.width();
     let length = (rect.right() - COUNT - from).max(0.0) * count as f32 / all as f32;
-    let drawn =
-        Rect::from_min_max(pos2(from, rect.top() + 4.0), pos2(from + length, rect.bottom() - 4.0));
+    let drawn = Rect::from_x_y_ranges(from..=from + length, rect.y_range()).shrink2(vec2(0.0, 4.0));
     let name = format!("{outcome}: {count}");
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
     let named = RichText::new(outcome).size(LABEL).color(ink);

@@ -5,7 +5,7 @@
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
-    Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
@@ -18,7 +18,7 @@ use crate::model::session::presenting::WRITTEN;
 use crate::ui::action::VoteAction;
 use crate::ui::commands_table::shortcut;
 use crate::ui::widgets::{
-    ResponseExt as _, clipped, cross, fault_text, inside, marked_text, text_width, tick,
+    ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
 };
 use crate::view::typesetting::theme::error_color;
 
@@ -42,8 +42,8 @@ const REASON: f32 = 16.0;
 const HEAD: f32 = 28.0;
 /// Minimum height of the reason, in points: below the options, and beside them.
 const WHY: [f32; 2] = [96.0, 36.0];
-/// Height of a row of buttons, in points.
-const BAR: f32 = 30.0;
+/// Space above and below a row of buttons, in points.
+const AROUND_BUTTONS: f32 = 12.0;
 
 /// Minimum and maximum height of an option, in points.
 const OPTION: [f32; 2] = [37.0, 104.0];
@@ -120,8 +120,9 @@ pub(super) fn ui(
     let Some(open) = &mut view.open_vote else { return };
     let is_wide = whole.width() > WIDE * whole.height();
     let (head, rest) = whole.split_top_bottom_at_y(whole.top() + HEAD);
+    let bar = ui.spacing().interact_size.y + AROUND_BUTTONS;
     let (above, bar) =
-        rest.split_top_bottom_at_y(rest.bottom() - if is_wide { 1.0 } else { 2.0 } * BAR);
+        rest.split_top_bottom_at_y(rest.bottom() - if is_wide { 1.0 } else { 2.0 } * bar);
     let rows = if is_wide { 2 } else { open.vote.options.len() };
     let room = (above.height() - WHY[usize::from(is_wide)]) / rows as f32 - GAP;
     let option = room.clamp(OPTION[0], OPTION[1]) + GAP;
@@ -300,8 +301,8 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
 fn instructions(open: &OpenVote) -> String {
     let hollow = "Filled bars are the second round, hollow ones the first. ";
     let bars = if open.counted().count() > 1 { hollow } else { "" };
-    let hint = "Compare it with the correct picture on its left. Vote for A, B, C or D; then press Enter \
-                or Page Down.";
+    let hint =
+        "Compare it with the correct picture on its left. Vote, A, B, C or D; then reveal it.";
     format!("{bars}{hint}")
 }
 
@@ -344,7 +345,7 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>, is_
 fn hands(ui: &mut Ui, open: &mut OpenVote) {
     let hint = "The hands raised for A, B, C and D, drawn as bars";
     ui.label("Hands").on_hover_text(hint);
-    let field = TextEdit::singleline(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
+    let field = line_field(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
     let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
     let name = format!("hands in round {}", open.round + 1);
     let response = response.on_hover_text(hint).named(name);

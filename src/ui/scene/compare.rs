@@ -14,17 +14,17 @@ use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived};
 use crate::view::typesetting::theme::STACKED;
 
-/// Size of the text, in points.
-const TEXT: f32 = 15.5;
+/// Size of the text, in points, where the tables are side by side and where they are stacked.
+const TEXT: [f32; 2] = [15.5, 12.0];
 
-/// Width of a character of a number, in points.
-const LETTER: f32 = 8.2;
+/// Width of a character of a number, as a multiple of the text's size.
+const LETTER: f32 = 0.53;
 
-/// Maximum number of significant digits, where the tables are side by side and where they are stacked.
-const DIGITS: [usize; 2] = [4, 2];
+/// Maximum number of significant digits. More do not fit.
+const DIGITS: usize = 4;
 
 /// Text that is shown if there is no ghost.
-const NO_GHOST: &str = "Press G to freeze the camera as a ghost, then change it and compare.";
+const NO_GHOST: &str = "Freeze the camera as a ghost, then change it and compare.";
 
 /// Shows, above the second picture, the choice between the ghost's picture and the map of the pixels that
 /// differ.
@@ -63,11 +63,11 @@ fn share_that_differs(against: &AgainstGhost) -> String {
 /// Shows the ghost's buttons, and the numbers of both cameras.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
     let (ghost, style) = (session.ghost.as_ref(), NumberStyle::new(&session.settings));
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let against = derived.against_ghost.as_deref();
-    // More digits do not fit side by side.
     let is_stacked = ui.available_width() < STACKED;
-    let style = style.at_most(DIGITS[usize::from(is_stacked)]);
+    let size = TEXT[usize::from(is_stacked)];
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));
+    let against = derived.against_ghost.as_deref();
+    let style = style.at_most(DIGITS);
     ui.horizontal_wrapped(|ui| {
         buttons(ui, ghost.is_some());
         if let Some(against) = against {
@@ -89,12 +89,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
             let vectors = [turned(now, against, style), moved].concat();
             // As wide as the widest numbers, so that nothing moves sideways while they change.
             let digits = style.digits as f32;
-            table(ui, "vectors", &vectors, 3.0 * (digits + 2.8));
+            table(ui, "vectors", &vectors, LETTER * size * 3.0 * (digits + 2.8));
             ui.separator();
             let here = derived.inspection.as_deref();
             let mut lines = numbers(document, ghost, against, style);
             lines.extend(hits(here, &against.inspection, document, style));
-            table(ui, "scalars", &lines, digits + 2.6);
+            table(ui, "scalars", &lines, LETTER * size * (digits + 2.6));
         });
     });
 }
@@ -102,7 +102,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
 /// Shows the ghost's commands as a row of buttons.
 fn buttons(ui: &mut Ui, has_ghost: bool) {
     for (text, name, ghost, needs_one) in [
-        ("Freeze (G)", "Freeze the camera as a ghost", GhostAction::Freeze, false),
+        ("Freeze", "Freeze the camera as a ghost", GhostAction::Freeze, false),
         ("Swap", "Swap with the ghost", GhostAction::Swap, true),
         ("Remove", "Remove the ghost", GhostAction::Drop, true),
     ] {
@@ -122,8 +122,8 @@ fn name_of(ui: &mut Ui, (name, ghost, now, between): &ComparedLine) {
     ui.label(RichText::new(*name).strong().color(color)).spoken(spoken);
 }
 
-/// Shows quantities of both cameras, one per line. The values have columns of this many characters.
-fn table(ui: &mut Ui, name: &str, lines: &[ComparedLine], characters: f32) {
+/// Shows quantities of both cameras, one per line. The values have columns of this width, in points.
+fn table(ui: &mut Ui, name: &str, lines: &[ComparedLine], width: f32) {
     let grid = Grid::new(name).num_columns(4).spacing([10.0, 2.0]);
     grid.min_col_width(0.0).min_row_height(0.0).show(ui, |ui| {
         for head in ["", "ghost", "now", "change"] {
@@ -134,7 +134,7 @@ fn table(ui: &mut Ui, name: &str, lines: &[ComparedLine], characters: f32) {
             let (_, ghost, now, between) = line;
             name_of(ui, line);
             for value in [ghost, now] {
-                cell(ui, LETTER * characters, |ui| ui.label(value));
+                cell(ui, width, |ui| ui.label(value));
             }
             ui.strong(between);
             ui.end_row();

@@ -24,7 +24,7 @@ use crate::model::{
     ViewSize,
 };
 use crate::ui::action::{Observe, request};
-use crate::ui::commands_table::{self, When};
+use crate::ui::commands_table::{self, When, instruction};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::scene::{gizmo, readouts};
@@ -434,8 +434,9 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
         let foot = world.with_min_y(world.bottom() - STRIP);
         let shows_all = settings.items.shows(Item::ViewAndUp);
         let dragged = if shows_all { "eye, at or up" } else { "eye" };
-        let hint = RichText::new(format!("Drag {dragged}. Click a pixel.")).weak();
-        strip(ui, foot, |ui| drop(ui.add(Label::new(hint).selectable(false))));
+        let hint = instruction(ui.ctx(), &format!("Drag {dragged}. Click a pixel."));
+        let label = Label::new(RichText::new(hint).weak()).selectable(false);
+        strip(ui, foot, |ui| drop(ui.add(label)));
     }
     if let Some(rect) = rects.camera_area {
         let text = match rect.width() < NARROW {

@@ -1,7 +1,7 @@
 //! An exercise on the stage: in the column, its answer fields with their verdicts, its buttons and its
 //! solution; as the main figure, the lines of a question in two dimensions.
 
-use egui::{Align, Color32, FontId, Key, Label, Layout, RichText, Stroke, TextEdit, Ui, vec2};
+use egui::{Align, Color32, FontId, Key, Label, Layout, RichText, Stroke, Ui, vec2};
 use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
@@ -15,7 +15,7 @@ use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
 use crate::ui::widgets::{
-    ResponseExt as _, combo, inside, marked_text, sign, text_width, vector_color,
+    ResponseExt as _, combo, inside, line_field, marked_text, sign, text_width, vector_color,
 };
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::Derived;
@@ -215,8 +215,9 @@ pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
         exercises.toggle_solution();
     }
     if !theme::installed(ui.ctx()).presenting {
-        let copy = ui.add_enabled(exercises.is_begun(), egui::Button::new("Copy my answer"));
-        copy.on_hover_text("As a code that you can send").asks(ShareAction::CopyAnswer);
+        let copy = ui.add_enabled(exercises.is_readable(), egui::Button::new("Copy my answer"));
+        let hint = "As a code that you can send, if all that you have typed can be read";
+        copy.on_hover_text(hint).on_disabled_hover_text(hint).asks(ShareAction::CopyAnswer);
     }
 }
 
@@ -284,7 +285,7 @@ fn answer(
             1 => (format!("answer {name}"), ""),
             _ => (format!("answer {name} {axis}"), hint),
         };
-        let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
+        let field = line_field(text).hint_text(hint).desired_width(width);
         let field = field.margin(egui::Margin::symmetric(MARGIN as i8, 2));
         let response = ui.add(field.font(FontId::proportional(size))).named(label);
         if response.changed() {
@@ -313,8 +314,9 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
     response.on_hover_text(&sentence).spoken(format!("{}: {sentence}", part.asked.id()));
 }
 
-/// Shows the verdicts that say more than that an answer is right, as many as there is room for. The one on the
-/// answer that has the focus comes first, and answers that are still missing come last.
+/// Shows the verdicts that say more than that an answer is right, as many as there is room for. Answers that are
+/// not numbers come first, all in one verdict, then the answer that has the focus, and those that are still
+/// missing last.
 fn verdicts(ui: &mut Ui, exercises: &Exercises, focused: Option<usize>, size: f32) {
     let parts = exercises.question().parts.iter().zip(&exercises.answers).enumerate();
     let said = parts.filter_map(|(k, (part, typed))| Some((k, part, typed.feedback.as_ref()?)));
@@ -328,6 +330,13 @@ fn verdicts(ui: &mut Ui, exercises: &Exercises, focused: Option<usize>, size: f3
             sign(ui, true);
             ui.label(RichText::new("All correct.").strong());
         });
+    }
+    let no_numbers = said.iter().filter(|(.., said)| matches!(said, Feedback::NoNumber(_)));
+    let names: Vec<&str> = no_numbers.map(|(_, part, _)| part.asked.symbol()).collect();
+    if names.len() > 1 {
+        let text = format!("{} are not numbers: try 0.5, 1/3 or sqrt(2)/2.", names.join(", "));
+        ui.add(Label::new(RichText::new(text).size(size).color(error_color(ui))).wrap());
+        said.retain(|(k, _, said)| Some(*k) == focused || !matches!(said, Feedback::NoNumber(_)));
     }
     said.sort_by_key(|(k, _, said)| (Some(*k) != focused, **said == Feedback::NotAnswered));
     for (_, part, said) in said {

@@ -11,7 +11,7 @@ use egui::{
 use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
-use crate::ui::commands_table::{keys_text, shortcut};
+use crate::ui::commands_table::{instruction, keys_text, shortcut};
 use crate::ui::widgets::ResponseExt as _;
 
 /// Size of the buttons' text, in points.
@@ -28,7 +28,7 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
         response.named(name).asks(action);
     };
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
-    let back = format!("Reset ({})", shortcut(Leave::BackToStep));
+    let back = instruction(ui.ctx(), &format!("Reset ({})", shortcut(Leave::BackToStep)));
     let hint = "Resets everything to the step";
     button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));

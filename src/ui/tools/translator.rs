@@ -30,6 +30,8 @@ const SMALL_CODE: f32 = 12.0;
 
 /// Time to read one line of a notice, in seconds.
 const READING: f64 = 6.0;
+/// Distance of a notice from the edges of the page, in points.
+const EDGE: f32 = 12.0;
 
 /// Width of the table's first column, in points.
 const ABOUT: f32 = 118.0;
@@ -189,10 +191,11 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// Shows the notice over the lower edge of the window, until the time to read it is over or the user closes
-/// it.
-pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
+/// Shows the notice below the bars, until the time to read it is over or the user closes it. At the lower edge
+/// are the buttons of a lesson and of an exercise.
+pub(crate) fn notice(ui: &Ui, notice: &mut Option<Notice>) {
     let Some(shown) = notice else { return };
+    let (ctx, page) = (ui.ctx(), ui.max_rect().shrink(EDGE));
     let now = ctx.input(|i| i.time);
     let left = *shown.shown_at.get_or_insert(now) + READING * (1 + shown.notes.len()) as f64 - now;
     // A failure stays until the user closes it.
@@ -201,9 +204,9 @@ pub(crate) fn notice(ctx: &egui::Context, notice: &mut Option<Notice>) {
         ctx.request_repaint_after(Duration::from_secs_f64(left));
     }
     let area = Area::new(Id::unique("notice")).order(Order::Foreground);
-    area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -24.0)).show(ctx, |ui| {
+    area.pivot(Align2::CENTER_TOP).fixed_pos(page.center_top()).show(ctx, |ui| {
         Frame::popup(ui.style()).show(ui, |ui| {
-            ui.set_max_width(560.0);
+            ui.set_max_width(page.width().min(560.0));
             ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
             let title = RichText::new(&shown.title).strong();
             ui.label(if shown.worked { title } else { title.color(error_color(ui)) });

@@ -8,6 +8,7 @@ use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 use super::ResponseExt as _;
 use super::number::vector_color;
 use crate::model::symbols;
+use crate::ui::commands_table::instruction;
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::theme;
 
@@ -15,7 +16,7 @@ use crate::view::typesetting::theme;
 /// symbols.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
-    ui.add(Label::new(job).wrap()).spoken(plain(text));
+    ui.add(Label::new(job).wrap()).spoken(plain(&instruction(ui.ctx(), text)));
 }
 
 /// Returns the height of the text when it is wrapped to this width.
@@ -28,7 +29,7 @@ pub(crate) fn height_within(ui: &Ui, text: &str, size: f32, width: f32) -> f32 {
 fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
     let color = ui.visuals().strong_text_color();
     let mut job = LayoutJob::default();
-    let runs = runs(&unbroken(text)).into_iter();
+    let runs = runs(&unbroken(&instruction(ui.ctx(), text))).into_iter();
     for (run, is_vector) in runs.flat_map(|(run, is_vector)| with_named(&run, is_vector)) {
         let family = if is_vector { theme::bold() } else { FontFamily::Proportional };
         let own = vector_color(ui, &run).filter(|_| is_vector);

@@ -7,9 +7,9 @@ use std::time::Duration;
 
 use egui::accesskit::{Node, Role};
 use egui::{
-    Align, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, FontSelection, Key, Layout,
-    Painter, Rect, Response, RichText, Sense, Stroke, TextStyle, TextureHandle, TextureId,
-    TextureOptions, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, FontSelection, Key,
+    Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer, TextEdit, TextStyle,
+    TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
 
 use crate::model::symbols::typeset_message;
@@ -130,6 +130,11 @@ pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl
     let combo =
         ComboBox::from_id_salt((name, "menu")).width(width).height(520.0).selected_text(shown);
     combo.show_ui(ui, list).response.named(name);
+}
+
+/// Creates a field for a line of text, which stands in the middle of the field's height.
+pub(crate) fn line_field(text: &mut dyn TextBuffer) -> TextEdit<'_> {
+    TextEdit::singleline(text).align(Align2::LEFT_CENTER)
 }
 
 /// Returns the width of a line of text in this font, in points.

@@ -34,9 +34,16 @@ fn copied_codes_are_pasted_and_counted() {
     let copy = student.get_by_role_and_label(Role::Button, "Copy my answer");
     assert!(copy.accesskit_node().is_disabled(), "nothing is typed");
     let right = copied(&mut student, "4");
+    let told = "For your lecturer. In it are your answers, but no name.";
+    assert_says(&student, told);
+    answers(&mut student, "t", &["4 sqrt"]);
+    let copy = student.get_by_role_and_label(Role::Button, "Copy my answer");
+    assert!(copy.accesskit_node().is_disabled(), "t cannot be read");
     click(&mut student, "Show the solution");
     click(&mut student, "Hide the solution");
     let far = copied(&mut student, "6");
+    let told = told.replace(", but", " and that you saw the solution, but");
+    assert_says(&student, &told);
     let mut lecturer = window("canonical");
     lecturer.event(Event::Paste(format!("Anna: {right}\nBert: {far}")));
     lecturer.run();
@@ -58,9 +65,21 @@ fn copied_codes_are_pasted_and_counted() {
     assert_eq!(texts_with(&lecturer, "The code in line"), Vec::<String>::new());
     press(&mut lecturer, egui::Key::F5);
     click(&mut lecturer, "Remove all codes");
+    assert!(texts_with(&lecturer, "far-root").is_empty());
+    click(&mut lecturer, "Bring the codes back");
+    assert_says(&lecturer, "far-root: 2");
+    click(&mut lecturer, "Remove all codes");
     assert!(
         texts_with(&lecturer, "far-root").is_empty() && texts_with(&lecturer, "Anna").is_empty()
     );
+}
+
+#[test]
+fn an_empty_page_tells_the_class_what_to_do() {
+    let mut window = window("canonical");
+    show(&mut window, ViewLayout::Class);
+    press(&mut window, egui::Key::F5);
+    assert!(!texts_with(&window, "Copy my answer puts a code").is_empty());
 }
 
 #[test]

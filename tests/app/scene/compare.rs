@@ -160,7 +160,7 @@ fn camera_and_ghost_change_places_in_one_step() {
 fn without_a_ghost_the_layout_says_how_to_get_one() {
     let mut harness = window("canonical");
     show(&mut harness, ViewLayout::Compare);
-    assert_says(&harness, "Press G to freeze the camera as a ghost, then change it and compare.");
+    assert_says(&harness, "Freeze the camera as a ghost, then change it and compare.");
     click(&mut harness, "Freeze the camera as a ghost");
     assert!(harness.state().derived().against_ghost.is_some());
     let traced = harness.state().pictures_traced();

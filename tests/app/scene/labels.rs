@@ -1,7 +1,7 @@
 //! Handles and labels in the world view: only those that are needed.
 
-use egui::Key;
 use egui::accesskit::Role;
+use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::concept::Concept;
@@ -85,6 +85,29 @@ fn only_what_the_camera_is_made_of_has_a_name_until_a_lesson_is_open() {
     };
     assert!(open(6, 0).iter().any(|text| text == "view"));
     assert!(open(0, 3).iter().any(|text| text == "hit"));
+}
+
+#[test]
+fn the_viewports_width_lies_on_no_line_of_the_camera() {
+    let mut harness = window_with("canonical", Remembered::default(), None);
+    harness.key_press(Key::F5);
+    harness.run();
+    // At 1024 x 768.
+    harness.set_size(vec2(737.0, 553.0));
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(2), step: 4 }, None);
+    harness.run();
+    let shown = harness.state().derived().world_view.clone().unwrap();
+    let label = shown.labels.iter().find(|label| label.text == "width = 1").unwrap();
+    let half = Vec2::from(label.half_extent(harness.ctx.pixels_per_point()));
+    let area = Rect::from_center_size(label.position.into(), 2.0 * half);
+    for mark in shown.marks.iter().filter(|mark| mark.item != Item::Floor) {
+        let Shape::Line { points, .. } = &mark.shape else { continue };
+        for pair in points.windows(2) {
+            let [from, to] = [pair[0], pair[1]].map(Pos2::from);
+            let is_on = |k: u8| area.contains(from.lerp(to, f32::from(k) / 255.0));
+            assert!(!(0..=255).any(is_on), "{:?} from {from} to {to}", mark.item);
+        }
+    }
 }
 
 #[test]

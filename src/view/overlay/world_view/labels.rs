@@ -56,14 +56,14 @@ impl Request {
 }
 
 /// Returns the rank of an item's label; labels of lower rank are placed first. The names of the camera's
-/// parts precede those of the ray, of the world's axes and of the marks.
+/// parts precede those of the ray, of a point's u and v, of the world's axes and of the marks.
 fn rank(item: Item) -> u8 {
     match item {
         Item::Handles => 1,
         Item::Eye | Item::Basis | Item::U | Item::W => 2,
         Item::ViewAndUp | Item::At => 3,
         Item::Ray | Item::Hit | Item::SphereFigure => 4,
-        Item::Axes => 6,
+        Item::Axes | Item::UvLegs => 6,
         Item::Marks => 7,
         _ => 5,
     }
