@@ -182,8 +182,8 @@ pub(super) struct Check {
     pub(super) agree: usize,
     tolerance: f64,
     worst: Value,
-    pub(super) mistakes: Vec<&'static str>,
-    pub(super) advice: String,
+    mistakes: Vec<&'static str>,
+    advice: String,
     /// Other sets of mistakes that would lead to the same answers.
     alternatives: Vec<Vec<&'static str>>,
     /// The name of the shading with which the graded picture was compared; `None` if the answers are not a

@@ -1,6 +1,7 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -10,6 +11,7 @@ use pinhole_lecture::Mistake;
 use pinhole_lecture::numbers::grouped;
 use rayon::prelude::*;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::check::{Check, Checked, Task, status};
 use super::console::{CommandError, read, to_json, warn};
@@ -134,9 +136,7 @@ struct Student {
 impl Student {
     /// Grades a file.
     fn new(path: &Path, task: &Task) -> Student {
-        let text = |part: Option<&std::ffi::OsStr>| {
-            part.unwrap_or_default().to_string_lossy().into_owned()
-        };
+        let text = |part: Option<&OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
         let (name, file) = (text(path.file_stem()), text(path.file_name()));
         let graded = task.grade(path);
         let mut made = BTreeSet::new();
@@ -176,34 +176,29 @@ fn lines(students: &[Student]) -> String {
     rows.iter().map(line).collect()
 }
 
-/// Returns a row for each student.
+/// Returns a row for each student, with these fields of the JSON output.
 fn csv(students: &[Student]) -> String {
-    let row = |student: &Student| {
-        let Student { name, file, verdict, check, problem, .. } = student;
-        let of = |cell: fn(&Check) -> String| check.as_ref().map(cell).unwrap_or_default();
-        let cells = [
-            name.clone(),
-            file.clone(),
-            (*verdict).to_owned(),
-            of(|check| check.kind.to_owned()),
-            of(|check| check.answers.to_string()),
-            of(|check| check.agree.to_string()),
-            of(|check| check.mistakes.join(" ")),
-            of(|check| check.advice.clone()),
-            problem.clone().unwrap_or_default(),
-        ];
-        cells.map(quoted).join(",") + "\n"
+    const COLUMNS: &str = "name,file,verdict,kind,answers,agree,mistakes,advice,problem";
+    let cell = |value: &Value| match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(all) => all.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(" "),
+        other => other.to_string(),
     };
-    let header = "name,file,verdict,kind,answers,agree,mistakes,advice,problem\n";
-    header.to_owned() + &students.iter().map(row).collect::<String>()
+    let row = |student: &Student| {
+        let fields = json!(student);
+        let cells = COLUMNS.split(',').map(|column| quoted(cell(&fields[column])));
+        cells.collect::<Vec<_>>().join(",") + "\n"
+    };
+    format!("{COLUMNS}\n") + &students.iter().map(row).collect::<String>()
 }
 
-/// Returns a cell of a CSV file, in quotes where it needs them.
+/// Returns a cell of a CSV file, in quotes if it needs them.
 fn quoted(cell: String) -> String {
-    if !cell.contains([',', '"', '\n', '\r']) {
-        return cell;
+    if cell.contains([',', '"', '\n', '\r']) {
+        return format!("\"{}\"", cell.replace('"', "\"\""));
     }
-    format!("\"{}\"", cell.replace('"', "\"\""))
+    cell
 }
 
 /// Maximum length of a bar, in characters.
