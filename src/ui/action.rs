@@ -12,7 +12,7 @@ use pinhole_exchange::{Document, SceneSource};
 use pinhole_lecture::{Exercise, Mistake};
 
 use crate::figures::{Frames, Order};
-use crate::model::observer::Axis;
+use crate::model::observer::WorldAxis;
 use crate::model::play::Kind;
 use crate::model::session::presenting::Pen;
 use crate::model::{Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout};
@@ -243,7 +243,7 @@ pub enum Observe {
     /// Move nearer to a point by a factor; the point keeps its place in the view.
     ZoomTo(PointShown, f64),
     /// Look along an axis.
-    Along(Axis),
+    Along(WorldAxis),
     /// Frame a sphere.
     FrameSphere(Sphere),
     /// Frame the eye and the viewport.

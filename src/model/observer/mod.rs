@@ -156,11 +156,11 @@ impl Observer {
     /// Returns the observer that looks along one of the world's axes: from the side, from above, or from the
     /// front. Its target and distance stay the same.
     #[must_use]
-    pub fn along(&self, axis: Axis) -> Observer {
+    pub fn along(&self, axis: WorldAxis) -> Observer {
         let [azimuth, elevation] = match axis {
-            Axis::X => [std::f64::consts::FRAC_PI_2, 0.0],
-            Axis::Y => [0.0, STEEPEST],
-            Axis::Z => [0.0, 0.0],
+            WorldAxis::X => [std::f64::consts::FRAC_PI_2, 0.0],
+            WorldAxis::Y => [0.0, STEEPEST],
+            WorldAxis::Z => [0.0, 0.0],
         };
         Observer { azimuth, elevation, ..*self }
     }
@@ -175,7 +175,7 @@ impl Observer {
 
 /// One of the world's axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum WorldAxis {
     /// The x axis, which points to the right for the canonical camera.
     X,
     /// The y axis, which points up.

@@ -8,7 +8,7 @@ use pinhole_lecture::{Exercise, Mistake};
 
 use crate::model::Item;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
-use crate::model::observer::Axis;
+use crate::model::observer::WorldAxis;
 use crate::model::play::Kind;
 use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
@@ -367,11 +367,11 @@ fn zooms() -> Vec<UiCommand> {
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Look along x", "Shows the scene from the side.",
-            [plain(View, Key::X)], Observe::Along(Axis::X);
+            [plain(View, Key::X)], Observe::Along(WorldAxis::X);
         Views, "Look along y", "Shows the scene from above.",
-            [plain(View, Key::Y)], Observe::Along(Axis::Y);
+            [plain(View, Key::Y)], Observe::Along(WorldAxis::Y);
         Views, "Look along z", "Shows the scene from the front.",
-            [plain(View, Key::Z)], Observe::Along(Axis::Z);
+            [plain(View, Key::Z)], Observe::Along(WorldAxis::Z);
         Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
         Views, "Observer farther", "Moves the observer away from what it looks at.",

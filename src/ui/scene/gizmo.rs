@@ -1,21 +1,21 @@
 //! The gizmo of the world view: the world's axes as the observer sees them. A click on an axis looks along it.
 
 use egui::accesskit::Role;
-use egui::{Align2, FontId, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
 
 use pinhole_core::{Basis, DVec3};
 
 use super::view_rects::STRIP;
-use crate::model::observer::Axis;
+use crate::model::observer::WorldAxis;
 use crate::ui::action::Observe;
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme;
 
 /// The axes, each with its letter and the view along it.
-const AXES: [(Axis, &str, &str); 3] = [
-    (Axis::X, "x", "Look along x, from the side"),
-    (Axis::Y, "y", "Look along y, from above"),
-    (Axis::Z, "z", "Look along z, from the front"),
+const AXES: [(WorldAxis, &str, &str); 3] = [
+    (WorldAxis::X, "x", "Look along x, from the side"),
+    (WorldAxis::Y, "y", "Look along y, from above"),
+    (WorldAxis::Z, "z", "Look along z, from the front"),
 ];
 
 /// Length of an axis, in points.
@@ -38,13 +38,20 @@ pub(crate) fn area(world: Rect) -> Option<Rect> {
 /// Shows the gizmo for an observer with this basis.
 pub(crate) fn show(ui: &Ui, area: Rect, Basis { u, v, w }: &Basis) {
     let directions = DVec3::AXES.map(|axis| DVec3::new(axis.dot(*u), axis.dot(*v), axis.dot(*w)));
-    let mut ends: Vec<_> = AXES.into_iter().zip(directions).enumerate().collect();
+    let end = |axis: DVec3| area.center() + LENGTH * vec2(axis.x as f32, -axis.y as f32);
+    let mut axes: Vec<_> = AXES.into_iter().zip(directions).enumerate().collect();
     // The nearest axis is drawn last.
-    ends.sort_by(|(_, (_, a)), (_, (_, b))| a.z.total_cmp(&b.z));
+    axes.sort_by(|(_, (_, a)), (_, (_, b))| a.z.total_cmp(&b.z));
+    let ends: Vec<Pos2> = axes.iter().map(|(_, (_, direction))| end(*direction)).collect();
     let colors = theme::style(ui).colors();
     let painter = ui.painter();
-    for (k, ((axis, letter, about), direction)) in ends {
-        let end = area.center() + LENGTH * vec2(direction.x as f32, -direction.y as f32);
+    for (place, (k, ((axis, letter, about), _))) in axes.into_iter().enumerate() {
+        let end = ends[place];
+        // What a nearer axis covers cannot be clicked.
+        if ends[place + 1..].iter().any(|nearer| nearer.distance(end) < 2.0 * RADIUS) {
+            painter.line_segment([area.center(), end], Stroke::new(2.0, colors.axes[k]));
+            continue;
+        }
         let disc = Rect::from_center_size(end, Vec2::splat(2.0 * RADIUS));
         let response = ui.interact(disc, ui.scope_id().with(("gizmo", letter)), Sense::click());
         let stroke = Stroke::new(2.0, colors.axes[k]);
