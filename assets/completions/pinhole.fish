@@ -123,6 +123,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l pixel -d 'The 
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l base -d 'The address of the page, with https://' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -s o -l output -d 'Draw the link as a QR code; the ending chooses the format, and - writes SVG to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand share" -l qr -d 'Draw the QR code in the terminal, and print the link below it'
 complete -c pinhole -n "__fish_pinhole_using_subcommand share" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; by default, standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'

@@ -269,6 +269,9 @@ pub struct ShareArguments {
     /// Draw the link as a QR code; the ending chooses the format, and - writes SVG to standard output
     #[arg(short, long, value_name = "OUT.svg|png", requires = "base")]
     pub output: Option<PathBuf>,
+    /// Draw the QR code in the terminal, and print the link below it
+    #[arg(long, requires = "base", conflicts_with = "output")]
+    pub qr: bool,
 }
 
 /// `pinhole import`

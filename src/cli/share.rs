@@ -31,8 +31,10 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
         return Err(CommandError::Arguments(problem));
     }
     let url = link::url(arguments.base.as_deref().unwrap_or_default(), &fragment);
+    let code = || QrCode::of(&url).map_err(|problem| scene_fault(&scene, problem));
     let Some(output) = &arguments.output else {
-        return to_stdout(|out| writeln!(out, "{url}"));
+        let drawn = if arguments.qr { code()?.to_terminal() } else { String::new() };
+        return to_stdout(|out| writeln!(out, "{drawn}{url}"));
     };
     let is_png = match output.extension().and_then(OsStr::to_str) {
         Some("png") => true,
@@ -43,7 +45,7 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
             return Err(CommandError::Arguments(problem));
         }
     };
-    let code = QrCode::of(&url).map_err(|problem| scene_fault(&scene, problem))?;
+    let code = code()?;
     let bytes = match is_png {
         true => code.to_png().map_err(|error| unmade(output, &error))?,
         false => code.to_svg().into_bytes(),

@@ -1,4 +1,4 @@
-//! QR codes: black on white with the quiet zone around them, as SVG, PNG or pixels.
+//! QR codes: black on white with the quiet zone around them, as SVG, PNG, pixels, or text for a terminal.
 
 use egui::{Color32, ColorImage};
 use qrcodegen::{QrCode as Encoded, QrCodeEcc};
@@ -76,5 +76,17 @@ impl QrCode {
              shape-rendering=\"crispEdges\">\n<rect width=\"{side}\" height=\"{side}\" \
              fill=\"#fff\"/>\n<path d=\"{path}\"/>\n</svg>\n"
         )
+    }
+
+    /// Returns the code as text in black on white, with two modules above each other in a character.
+    pub fn to_terminal(&self) -> String {
+        let rows: Vec<&[bool]> = self.black.chunks(self.side).collect();
+        let line = |pair: &[&[bool]]| {
+            let below = |x: usize| pair.get(1).is_some_and(|row| row[x]);
+            let half = |x: usize| usize::from(pair[0][x]) + 2 * usize::from(below(x));
+            let blocks = (0..self.side).map(|x| [' ', '▀', '▄', '█'][half(x)]);
+            format!("\x1b[30;107m{}\x1b[0m\n", blocks.collect::<String>())
+        };
+        rows.chunks(2).map(line).collect()
     }
 }

@@ -36,7 +36,7 @@ fn a_scene_is_in_its_link() {
 }
 
 #[test]
-fn codes_are_written_as_svg_and_png() {
+fn codes_are_written_as_svg_and_png_and_into_the_terminal() {
     let folder = tempfile::tempdir().unwrap();
     let base = ["--base", "https://example.org/pinhole.html"];
     for file in ["code.svg", "code.png"] {
@@ -56,6 +56,13 @@ fn codes_are_written_as_svg_and_png() {
         let other = drawn.pixel(x, y).unwrap();
         assert_eq!(pixel.0, [other.red(), other.green(), other.blue()], "({x}, {y})");
     }
+    let line = ["share", "--lesson", "7.3", base[0], base[1], "--qr"];
+    let text = run_in(folder.path(), &line).done();
+    assert!(text.ends_with("\nhttps://example.org/pinhole.html#7.3\n"), "{text}");
+    assert_eq!(
+        text.lines().filter(|line| line.starts_with("\x1b[30;107m")).count(),
+        (modules as usize).div_ceil(2)
+    );
 }
 
 #[test]
@@ -64,7 +71,7 @@ fn what_has_no_link_or_code_is_refused() {
     run("share canonical --lesson 7").refused("cannot be used with");
     run("share --lesson 14").refused("there is no lesson 14");
     run("share --lesson mine.toml").refused("only lessons of the program have a link");
-    run("share canonical -o code.svg").refused("--base <URL>");
+    run("share canonical --qr").refused("--base <URL>");
     for wrong in ["nowhere", "javascript:alert(1)", "https://", "ftp://a.b"] {
         run(&format!("share canonical --base {wrong}")).refused("not the address of a page");
     }
@@ -75,7 +82,7 @@ fn what_has_no_link_or_code_is_refused() {
          columns 0 to 399",
     );
     let base = format!("https://a.b/{}", "long".repeat(800));
-    let line = ["share", "canonical", "-o", "code.svg", "--base", &base];
+    let line = ["share", "canonical", "--qr", "--base", &base];
     let failed = run_in(&std::env::temp_dir(), &line);
     assert_eq!(failed.status, 1);
     assert!(failed.stderr.contains("a QR code holds 2953"), "{}", failed.stderr);
