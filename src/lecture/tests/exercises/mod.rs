@@ -309,6 +309,11 @@ fn otherwise_it_says_what_is_wrong() {
         let Verdict::Wrong(findings) = of_point(v) else { panic!("{:?}", of_point(v)) };
         assert!(findings.iter().all(|said| !said.contains("direction")), "{v:?}");
     }
+    for strange in [&[1.2, -0.6][..], &[1.2, -0.6, f64::NAN], &[1.2, -0.6, -6.0, 0.0]] {
+        let verdict = judged(Exercise::WarmUpPlane, Asked::Point, numbers(strange));
+        let expected = vec!["every coordinate should be another number".to_owned()];
+        assert_eq!(verdict, Verdict::Wrong(expected), "{strange:?}");
+    }
     let none = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[f64::NAN]));
     assert_eq!(none, Verdict::Wrong(vec!["it should be another number".to_owned()]));
 }

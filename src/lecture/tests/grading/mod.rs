@@ -369,6 +369,25 @@ fn numbers_of_six_digits_are_right_and_fewer_are_not() {
     assert_eq!(few.advice(), "The answers are right to 3 digits; write at least six.");
 }
 
+/// A number such as 4 has one digit, and no more are wanted where it is exact.
+#[test]
+fn short_numbers_that_are_exact_lack_no_digits() {
+    let exercise = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [1.0; 3],
+        image: [1, 1],
+        spheres: vec![([0.0, 0.0, -5.0], 1.0)],
+        planes: vec![],
+    };
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    assert_eq!(student.hit(0, 0).unwrap(), (4.0, [0.0, 0.0, -4.0], 0));
+    for answers in [basis_of(&student), rays_of(&student), hits_of(&student)] {
+        assert_right(&exercise, &answers);
+    }
+}
+
 #[test]
 fn a_stricter_tolerance_wants_its_digits() {
     let exercise = general();

@@ -204,7 +204,7 @@ fn rounding_of_what_is_written_is_allowed_in_addition() {
     let cosine = (DVec3::from(wall.1).normalize().dot(direction) / direction.length()).abs();
     // At a tenth of the default tolerance, a tenth of the rounding is allowed.
     for (given, tolerance, allowed) in [(None, 1e-5, 1.0), (Some(1e-6), 1e-6, 0.1)] {
-        let rounding = 0.02;
+        let rounding = 3.0 * tolerance;
         let t_off = |share: f64| {
             hit_at(&exercise, |_, hit| {
                 let by = share * (tolerance * t / cosine + allowed * rounding);
@@ -233,10 +233,9 @@ fn rounding_of_what_is_written_is_allowed_in_addition() {
             let ray = &mut rays[7].direction;
             let (unit, length) = (ray.value.normalize(), ray.value.length());
             let across = unit.any_orthonormal_vector();
-            let small = 1e-3;
-            let by = share * (tolerance + allowed * small / length);
+            let by = share * (tolerance + allowed * rounding / length);
             ray.value += by * length * across / across.abs().max_element();
-            ray.rounding = small;
+            ray.rounding = rounding;
             Answers::Rays(rays)
         };
         assert_limit(&student_scene, given, turned, "direction");
