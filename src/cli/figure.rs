@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         }
         Content::Figure(format) => {
             let why = |problem| scene_fault(&arguments.scene, problem);
-            let mut figure = order.figure(&document, &session, |_| false).map_err(why)?;
+            let mut figure = order.figure(&document, &session).map_err(why)?;
             order.refine(&mut figure, format, &document, &session).map_err(why)?;
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }

@@ -163,6 +163,6 @@ fn with_overlay(
         style: Style::Light,
         transparent: false,
     };
-    let figure = order.figure(document, &session, |_| false)?;
+    let figure = order.figure(document, &session)?;
     Ok(figure.to_pixels().into_iter().map(|pixel| pixel.to_array()).collect())
 }

@@ -99,7 +99,7 @@ impl Recorder {
         let still = start.at(*kind, phase).map_err(|error| error.to_string())?;
         let (mut document, mut session) = scene.clone();
         still.show(*kind, &mut document, &mut session);
-        order.figure(&document, &session, |_| false)
+        order.figure(&document, &session)
     }
 
     /// Adds a drawn frame to the animation.

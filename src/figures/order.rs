@@ -9,7 +9,7 @@ use pinhole_exchange::document::Document;
 
 use super::{Figure, FigureFormat, SphereEdges};
 use crate::model::{Fault, Session, ViewLayout};
-use crate::view::derivation::{Derivation, DerivedSection, Markup};
+use crate::view::derivation::{Derivation, Markup};
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::lines;
@@ -120,24 +120,16 @@ pub struct Order {
 
 impl Order {
     /// Draws the figure of a document. The session provides what the document does not contain: the
-    /// selected ray, the choice of overlays, and the observer of the world view. If `is_folded` returns
-    /// true for a section of the derivation, only its title is drawn.
+    /// selected ray, the choice of overlays, and the observer of the world view.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if there is nothing to draw.
-    pub fn figure(
-        &self,
-        document: &Document,
-        session: &Session,
-        is_folded: impl Fn(&DerivedSection) -> bool,
-    ) -> Result<Figure, String> {
+    pub fn figure(&self, document: &Document, session: &Session) -> Result<Figure, String> {
         match self.subject {
             FigureSubject::World | FigureSubject::Camera => {
                 self.view(document, session).map_err(|fault| fault.to_string())
             }
-            FigureSubject::Derivation => {
-                Ok(self.derivation(&derivation_of(document, session), is_folded))
-            }
+            FigureSubject::Derivation => Ok(self.derivation(&derivation_of(document, session))),
             FigureSubject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / self.scale);
                 let page = Rect::from_min_size(Pos2::ZERO, points.into());
@@ -218,14 +210,14 @@ impl Order {
         })
     }
 
-    fn derivation(&self, shown: &Derivation, folded: impl Fn(&DerivedSection) -> bool) -> Figure {
+    fn derivation(&self, shown: &Derivation) -> Figure {
         let width = self.size[0] as f32 / self.scale;
         let column = vec2((width - 2.0 * MARGIN).max(60.0), UNLIMITED);
         let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
         let draw = |ctx: &Context, size| {
             let mut height = 0.0;
             let drawn = UiPass::draw(ctx, size, self.scale, |ui| {
-                height = derivation::draw(ui, shown, column, &folded);
+                height = derivation::draw(ui, shown, column);
             });
             (drawn, height + 2.0 * MARGIN)
         };

@@ -23,11 +23,10 @@ use crate::view::typesetting::derivation::{
 };
 use crate::view::typesetting::theme;
 
-/// The derivation's layout, and its folded sections.
+/// The derivation's layout, and what was shown of it last.
 #[derive(Default)]
 pub(crate) struct DerivationPanel {
     laid: Option<Laid>,
-    folded: Vec<(DerivationSection, Option<u32>)>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
     /// The ids of the number fields in the formulas, each with the concept of the line that contains it.
@@ -110,11 +109,6 @@ impl DerivationPanel {
     /// Returns the width of the panel when it was last shown, in points.
     pub(crate) fn width(&self) -> Option<f32> {
         self.laid.as_ref().map(|laid| laid.width)
-    }
-
-    /// Returns true if only the section's title is shown.
-    pub(crate) fn is_folded(&self, section: &DerivedSection) -> bool {
-        self.folded.contains(&(section.section, section.object))
     }
 
     /// Shows the lines of the derivation, without the title and the options that `head` shows above them. The
@@ -223,8 +217,6 @@ impl DerivationPanel {
         section: &DerivedSection,
         frame: &mut DerivationPass<'_>,
     ) {
-        // While lines are revealed one by one, no section is folded.
-        let is_folded = frame.revealed.is_none() && self.is_folded(section);
         let is_lit =
             |line: &DerivedLine| frame.highlighted.is_some_and(|concept| line.is_about(concept));
         let is_hidden = |line: usize| frame.revealed.is_some_and(|count| line >= count);
@@ -232,14 +224,8 @@ impl DerivationPanel {
         if is_hidden(frame.line) {
             ui.allocate_space(vec2(0.0, ui.spacing().interact_size.y));
         } else {
-            let head = self.title(ui, section, is_folded);
-            if is_folded && section.lines.iter().any(is_lit) {
-                band(ui, head);
-            }
-        }
-        if is_folded {
-            frame.line += section.lines.len();
-            return;
+            let title = RichText::new(&section.title).strong().size(SIZE);
+            ui.horizontal(|ui| ui.label(title));
         }
         let Some(lines) = self.laid.as_ref().and_then(|laid| laid.lines.get(k)) else { return };
         for (line, laid) in section.lines.iter().zip(lines) {
@@ -262,29 +248,6 @@ impl DerivationPanel {
                 response.scroll_to_me(Some(Align::Center));
             }
         }
-    }
-
-    /// Shows a section's title; a click on it folds or unfolds the section. Returns the title's
-    /// rectangle.
-    fn title(&mut self, ui: &mut Ui, section: &DerivedSection, is_folded: bool) -> Rect {
-        let head = ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 6.0;
-            let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
-            triangle(ui, rect.center(), is_folded);
-            let title = RichText::new(&section.title).strong().size(SIZE);
-            ui.add(egui::Label::new(title).selectable(false).sense(Sense::click()))
-        });
-        let verb = if is_folded { "Unfold" } else { "Fold" };
-        let name = format!("{verb}: {}", section.title);
-        let head = head.inner.with_role(Role::Button).named(name);
-        if head.clicked() {
-            let key = (section.section, section.object);
-            self.folded.retain(|folded| *folded != key);
-            if !is_folded {
-                self.folded.push(key);
-            }
-        }
-        head.rect
     }
 }
 
@@ -321,15 +284,6 @@ pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) 
         }
     });
     ui.separator();
-}
-
-/// Draws a triangle that points down if the section is unfolded, and right if it is folded.
-fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
-    let corners = [vec2(-5.0, -3.0), vec2(5.0, -3.0), vec2(0.0, 4.5)];
-    let turned = |corner: egui::Vec2| if is_folded { vec2(corner.y, corner.x) } else { corner };
-    let points = corners.map(|corner| center + turned(corner)).to_vec();
-    let color = ui.visuals().text_color();
-    ui.painter().add(egui::Shape::convex_polygon(points, color, egui::Stroke::NONE));
 }
 
 /// Paints the background of a highlighted line.

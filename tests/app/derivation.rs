@@ -189,12 +189,12 @@ fn the_derivation_goes_up_to_the_line_that_fails() {
 }
 
 #[test]
-fn sections_are_folded_and_left_out() {
+fn sections_are_left_out() {
     let mut window = derivation_window("canonical");
-    window.get_by_label("Fold: Basis").click();
+    window.get_by_label("Derivation: Basis").click();
     window.run();
     assert!(!says(&window, "−view = (0, 0, 5)"));
-    window.get_by_label("Unfold: Basis").click();
+    window.get_by_label("Derivation: Basis").click();
     window.run();
     assert_says(&window, "−view = (0, 0, 5)");
     window.get_by_label("Derivation: Objects").click();
@@ -223,9 +223,9 @@ fn field_rect(window: &Harness<'_, App>, name: &str) -> egui::Rect {
     window.get_by_role_and_label(Role::SpinButton, &format!("derivation {name}")).rect()
 }
 
-/// Folds all but the objects, so that their numbers are in sight.
-fn fold_all_but_objects(window: &mut Harness<'_, App>) {
-    for section in ["Fold: Basis", "Fold: Pixel to ray"] {
+/// Leaves out all but the objects, so that their numbers are in sight.
+fn show_only_objects(window: &mut Harness<'_, App>) {
+    for section in ["Derivation: Basis", "Derivation: Pixel to ray"] {
         window.get_by_label(section).click();
         window.run();
     }
@@ -279,7 +279,7 @@ fn a_given_number_is_typed_where_it_stands_and_all_follows_in_the_same_frame() {
 #[test]
 fn a_drag_of_a_given_number_is_one_step() {
     let mut window = derivation_window("canonical");
-    fold_all_but_objects(&mut window);
+    show_only_objects(&mut window);
     let before = window.state().document().clone();
     let from = field_rect(&window, "sphere 0 “ball” radius").center();
     window.hover_at(from);
@@ -337,7 +337,7 @@ fn what_is_no_number_is_refused_with_a_reason() {
 #[test]
 fn a_number_that_is_dragged_too_far_can_be_dragged_back() {
     let mut window = derivation_window("canonical");
-    window.get_by_label("Fold: Basis").click();
+    window.get_by_label("Derivation: Basis").click();
     window.run();
     for (name, left, line) in [
         ("distance", -140.0, "no ray; viewport distance is −0.4"),

@@ -256,9 +256,8 @@ impl App {
     }
 
     fn figure(&self, order: &Order) -> Result<Figure, String> {
-        let is_folded = |section: &_| self.tools.derivation.is_folded(section);
         let (document, session) = self.figure_source();
-        order.figure(document, &session, is_folded)
+        order.figure(document, &session)
     }
 
     /// Returns the document in the views, and its session without what is under the pointer, because figures

@@ -128,13 +128,7 @@ pub(crate) fn paint_line(ui: &Ui, rect: Rect, line: &DerivedLine, laid: &LaidLin
 }
 
 /// Draws the derivation as in its panel, from the top of a column, and returns the height of the drawing.
-/// Of a section for which `is_folded` returns true, only the title is drawn.
-pub(crate) fn draw(
-    ui: &Ui,
-    derivation: &Derivation,
-    column: Rect,
-    is_folded: impl Fn(&DerivedSection) -> bool,
-) -> f32 {
+pub(crate) fn draw(ui: &Ui, derivation: &Derivation, column: Rect) -> f32 {
     let (inks, painter) = (Inks::from_ui(ui), ui.painter());
     let write = |at: Pos2, text: String, size: f32, color: Color32| {
         let galley = painter.layout(text, FontId::proportional(size), color, column.width());
@@ -148,9 +142,6 @@ pub(crate) fn draw(
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
         let color = ui.visuals().strong_text_color();
         at.y += write(at, section.title.clone(), SIZE, color) + BETWEEN_LINES;
-        if is_folded(section) {
-            continue;
-        }
         for (line, laid) in section.lines.iter().zip(laid) {
             let rect = Rect::from_min_size(at, vec2(column.width(), laid.height));
             paint_line(ui, rect, line, laid, inks);

@@ -37,7 +37,7 @@ fn the_world_view_as_it_is_on_the_screen() {
     let size = shown.image.size.map(|n| n as u32);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };
     let order = Order { subject: FigureSubject::World, size, scale, style, transparent: false };
-    let figure = order.figure(app.document(), app.session(), |_| false).unwrap();
+    let figure = order.figure(app.document(), app.session()).unwrap();
     assert!(figure.to_file(FigureFormat::Png).unwrap() == fs::read(&path).unwrap());
     // But for the letters, which are painted over it, the dots are the window's.
     let pixels = figure.to_pixels();

@@ -49,7 +49,7 @@ fn figure(window: &Harness<'_, App>, kind: Kind, phase: f64, size: u32) -> Figur
     let scale = (size as f32 / points[0]).min(per_point);
     let size = [size, seen[1] as u32];
     let order = Order { subject: FigureSubject::World, size, scale, style, transparent: false };
-    order.figure(&document, &session, |_| false).unwrap()
+    order.figure(&document, &session).unwrap()
 }
 
 /// As a file has it.
