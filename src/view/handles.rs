@@ -10,14 +10,14 @@
 //! viewport has corners and a sphere has a radius. They also bypass the overlay, whose marks appear in
 //! figures.
 
-use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection, Sphere};
+use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::{equated, equated_tuple};
 
 use crate::model::observer::UP_LENGTH;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
 use crate::model::{Concept, Item, OverlayItems};
-use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
+use crate::view::overlay::{self, HandleMark, Handles, Knob, KnobState};
 
 /// Distance from the tip of the up arrow to the handle beyond it, in points.
 const BEYOND: f64 = 10.0;
@@ -254,10 +254,6 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
     }
 }
 
-/// Length of a guide line (it shows in which direction a handle moves) on each side of the handle, in
-/// points.
-const GUIDE_POINTS: f64 = 46.0;
-
 /// Returns the marks that the overlay draws for the handles. The handles of the eye, of at and of the tip
 /// of up are always drawn, and so are those of a selected or hovered object. A handle of the viewport or of
 /// the pixel is drawn if it is hovered or dragged, or if it changes one of the concepts in `spoken`, which
@@ -286,7 +282,6 @@ pub fn drawn(inputs: &HandleInputs, state: &HandleState, spoken: &[Concept]) -> 
     let up = inputs.document.camera.up().length();
     Handles {
         marks: marks.collect(),
-        guides: over.map_or(Vec::new(), |over| guides(inputs, over)),
         up: held
             .filter(|held| held.handle == Handle::Up)
             .map(|held| held.length * up - inputs.beyond_up()),
@@ -315,31 +310,6 @@ fn knob(handle: Handle) -> Knob {
         Handle::Corner(_) | Handle::Pixel => Knob::Square,
         Handle::Distance | Handle::Radius(_) => Knob::Diamond,
         _ => Knob::Round,
-    }
-}
-
-/// Returns the lines or the ring that show along what a handle moves; none if it moves freely.
-fn guides(inputs: &HandleInputs, over: &PlacedHandle) -> Vec<Guide> {
-    let PlacedHandle { handle, at, .. } = *over;
-    let length = overlay::length_of_points(inputs.observer, at, GUIDE_POINTS, inputs.scale);
-    let line = |axis: usize| {
-        let basis = inputs.resolved?.basis();
-        let direction = length * [basis.u, basis.v, basis.w][axis];
-        Some(Guide::Line { from: at - direction, to: at + direction, axis })
-    };
-    match handle {
-        Handle::Radius(k) => {
-            let basis = inputs.observer.basis();
-            let ring = |Sphere { center, radius }| Guide::Ring {
-                center,
-                a: radius * basis.u,
-                b: radius * basis.v,
-            };
-            inputs.document.spheres.get(k).map(|item| ring(item.shape)).into_iter().collect()
-        }
-        Handle::Distance => line(2).into_iter().collect(),
-        Handle::Corner(_) | Handle::Pixel => [0, 1].into_iter().filter_map(line).collect(),
-        _ => Vec::new(),
     }
 }
 

@@ -45,7 +45,7 @@ pub use style::{Colors, Style, contrast_ratio};
 pub use world_view::camera_in_space::SMALL_VIEWPORT;
 pub use world_view::compared::GhostCamera;
 pub use world_view::drawn::drawn;
-pub use world_view::handles::{Guide, HandleMark, Handles, Knob, KnobState};
+pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
 pub use world_view::highlighted::Highlighted;
 pub use world_view::under_pointer::{PointShown, point_at};
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};

@@ -1,18 +1,16 @@
 //! Draws the handles, on top of everything else and at a constant size on the screen. A hovered or held
-//! handle is larger and is drawn with a guide: the line or ring along which it moves.
+//! handle is larger.
 
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::{LineStyle, Shape, Sketch, VECTOR, circle, dot};
+use crate::view::overlay::{LineStyle, Shape, Sketch, dot};
 
 /// The handles to draw, and data that is only needed while one of them is hovered or dragged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
     /// The handles.
     pub marks: Vec<HandleMark>,
-    /// The guides of the hovered or held handle.
-    pub guides: Vec<Guide>,
     /// Length in the world of the up arrow while its tip is dragged; `None` at other times.
     pub up: Option<f64>,
 }
@@ -57,29 +55,6 @@ impl KnobState {
     }
 }
 
-/// The line or ring along which a handle moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Guide {
-    /// A line along an axis of the camera.
-    Line {
-        /// One end of the line.
-        from: DVec3,
-        /// The other end of the line, in the direction of the axis.
-        to: DVec3,
-        /// Index of the axis: 0, 1 or 2 for the camera's u, v or w.
-        axis: usize,
-    },
-    /// A ring around a point: `center + cos(angle) a + sin(angle) b`.
-    Ring {
-        /// The centre.
-        center: DVec3,
-        /// Vector from the centre to a point of the ring.
-        a: DVec3,
-        /// Another such vector, orthogonal to `a`.
-        b: DVec3,
-    },
-}
-
 /// Distance from the middle of a plain handle to its edge, in points.
 const PLAIN: f64 = 6.0;
 /// Distance from the middle of a hovered or held handle to its edge, in points.
@@ -94,9 +69,6 @@ impl Sketch<'_> {
         let handles = &self.view.handles;
         if !self.items.shows(Item::Handles) {
             return;
-        }
-        for guide in &handles.guides {
-            self.guide(*guide);
         }
         for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
             self.knob(mark, spot);
@@ -135,27 +107,6 @@ impl Sketch<'_> {
         add(filled(mark.knob, at, radius), ink, true);
         if mark.state != KnobState::Held {
             add(filled(mark.knob, at, radius - RIM * scale), halo, false);
-        }
-    }
-
-    fn guide(&mut self, guide: Guide) {
-        match guide {
-            Guide::Line { from, to, axis } => {
-                let color = self.colors.basis[axis];
-                let pen = LineStyle::new(Item::Handles, color, 2.2).on_top();
-                self.line(from, to, pen);
-                if let Some(spot) = self.screen.spot(to) {
-                    let toward = self.screen.spot(from).map_or(DVec2::X, |f| spot.at - f.at);
-                    let name = ["u", "v", "w"][axis];
-                    self.label(pen, name, [spot.at, toward], VECTOR);
-                }
-            }
-            Guide::Ring { center, a, b } => {
-                let pen = LineStyle::new(Item::Handles, self.colors.hit, 2.0).on_top();
-                let ring: Vec<DVec3> = circle(72).map(|p| center + p.x * a + p.y * b).collect();
-                // With a casing, each line would cut into the previous one, so the lines have none.
-                ring.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen.without_halo()));
-            }
         }
     }
 }

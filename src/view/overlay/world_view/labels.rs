@@ -186,7 +186,7 @@ fn handle_areas(drawing: &Drawing) -> Vec<CenteredBox> {
             let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
             Some((0.5 * (least + most), 0.5 * (most - least)))
         }
-        // A line here is a guide or the ring around a held handle, both of which labels may cover.
+        // A line here is the ring around a held handle, which labels may cover.
         Shape::Line { .. } => None,
     });
     areas.collect()
