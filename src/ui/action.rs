@@ -226,8 +226,6 @@ pub enum Steer {
     Orbit(i32, i32),
     /// Narrow the field of view.
     Zoom(i32),
-    /// Move towards the point that the camera looks at.
-    Dolly(i32),
 }
 
 /// Moves the observer, the camera from which the world view is drawn, by key presses. The numbers count

@@ -5,9 +5,9 @@
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`] rotate about up and u, like a turntable, by
 //!   the angles of [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
 //!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag).
-//! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`].
-//! - *A single parameter*: [`Camera::swung`] rolls, [`Camera::up_tilted`] changes up,
-//!   [`Camera::scaled_picture`] changes the distance without changing the picture.
+//! - *A single parameter*: [`Camera::zoomed`] changes the field of view, [`Camera::swung`] rolls,
+//!   [`Camera::up_tilted`] changes up, [`Camera::scaled_picture`] changes the distance without changing the
+//!   picture.
 //! - *Handles*: [`Camera::led_to`], given the camera that [`Camera::with_eye`] or [`Camera::with_at`]
 //!   returns.
 //! - *Pointer*: [`ResolvedCamera::dragged`](crate::ResolvedCamera::dragged) converts a position in the

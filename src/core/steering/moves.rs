@@ -1,6 +1,5 @@
-//! Moves a camera along its view, turns it around its pivot or on the spot, and changes single
-//! parameters: the field of view, the roll, up, or the distance of the viewport, with an unchanged
-//! picture.
+//! Turns a camera around its pivot or on the spot, and changes single parameters: the field of view, the
+//! roll, up, or the distance of the viewport, with an unchanged picture.
 
 use std::f64::consts::PI;
 
@@ -16,41 +15,6 @@ use crate::steering::{
 };
 
 impl Camera {
-    /// Returns the camera with its eye moved along w and its basis unchanged. `forward` is in units of
-    /// the distance from the eye to the [pivot](Camera::pivot): positive moves towards the pivot,
-    /// negative away from the pivot.
-    ///
-    /// ```text
-    /// by at:            eye' = at + e^(-forward) (eye - at)       at stays and is never reached
-    /// by view, by hand: eye' = eye - forward |pivot - eye| w      the pivot moves along
-    /// ```
-    ///
-    /// A small step has the same effect in all three cases. Steps add up: apart from rounding, moving by
-    /// a and then by b equals moving by a + b, and moving forward and back returns to the start.
-    ///
-    /// # Errors
-    /// Returns an error if `forward` is not finite, if there is no basis, if the eye overflows, or if
-    /// the eye comes so close to `at` that rounding makes the two points equal or turns the view
-    /// ([`SteerError::Unsteady`]).
-    pub fn dollied(&self, forward: f64) -> Result<Camera, SteerError> {
-        check_finite("forward", forward)?;
-        let basis = self.basis()?;
-        if forward == 0.0 {
-            return Ok(*self);
-        }
-        let reach = self.reach()?;
-        let eye = match self.orientation {
-            Orientation::At { at, .. } => at + (-forward).exp() * reach * basis.w,
-            Orientation::View { .. } | Orientation::Basis(_) => {
-                self.eye - forward * reach * basis.w
-            }
-        };
-        if !eye.is_finite() {
-            return Err(BasisError::NotFinite { field: "eye", value: eye }.into());
-        }
-        steady(Camera { eye, ..*self }, &basis)
-    }
-
     /// Returns the camera with its viewport's width and height multiplied by a factor, at the same
     /// distance: the field of view becomes wider (factor above 1) or narrower, and eye and basis stay.
     /// Apart from rounding, zooming by f and then by 1/f restores the viewport.

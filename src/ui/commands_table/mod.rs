@@ -160,7 +160,6 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Steer(Steer::Look(..)) => Some("Look around (camera view)"),
         Action::Steer(Steer::Orbit(..)) => Some("Orbit around at (camera view)"),
         Action::Steer(Steer::Zoom(_)) => Some("Field of view (camera view)"),
-        Action::Steer(Steer::Dolly(_)) => Some("Dolly: the eye along w (camera view)"),
         Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer (world view)"),
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer (world view)"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom (world view)"),

@@ -360,10 +360,6 @@ fn zooms() -> Vec<UiCommand> {
             [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
         Hand, "Widen the field of view", "Makes the viewport larger and the picture's contents smaller.",
             [plain(CameraView, Key::Minus)], Steer::Zoom(-1);
-        Hand, "Dolly forwards", "Moves the eye along w, towards what it looks at.",
-            [key(CameraView, CTRL_SHIFT, Key::ArrowUp)], Steer::Dolly(1);
-        Hand, "Dolly backwards", "Moves the eye along w, away from what it looks at.",
-            [key(CameraView, CTRL_SHIFT, Key::ArrowDown)], Steer::Dolly(-1);
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Look along x", "Shows the scene from the side.",

@@ -31,7 +31,6 @@ pub(super) enum CameraMove {
     Look,
     Orbit,
     Zoom,
-    Dolly,
 }
 
 /// The recent steps of the camera by wheel or keys.
@@ -41,7 +40,7 @@ pub(super) struct RecentSteps {
     before: Camera,
     /// The resulting camera.
     made: Camera,
-    /// Sum of the steps: x to the right and y up or, for zoom and dolly, x forwards.
+    /// Sum of the steps: x to the right and y up or, for zoom, x forwards.
     total: DVec2,
     /// Time of the last step, in egui's seconds.
     pub(super) time: f64,
@@ -163,7 +162,6 @@ impl Dragging {
             Steer::Look(right, up) => (CameraMove::Look, by(right, up, KEY_TURN)),
             Steer::Orbit(right, up) => (CameraMove::Orbit, by(right, up, KEY_TURN)),
             Steer::Zoom(on) => (CameraMove::Zoom, by(on, 0, KEY_NEARER)),
-            Steer::Dolly(on) => (CameraMove::Dolly, by(on, 0, KEY_NEARER)),
         };
         self.forget(camera, time);
         self.step(way, by, camera, time, true);
@@ -183,7 +181,6 @@ impl Dragging {
         let made = match way {
             CameraMove::Look => before.looked_round(-total.x, total.y),
             CameraMove::Orbit => before.orbited(total.x, -total.y),
-            CameraMove::Dolly => before.dollied(total.x),
             CameraMove::Zoom => zoomed(&before, (-total.x).exp()),
         };
         self.refused = made.err();
@@ -322,7 +319,6 @@ impl Dragging {
             CameraMove::Orbit if by_at => ("orbit around at", Handle::Eye),
             CameraMove::Orbit => ("orbit", Handle::Eye),
             CameraMove::Zoom => ("zoom: the field of view", corner),
-            CameraMove::Dolly => ("dolly: the eye along 𝐰", Handle::Eye),
         };
         let lines = [title.to_owned(), value_of(changed, 5, document, session)];
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);

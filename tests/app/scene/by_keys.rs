@@ -81,12 +81,6 @@ fn keys_steer_the_camera_in_its_view_and_say_what_they_do() {
     press(&mut harness, Modifiers::NONE, Key::Minus);
     assert!(camera(&harness).viewport.width > before.viewport.width);
     press(&mut harness, Modifiers::NONE, Key::Escape);
-
-    press(&mut harness, Modifiers::COMMAND | Modifiers::SHIFT, Key::ArrowUp);
-    let dollied = camera(&harness);
-    assert_eq!((at_of(&dollied), dollied.viewport), (at_of(&before), before.viewport));
-    assert!(dollied.view().length() < before.view().length());
-    press(&mut harness, Modifiers::NONE, Key::Escape);
     assert_eq!((camera(&harness), harness.state().session().selection), (before, selected));
 }
 
