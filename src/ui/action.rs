@@ -258,7 +258,7 @@ impl Observe {
     }
 }
 
-/// Adds, removes or chooses one of the scene's objects.
+/// Adds or removes one of the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {
     /// Add a sphere in view of the camera and choose it.
@@ -267,8 +267,6 @@ pub enum ObjectAction {
     AddPlane,
     /// Remove the chosen object.
     Remove,
-    /// Choose the object with this index.
-    Choose(usize),
 }
 
 /// Changes how the scene is shown.
@@ -386,7 +384,7 @@ actions! {
     Steer(Steer),
     /// Move the observer of the world view.
     Observe(Observe),
-    /// Add, choose or remove an object.
+    /// Add or remove an object.
     Object(ObjectAction),
     /// Change how the scene is shown.
     Look(LookAction),

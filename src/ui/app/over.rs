@@ -8,16 +8,13 @@ use pinhole_exchange::scenes::SceneSource;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
-use crate::ui::action::{Available, HelpAction, Leave, ObjectAction};
+use crate::ui::action::{Available, HelpAction, Leave};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::share::ShownCode;
 use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme;
-
-/// Maximum number of objects that the palette lists.
-const LISTED_OBJECTS: usize = 200;
 
 /// The overlays that are open.
 #[derive(Default)]
@@ -127,7 +124,7 @@ impl App {
     }
 }
 
-/// Returns commands for the steps of a lesson from a file, for recent files and for the scene's objects.
+/// Returns commands for the steps of a lesson from a file, and for recent files.
 fn commands_of_what_is_open(scene: &OpenScene, recent: &[PathBuf]) -> Vec<UiCommand> {
     let open = scene.lessons.open.as_ref();
     let own = open.filter(|open| open.id().lesson == Which::File);
@@ -137,13 +134,6 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[PathBuf]) -> Vec<UiComm
         let name = format!("open {}", path.display());
         let open = Leave::Open(SceneSource::File(path.to_owned()));
         commands_table::command(Group::File, &name, "Opens this recent file.", open)
-    }));
-    let document = &scene.open.document;
-    let count = document.object_count().min(LISTED_OBJECTS);
-    commands.extend((0..count).map(|index| {
-        let name = format!("choose {}", document.title_of(index));
-        let about = "Shows its fields, and its handles in the world view.";
-        commands_table::command(Group::Objects, &name, about, ObjectAction::Choose(index))
     }));
     commands
 }

@@ -219,7 +219,7 @@ impl OpenScene {
         }
     }
 
-    /// Adds, removes or chooses an object. Returns a message if that fails.
+    /// Adds an object, or removes the chosen one. Returns a message if that fails.
     pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
         let document = &mut self.open.document;
         let count = document.object_count();
@@ -227,13 +227,11 @@ impl OpenScene {
         match action {
             ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
             ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
-            ObjectAction::Choose(index) if index < count => self.chosen_object = Some(index),
             ObjectAction::Remove => {
                 let removed = objects::remove(document, chosen?);
                 let problem = |reason| Dialog::message("This object was not removed", reason);
                 return removed.map(|()| self.chosen_object = None).err().map(problem);
             }
-            ObjectAction::Choose(_) => {}
         }
         None
     }
