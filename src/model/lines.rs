@@ -18,8 +18,6 @@ pub struct LinesLab {
     pub t: f64,
     /// The trail of points that the marked point has visited.
     pub trail: Trail,
-    /// True if drags snap to [`LinesLab::GRID`].
-    pub snap: bool,
     /// The lines that are drawn.
     pub shown: ShownLines,
     /// The visible part of the plane.
@@ -103,9 +101,6 @@ impl Default for LinesLab {
 }
 
 impl LinesLab {
-    /// Spacing of the grid to which drags snap: both coordinates become multiples of this length.
-    pub const GRID: f64 = 0.5;
-
     /// Returns one example, with its name, for each possible relation of the two lines: the ray hits or
     /// misses, and the lines are parallel or coincide.
     pub fn examples() -> [(&'static str, LinesLab); 4] {
@@ -128,7 +123,6 @@ impl LinesLab {
             ray,
             t,
             trail: Trail { step: 0.5, first: t, last: t },
-            snap: false,
             shown: ShownLines::Both,
             window: Window { center: DVec2::ZERO, half_extent: 4.0 },
             grip: DVec2::ZERO,
@@ -190,7 +184,7 @@ impl LinesLab {
     /// marked point p + t d can only move along its line: t changes by steps, in the direction nearer to
     /// that of `steps`.
     pub fn nudge(&mut self, handle: LineHandle, steps: DVec2, fineness: f64) {
-        let step = if self.snap { LinesLab::GRID } else { 0.1 };
+        let step = 0.1;
         if handle == LineHandle::T {
             let along = steps.dot(self.ray.d);
             if along != 0.0 {
@@ -204,12 +198,10 @@ impl LinesLab {
         }
     }
 
-    /// Drags a handle to the point `to`. If snapping is on, its coordinates are rounded to the grid;
-    /// otherwise to multiples of `1 / fineness`, which have few digits. Ignores a drag that would make the
-    /// line invalid.
+    /// Drags a handle to the point `to`, whose coordinates are rounded to multiples of `1 / fineness`, which
+    /// have few digits. Ignores a drag that would make the line invalid.
     pub fn drag(&mut self, handle: LineHandle, to: DVec2, fineness: f64) {
-        let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
-        let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;
+        let round = |x: f64| (x * fineness).round() / fineness + 0.0;
         let to = DVec2::new(round(to.x), round(to.y)).clamp(-DVec2::splat(1e5), DVec2::splat(1e5));
         match handle {
             LineHandle::Move => {
@@ -285,30 +277,16 @@ mod tests {
     }
 
     #[test]
-    fn by_the_grid_a_hand_makes_lines_exactly_parallel_and_exactly_one() {
-        let mut lab = LinesLab { snap: true, ..LinesLab::default() };
-        lab.drag(LineHandle::Move, DVec2::new(0.02, 1.04), 100.0);
-        lab.drag(LineHandle::Turn, DVec2::new(2.1, 2.9), 100.0);
-        assert_eq!(meeting(&lab), Meeting::Parallel);
-        lab.drag(LineHandle::Move, DVec2::new(1.02, 0.98), 100.0);
-        assert_eq!(meeting(&lab), Meeting::Coincident);
-    }
-
-    #[test]
     fn arrow_keys_never_leave_t_where_it_is() {
-        for snap in [false, true] {
-            for (_, example) in LinesLab::examples() {
-                let mut lab = LinesLab { snap, ..example };
-                let mut before = lab.t;
-                for steps in [DVec2::X, DVec2::X, DVec2::Y] {
-                    lab.nudge(LineHandle::T, steps, 100.0);
-                    let step = if snap { LinesLab::GRID } else { 0.1 };
-                    assert!((lab.t - before - step).abs() < 1e-12, "{before} {}", lab.t);
-                    before = lab.t;
-                }
-                lab.nudge(LineHandle::T, DVec2::NEG_X, 100.0);
-                assert!(lab.t < before);
+        for (_, mut lab) in LinesLab::examples() {
+            let mut before = lab.t;
+            for steps in [DVec2::X, DVec2::X, DVec2::Y] {
+                lab.nudge(LineHandle::T, steps, 100.0);
+                assert!((lab.t - before - 0.1).abs() < 1e-12, "{before} {}", lab.t);
+                before = lab.t;
             }
+            lab.nudge(LineHandle::T, DVec2::NEG_X, 100.0);
+            assert!(lab.t < before);
         }
     }
 

@@ -58,7 +58,7 @@ fn examples(ui: &mut Ui, lab: &mut LinesLab) {
     ui.horizontal_wrapped(|ui| {
         for (name, mut next) in LinesLab::examples() {
             if ui.button(name).clicked() {
-                (next.snap, next.trail.step) = (lab.snap, lab.trail.step);
+                next.trail.step = lab.trail.step;
                 *lab = next;
             }
         }
@@ -130,7 +130,6 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
         if ui.button("Clear").on_hover_text("Remove the points left behind").clicked() {
             lab.clear_trail();
         }
-        ui.checkbox(&mut lab.snap, "drag in steps of 0.5");
     });
 }
 
