@@ -1,23 +1,10 @@
 //! A view ray with all its intersections, for the readouts, the overlay and `pinhole inspect`.
 
 use pinhole_core::{
-    DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, Ray, ResolvedCamera, Root, Scene,
-    Selection, SphereQuadratic,
+    DVec2, ExactRay, Pixel, PixelOfUv, Ray, ResolvedCamera, Root, Scene, Selection,
 };
 
 use crate::model::concept::Concept;
-
-/// Maximum number of objects whose intersection terms are stored; no display lists more objects.
-pub const LISTED_OBJECTS: usize = 12;
-
-/// The quantities whose signs decide whether a ray hits an object.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ObjectTerms {
-    /// a, b, c and D.
-    Sphere(SphereQuadratic),
-    /// `n . d` and `n . (point - p)`.
-    Plane(PlaneTerms),
-}
 
 /// A view ray through the viewport, with all its intersections.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,8 +23,6 @@ pub struct Inspection {
     pub ranks: Vec<u32>,
     /// The distance from the eye to each root's point, which is negative behind the eye.
     pub distances: Vec<f64>,
-    /// The terms of the intersections with the first [`LISTED_OBJECTS`] objects.
-    pub terms: Vec<ObjectTerms>,
     /// Index of the first hit in `roots`.
     pub first: Option<usize>,
 }
@@ -55,20 +40,12 @@ impl Inspection {
         let exact = selection.exact_ray(camera).ok();
         let found = exact.as_ref().map_or_else(Vec::new, |ray| scene.ranked_roots_of(ray));
         let roots: Vec<Root> = found.iter().map(|ranked| ranked.root).collect();
-        let terms = |ray: &ExactRay| {
-            let objects = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
-                Object::Sphere(sphere) => ObjectTerms::Sphere(sphere.quadratic_of(ray)),
-                Object::Plane(plane) => ObjectTerms::Plane(plane.terms_of(ray)),
-            });
-            objects.collect()
-        };
         Inspection {
             uv,
             image_position: exact.as_ref().and_then(|_| camera.pixel_of_uv(uv)),
             ray: exact.as_ref().map_or_else(|| camera.ray(uv), ExactRay::rounded),
             ranks: found.iter().map(|ranked| ranked.rank).collect(),
             distances: found.iter().map(|ranked| ranked.distance).collect(),
-            terms: exact.as_ref().map_or_else(Vec::new, terms),
             // The roots ascend in t, and roots with equal t are in the order of the objects; the first
             // positive one is therefore the first hit.
             first: roots.iter().position(|root| root.t > 0.0),

@@ -13,10 +13,9 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
 use crate::model::concept::{HoverSource, Hovered};
-use crate::model::inspection::{Inspection, LISTED_OBJECTS, ObjectTerms};
+use crate::model::inspection::Inspection;
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
-use crate::model::symbols::{SymbolKind, meaning};
 use crate::model::{Item, OverlayItems};
 use crate::ui::widgets::{ResponseExt as _, vector_color};
 use crate::view::derive::Derived;
@@ -152,19 +151,14 @@ fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
     });
 }
 
-/// Shows a remark with typeset formulas.
-fn weak(ui: &mut Ui, text: &str) -> Response {
-    let size = egui::TextStyle::Body.resolve(ui.style()).size;
-    notation::label(ui, text, size, ui.visuals().weak_text_color())
-}
-
 fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: NumberStyle) {
     block(ui, "Ray", &inspection.ray_readings(resolved.image()), style);
-    weak(ui, "p + t d, t = 1 on the viewport");
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    notation::label(ui, "p + t d, t = 1 on the viewport", size, ui.visuals().weak_text_color());
 }
 
 /// Shows where the ray's line meets the objects. Each root t has its object and the reason why it is, or is
-/// not, the first hit. Below are the numbers that decide between hit and miss.
+/// not, the first hit.
 fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     let Some(inspection) = derived.inspection.as_deref() else { return };
     let object_of = |index: usize| document.title_of(inspection.roots[index].object as usize);
@@ -188,49 +182,6 @@ fn hits(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle)
                 explain(ui.add(Label::new(job).extend()), reading, style);
             }
         });
-    }
-    ui.add_space(4.0);
-    for (title, parts) in listed_parts(derived, document, style) {
-        ui.horizontal_wrapped(|ui| {
-            ui.weak(format!("{title}:"));
-            let response = weak(ui, &parts);
-            if let Some(words) =
-                parts.contains("D =").then(|| meaning(SymbolKind::Scalar, "D")).flatten()
-            {
-                response.on_hover_text(words);
-            }
-        });
-    }
-}
-
-/// Returns the title of each object with the numbers that decide whether the ray hits it; nothing if there
-/// are too many objects to list.
-fn listed_parts(shown: &Derived, document: &Document, style: NumberStyle) -> Vec<(String, String)> {
-    let scene = shown.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let inspection = shown.inspection.as_deref().filter(|_| scene.is_some());
-    let listed = inspection.into_iter().flat_map(|found| found.terms.iter().enumerate());
-    listed.map(|(index, found)| (document.title_of(index), terms(found, style))).collect()
-}
-
-/// Returns the numbers that decide whether the ray hits an object: the coefficients and the discriminant of a
-/// sphere's quadratic, or the dot products of a plane.
-fn terms(found: &ObjectTerms, style: NumberStyle) -> String {
-    let is = |x| style.equated(x);
-    match found {
-        ObjectTerms::Sphere(q) => {
-            let (a, b, c, d) = (is(q.a), is(q.b), is(q.c), is(q.discriminant));
-            let meaning = match q.discriminant {
-                d if d < 0.0 => "< 0: missed",
-                0.0 => ": tangent",
-                _ => "> 0: two roots",
-            };
-            format!("a {a},  b {b},  c {c},  D = b² − a c {d} {meaning}")
-        }
-        ObjectTerms::Plane(terms) => {
-            let (rate, offset) = (is(terms.rate), is(terms.offset));
-            let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
-            format!("n·d {rate},  n·(point − p) {offset}{meaning}")
-        }
     }
 }
 

@@ -8,7 +8,6 @@ use pinhole_core::{DVec2, DVec3, ExactRay, Ray, Root, Sphere, SphereQuadratic};
 
 use super::ASKED_SPHERES;
 use super::whiteboard::APART;
-use crate::model::inspection::ObjectTerms;
 use crate::model::{Concept, Inspection, Item};
 use crate::view::overlay::{
     BOLD_POINT, LineStyle, MARK, POINT, Shape, Sketch, dot, equals, silhouette, unit,
@@ -47,10 +46,7 @@ impl SphereFigure {
         let hit = inspection.roots.iter().find(|root| root.t > 0.0 && is_sphere(root.object));
         let index = hit.map(|root| root.object).or_else(|| closest(&ray, spheres))?;
         let sphere = *spheres.get(index as usize)?;
-        let terms = match inspection.terms.get(index as usize) {
-            Some(ObjectTerms::Sphere(terms)) => *terms,
-            _ => sphere.quadratic_of(&ExactRay::from_ray(&ray).ok()?),
-        };
+        let terms = sphere.quadratic_of(&ExactRay::from_ray(&ray).ok()?);
         let foot = -terms.b / terms.a;
         let own = inspection.roots.iter().filter(|root| root.object == index);
         let roots: Vec<f64> = own.map(|root| root.t).filter(|t| t.is_finite()).collect();
