@@ -13,7 +13,7 @@ use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
 use crate::ui::practice::{answers, class, mistakes, vote};
 use crate::ui::scene::views;
-use crate::view::typesetting::notation::{plain, without_marks};
+use crate::view::typesetting::notation::without_marks;
 
 /// What the contents in words depend on: the words without the numbers, and what the numbers are of.
 #[derive(PartialEq)]
@@ -89,7 +89,7 @@ impl App {
         let style = NumberStyle::new(&self.scene.session.settings);
         lines.push(self.hit());
         let line = |reading: &Reading| {
-            format!("{} {}", plain(reading.long_name), style.equated_value(&reading.value))
+            format!("{} {}", without_marks(reading.long_name), style.equated_value(&reading.value))
         };
         if let Some(resolved) = &derived.resolved {
             lines.extend(of_basis(resolved, None).iter().map(line));

@@ -9,14 +9,14 @@ use super::ResponseExt as _;
 use super::number::vector_color;
 use crate::model::symbols;
 use crate::ui::commands_table::instruction;
-use crate::view::typesetting::notation::unbroken;
+use crate::view::typesetting::notation::{unbroken, without_marks};
 use crate::view::typesetting::theme;
 
 /// Shows the text, typeset and wrapped. Screen readers and tests receive it without the asterisks that mark
 /// symbols.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
-    ui.add(Label::new(job).wrap()).spoken(plain(&instruction(ui.ctx(), text)));
+    ui.add(Label::new(job).wrap()).spoken(without_marks(&instruction(ui.ctx(), text)));
 }
 
 /// Returns the height of the text when it is wrapped to this width.
@@ -48,11 +48,6 @@ fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {
 /// Returns the height of one line of such text.
 pub(crate) fn row_height(ui: &Ui, size: f32) -> f32 {
     ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size))).ceil()
-}
-
-/// Returns the text without its marks.
-pub(crate) fn plain(text: &str) -> String {
-    text.replace('*', "")
 }
 
 /// Splits the text into runs of letters with the same style; true marks a vector. Scalars become italic
@@ -176,7 +171,7 @@ mod tests {
             runs(text),
             [run("𝑢", false), run("u", true), run(" + 𝑣", false), run("v", true)]
         );
-        assert_eq!(plain(text), "uu + vv");
+        assert_eq!(without_marks(text), "uu + vv");
         assert_eq!(runs("*h*, *W* 1"), [run("ℎ, 𝑊 1", false)]);
     }
 }

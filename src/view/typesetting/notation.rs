@@ -40,13 +40,8 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
 /// Adds a label with typeset formulas. Screen readers and tests receive it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
     let response = ui.label(formula(&unbroken(text), size, color));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(without_marks(text)));
     response
-}
-
-/// Removes the `_` before subscripts, for screen readers.
-pub(crate) fn plain(text: &str) -> String {
-    text.replace('_', "")
 }
 
 /// Maximum length, in characters, of a formula that is never broken across lines.
@@ -125,7 +120,7 @@ mod tests {
         assert_eq!(text("f(p + t d) at"), "𝑓(𝐩 + 𝑡 𝐝) at");
         assert_eq!(text("p_x = 2"), "𝑝x = 2");
         assert_eq!(text("h, D"), "ℎ, 𝐷");
-        assert_eq!(plain("p_x + t d_x"), "px + t dx");
+        assert_eq!(without_marks("p_x + t d_x"), "px + t dx");
     }
 
     #[test]
