@@ -106,20 +106,13 @@ pub fn placed(inputs: &HandleInputs, state: &HandleState) -> Vec<PlacedHandle> {
 }
 
 /// Returns the handle nearest to a position, if its distance is at most `reach`; both are in screen pixels.
-/// Of overlapping handles, returns the first one, or the one after the handle that was clicked last.
-pub fn hit(
-    placed: &[PlacedHandle],
-    at: DVec2,
-    reach: f64,
-    clicked: Option<Handle>,
-) -> Option<PlacedHandle> {
+/// Of overlapping handles, returns the first one.
+pub fn hit(placed: &[PlacedHandle], at: DVec2, reach: f64) -> Option<PlacedHandle> {
     let near = placed.iter().filter(|other| other.spot.distance(at) <= reach);
     // `min_by` returns the first of equally near ones.
     let nearest = near.min_by(|a, b| a.spot.distance(at).total_cmp(&b.spot.distance(at)))?;
     let is_together = |other: &&PlacedHandle| other.spot.distance(nearest.spot) <= TOGETHER * reach;
-    let group: Vec<&PlacedHandle> = placed.iter().filter(is_together).collect();
-    let after = clicked.and_then(|clicked| group.iter().position(|one| one.handle == clicked));
-    Some(*group[after.map_or(0, |k| (k + 1) % group.len())])
+    placed.iter().find(is_together).copied()
 }
 
 impl HandleInputs<'_> {
@@ -323,37 +316,27 @@ mod tests {
     }
 
     #[track_caller]
-    fn assert_hit(
-        placed: &[PlacedHandle],
-        at: [f64; 2],
-        clicked: Option<Handle>,
-        expected: Option<Handle>,
-    ) {
-        let found = hit(placed, DVec2::from_array(at), 10.0, clicked);
+    fn assert_hit(placed: &[PlacedHandle], at: [f64; 2], expected: Option<Handle>) {
+        let found = hit(placed, DVec2::from_array(at), 10.0);
         assert_eq!(found.map(|hit| hit.handle), expected);
     }
 
     #[test]
     fn the_nearest_within_reach() {
         let placed = [at(Handle::Eye, 0.0, 0.0), at(Handle::At, 12.0, 0.0)];
-        assert_hit(&placed, [5.0, 0.0], None, Some(Handle::Eye));
-        assert_hit(&placed, [7.0, 0.0], None, Some(Handle::At));
-        assert_hit(&placed, [7.0, 0.0], Some(Handle::At), Some(Handle::At));
-        assert_hit(&placed, [23.0, 0.0], None, None);
-        assert_hit(&[], [0.0, 0.0], None, None);
+        assert_hit(&placed, [5.0, 0.0], Some(Handle::Eye));
+        assert_hit(&placed, [7.0, 0.0], Some(Handle::At));
+        assert_hit(&placed, [23.0, 0.0], None);
+        assert_hit(&[], [0.0, 0.0], None);
     }
 
     #[test]
-    fn those_that_lie_together_take_turns() {
+    fn of_those_that_lie_together_the_first_is_taken() {
         let placed = [
             at(Handle::At, 1.0, 0.0),
             at(Handle::Center(0), 0.0, 0.0),
             at(Handle::Pixel, 0.0, 2.0),
         ];
-        let mut clicked = None;
-        for expected in [Handle::At, Handle::Center(0), Handle::Pixel, Handle::At] {
-            assert_hit(&placed, [0.0, 1.0], clicked, Some(expected));
-            clicked = Some(expected);
-        }
+        assert_hit(&placed, [0.0, 1.0], Some(Handle::At));
     }
 }

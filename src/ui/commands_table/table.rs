@@ -31,14 +31,13 @@ macro_rules! commands {
 
 /// The gestures with the mouse or with held keys, each as its group, the gesture and its effect. This table
 /// is only for the list of keys; other code handles the gestures.
-pub const GESTURES: [(Group, &str, &str); 17] = [
+pub const GESTURES: [(Group, &str, &str); 16] = [
     (Group::Views, "Drag in the world view", "Orbit the observer"),
     (Group::Views, "Shift+drag in the world view", "Pan the observer"),
     (Group::Views, "Wheel in the world view", "Zoom to what is under the pointer"),
     (Group::Views, "Double click", "Frame the sphere or the camera there, or everything"),
     (Group::Views, "Click", "Select the pixel there"),
     (Group::Hand, "Drag a handle", "Move it parallel to the screen"),
-    (Group::Hand, "Click a handle", "Reach the next handle there"),
     (Group::Hand, "Ctrl", "In fixed steps"),
     (Group::Hand, "Alt", "Eye orbits at, or travels"),
     (Group::Hand, "Arrows on a handle", "Move it by one step"),

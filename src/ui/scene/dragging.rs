@@ -27,8 +27,6 @@ pub(crate) struct Dragging {
     /// The position where the mouse button was pressed on a handle; `None` once the pointer has moved away
     /// from there, because the press is then a drag rather than a click.
     pressed_at: Option<Pos2>,
-    /// The handle that was clicked last. A second click at the same place selects the handle that it covers.
-    clicked: Option<Handle>,
     /// True from the moment when Escape cancels a drag until the mouse button is released.
     given_back: bool,
     /// True if a handle is under the pointer.
@@ -98,6 +96,28 @@ impl WorldArea<'_> {
         let eye_keeps = if modifiers.alt { keeps.other() } else { keeps };
         let (observer, scale, snaps) = (self.observer, self.scale, modifiers.command);
         HandleDrag { handle, drag, observer, scale, settings, eye_keeps, snaps }
+    }
+
+    /// Returns the handle at a position on the screen; `None` if the draggable point on the selected ray is
+    /// nearer.
+    fn hit(
+        &self,
+        all: &[PlacedHandle],
+        at: Pos2,
+        ray_point_t: Option<f64>,
+        shown: &Derived,
+        reach: f64,
+    ) -> Option<PlacedHandle> {
+        let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
+        let (dots, reach) = (to_dots(self.dots(at).into()), reach * f64::from(self.scale));
+        let found = hit(all, dots, reach)?;
+        let ray_point = || {
+            let point = shown.inspection.as_deref()?.ray.at(ray_point_t?);
+            overlay::world_position_of(shown.world_frame.as_deref()?, point)
+        };
+        let is_nearest = ray_point()
+            .is_none_or(|point| to_dots(point).distance(dots) > found.spot.distance(dots));
+        is_nearest.then_some(found)
     }
 
     /// Returns a handle's id in egui, for the focus and for screen readers.
@@ -177,7 +197,7 @@ impl Dragging {
         if !ctx.input(|i| i.pointer.any_down()) {
             let pointer = response.hover_pos().filter(|_| response.hovered());
             let t = session.ray_point_t;
-            let found = pointer.and_then(|at| self.hit(&all, view, at, t, shown, HANDLE_REACH));
+            let found = pointer.and_then(|at| view.hit(&all, at, t, shown, HANDLE_REACH));
             let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
             let over = found.or_else(focused).map(|one| one.handle);
             session.handles.over = over;
@@ -201,42 +221,15 @@ impl Dragging {
         let Some(at) = pressed_at.or(clicked_at) else { return };
         let reach = if ctx.input(|i| i.any_touches()) { FINGER_REACH } else { HANDLE_REACH };
         let t = session.ray_point_t;
-        let Some(found) = self.hit(&all, view, at, t, shown, reach) else { return };
+        let Some(found) = view.hit(&all, at, t, shown, reach) else { return };
         **chosen_object = found.handle.object().or(**chosen_object);
         session.handles.is_busy = true;
         if pressed_at.is_none() {
-            self.clicked = Some(found.handle);
             return;
         }
         self.pressed_at = pressed_at;
         session.handles.over = Some(found.handle);
         session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
-    }
-
-    /// Returns the handle at a position on the screen; `None` if the draggable point on the selected ray is
-    /// nearer.
-    fn hit(
-        &mut self,
-        all: &[PlacedHandle],
-        view: &WorldArea,
-        at: Pos2,
-        ray_point_t: Option<f64>,
-        shown: &Derived,
-        reach: f64,
-    ) -> Option<PlacedHandle> {
-        let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
-        let (dots, reach) = (to_dots(view.dots(at).into()), reach * f64::from(view.scale));
-        self.clicked = self.clicked.filter(|clicked| {
-            all.iter().any(|one| one.handle == *clicked && one.spot.distance(dots) <= reach)
-        });
-        let found = hit(all, dots, reach, self.clicked)?;
-        let ray_point = || {
-            let point = shown.inspection.as_deref()?.ray.at(ray_point_t?);
-            overlay::world_position_of(shown.world_frame.as_deref()?, point)
-        };
-        let is_nearest = ray_point()
-            .is_none_or(|point| to_dots(point).distance(dots) > found.spot.distance(dots));
-        is_nearest.then_some(found)
     }
 
     /// Starts a drag in the camera view if a button that looks around or orbits was pressed there in this
@@ -283,7 +276,6 @@ impl Dragging {
         if is_escape_pressed(ctx) {
             drag.before.put(document, &mut session.selection);
             self.given_back = is_down;
-            self.clicked = None;
             self.let_go(session);
             return;
         }
@@ -309,7 +301,6 @@ impl Dragging {
         session.handles.drag = Some(drag);
         if !is_down {
             let handle = drag.handle();
-            self.clicked = handle.filter(|_| self.pressed_at.is_some());
             self.let_go(session);
             session.handles.over = handle;
         }

@@ -10,7 +10,6 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::fault::Fault;
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::Settings;
-use pinhole::model::session::handles::Handle;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{BasisError, Camera, CameraError, DVec3, Selection};
@@ -494,29 +493,6 @@ fn looking_up_stops_short_of_the_pole() {
         assert!(camera.up_angle().unwrap().angle.to_degrees() > 0.9);
     }
     assert!(camera(&harness).up_angle().unwrap().angle.to_degrees() < 1.1);
-}
-
-#[test]
-fn handles_that_lie_together_take_turns_with_each_click() {
-    // The orange ball's centre is the point at.
-    let mut harness = window("look-at");
-    let at = node_at(&harness, "at handle");
-    harness.hover_at(at + vec2(18.0, 0.0));
-    harness.run();
-    assert_near(at, node_at(&harness, "sphere 0 “target”: centre handle"));
-    let before = document(&harness);
-    let selected = harness.state().session().selection;
-    for expected in [Handle::At, Handle::Center(0), Handle::At] {
-        harness.hover_at(at);
-        harness.run();
-        assert_eq!(harness.state().session().handles.over, Some(expected));
-        crate::harness::click_at(&mut harness, at);
-    }
-    assert_eq!((document(&harness), harness.state().session().selection), (before, selected));
-    // Press and release in one frame are a click too.
-    harness.hover_at(at);
-    harness.run();
-    assert_eq!(harness.state().session().handles.over, Some(Handle::Center(0)));
 }
 
 #[test]
