@@ -247,7 +247,7 @@ pub struct Derived {
     /// The grade of a student's answers; `None` if there are no answers, or no valid scene to grade
     /// them with.
     pub grading: Option<Grading>,
-    /// The marks for answers in the world view: a student's answers and the right ones.
+    /// The marks in the world view: answers to an exercise, typed and right ones, or a wrong camera's ray.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The observer's traced frame, over which the world view is drawn.
     pub world_frame: Option<Arc<Frame<f32>>>,

@@ -1,16 +1,16 @@
 //! The second picture, shown next to the camera's picture: an error map, the picture of a wrong camera or
 //! of the ghost (a frozen camera), or a map of a student's right and wrong answers. The world view draws
-//! that camera and its ray, or the student's answer together with the right one.
+//! that camera and its ray.
 
 use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Pixel, Raster, Ray,
-    ResolvedCamera, Scene, Selection, Shade,
+    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Scene,
+    Selection, Shade,
 };
 use pinhole_exchange::{Document, answers};
-use pinhole_lecture::grading::{Answers, Cell, GivenHit, Graded, Truth, grade};
+use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 use pinhole_lecture::mistakes::{
     ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
 };
@@ -79,7 +79,6 @@ pub(super) struct SecondPictures {
     ghost: Memo<GhostKey, Option<(Arc<AgainstGhost>, Pair)>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
     answers_map: Memo<MapKey, Option<Arc<Picture>>>,
-    answer_marks: Memo<(Same<Graded>, Selection), Arc<[AnswerMark]>>,
     view: Memo<CameraView, Shown>,
     buffers: SpareImages,
     /// Number of pictures made so far.
@@ -117,9 +116,7 @@ impl SecondPictures {
             SecondPicture::Ghost => {
                 world.and_then(|world| self.ghost(derived, inputs, good, world, &mut view))
             }
-            SecondPicture::Answers => {
-                world.and_then(|world| self.answers(derived, inputs, &good.resolved, world))
-            }
+            SecondPicture::Answers => world.and_then(|world| self.answers(derived, inputs, world)),
         };
         let Some(picture) = picture else { return };
         view.picture = Same(picture);
@@ -224,7 +221,6 @@ impl SecondPictures {
         &mut self,
         derived: &mut Derived,
         Inputs { document, session, sizes, .. }: Inputs<'_>,
-        resolved: &ResolvedCamera,
         world: &GoodWorld,
     ) -> Option<Arc<Picture>> {
         // Grading uses the document's own colours, even if the window shows others. The scene's note is
@@ -240,12 +236,7 @@ impl SecondPictures {
             graded(document, world, answers)
         });
         derived.grading = Some(grading.clone());
-        let graded = Same(grading.ok()?);
-        let key = (graded.clone(), session.shown_selection());
-        derived.answer_marks = self.answer_marks.get(key, |(graded, selection)| {
-            of_answers(graded, resolved, &world.scene, *selection).into()
-        });
-        let key = (graded, sizes.second?.1);
+        let key = (Same(grading.ok()?), sizes.second?.1);
         self.answers_map.get(key, |(graded, size)| answers_map(graded, *size).map(Arc::new))
     }
 }
@@ -359,70 +350,6 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
     let Ok(ray) = ray else { return Vec::new() };
     let t = scene.first_hit(&ray).map(|hit| hit.t);
     vec![AnswerMark::yours(MarkShape::Ray(ray, t), "ray′")]
-}
-
-/// Returns marks for a student's wrong answers. For a basis, these are its wrong vectors; otherwise the
-/// answer at the selected pixel if it is wrong. If the file has no answer for that pixel, marks the worst
-/// answer and the right one.
-fn of_answers(
-    graded: &Graded,
-    camera: &ResolvedCamera,
-    scene: &Scene,
-    selection: Selection,
-) -> Vec<AnswerMark> {
-    if let Answers::Basis(vectors) = &graded.answers {
-        let names = ["your u", "your v", "your w"];
-        let is_wrong = |index: &usize| !graded.grade.is_right[*index];
-        let mark = |index: usize| {
-            AnswerMark::yours(MarkShape::BasisVector(index, vectors[index].value), names[index])
-        };
-        return (0..vectors.len()).filter(is_wrong).map(mark).collect();
-    }
-    let selected = match selection {
-        Selection::Pixel(pixel) => index_of(graded, pixel),
-        Selection::Uv(_) => None,
-    };
-    if let Some(index) = selected {
-        let is_right = graded.grade.is_right.get(index).copied().unwrap_or(true);
-        return match (is_right, graded.pixel(index)) {
-            (false, Some(pixel)) => yours(graded, index, &camera.ray_of_pixel(pixel), scene),
-            _ => Vec::new(),
-        };
-    }
-    let worst = graded.grade.worst.as_ref().zip(graded.worst_pixel());
-    let Some((worst, pixel)) = worst else { return Vec::new() };
-    let ray = camera.ray_of_pixel(pixel);
-    let mut marks = yours(graded, worst.index, &ray, scene);
-    if !marks.is_empty() {
-        let t = scene.first_hit(&ray).map(|hit| hit.t);
-        marks.push(AnswerMark::right(MarkShape::Ray(ray, t), "right ray"));
-    }
-    marks
-}
-
-fn index_of(graded: &Graded, pixel: Pixel) -> Option<usize> {
-    let count = graded.grade.is_right.len();
-    (0..count).find(|index| graded.pixel(*index) == Some(pixel))
-}
-
-/// Returns a mark for the ray or the hit that a student's answer gives. A hit for which only t is given is
-/// placed on the right ray.
-fn yours(graded: &Graded, index: usize, right: &Ray, scene: &Scene) -> Vec<AnswerMark> {
-    let shape = match &graded.answers {
-        Answers::Rays(rays) => {
-            let ray = Ray::new(rays[index].origin.value, rays[index].direction.value);
-            let Ok(ray) = ray else { return Vec::new() };
-            let t = scene.first_hit(&ray).map(|hit| hit.t);
-            return vec![AnswerMark::yours(MarkShape::Ray(ray, t), "your ray")];
-        }
-        Answers::Hits(hits) => match hits[index].hit {
-            Some(GivenHit { point: Some(point), .. }) => MarkShape::Point(point.value),
-            Some(GivenHit { t: Some(t), .. }) => MarkShape::OnRay(*right, t.value),
-            _ => return Vec::new(),
-        },
-        Answers::Basis(_) | Answers::Picture(_) => return Vec::new(),
-    };
-    vec![AnswerMark::yours(shape, "your hit")]
 }
 
 #[cfg(test)]

@@ -146,28 +146,6 @@ fn answers_that_count_from_one_are_read_again_as_such() {
     assert_says(&window, "1 of 1 hits agrees, within 0.00001 of their distance");
 }
 
-/// What is drawn of the answers in the world view.
-fn drawn(window: &Harness<'_, App>) -> String {
-    pinhole::model::practice::answer_marks::spoken(&window.state().derived().answer_marks)
-}
-
-#[test]
-fn a_wrong_answer_stands_in_the_world_view_beside_the_right_one() {
-    let (folder, mut window) = alone();
-    drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
-    // The selected ray is no pixel's: the worst one is shown, with its own ray.
-    assert_eq!(drawn(&window), "drawn: your hit (dashed), right ray");
-    click(&mut window, "Select the worst pixel");
-    assert_eq!(drawn(&window), "drawn: your hit (dashed)", "the selected ray is the right one");
-    let basis = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
-    drop_file(&mut window, &write(folder.path(), "basis.csv", basis));
-    assert_eq!(drawn(&window), "drawn: your u (dashed), your w (dashed)");
-    let rays =
-        "row,column,ox,oy,oz,dx,dy,dz\n0,0,0,0,0,-0.5,-0.5,-1\n399,399,0,0,0,0.49875,-0.49875,-1\n";
-    drop_file(&mut window, &write(folder.path(), "rays.csv", rays));
-    assert_eq!(drawn(&window), "drawn: your ray (dashed), right ray");
-}
-
 #[test]
 fn answers_from_zero_that_are_read_from_one_are_told_so() {
     let (folder, mut window) = alone();

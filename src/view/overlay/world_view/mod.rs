@@ -63,7 +63,7 @@ pub struct WorldView {
     pub ray_point_t: Option<f64>,
     /// The camera that is compared with the edited one.
     pub ghost: Option<GhostCamera>,
-    /// The marks for answers: a student's answers and the right ones.
+    /// The marks for answers: typed ones and the right ones.
     pub answer_marks: Arc<[AnswerMark]>,
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted>,
