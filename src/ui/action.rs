@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use egui::{Context, Id};
 use pinhole_core::steering::Keep;
-use pinhole_core::{DVec2, Shade, Sphere};
+use pinhole_core::{Shade, Sphere};
 use pinhole_exchange::host::host;
 use pinhole_exchange::link::Link;
-use pinhole_exchange::{Document, SceneSource};
+use pinhole_exchange::SceneSource;
 use pinhole_lecture::{Exercise, Mistake};
 
 use crate::figures::{Frames, Order};
@@ -19,17 +19,6 @@ use crate::model::{Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 use crate::view::overlay::PointShown;
 
-/// A document that was generated, such as an exercise's scene.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MadeUp {
-    /// The document.
-    pub document: Document,
-    /// The title in the window.
-    pub title: String,
-    /// The ray to select, if any.
-    pub uv: Option<DVec2>,
-}
-
 /// An action that leaves the open scene. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leave {
@@ -37,8 +26,6 @@ pub enum Leave {
     Open(SceneSource),
     /// Open what a link shows.
     Follow(Box<Link>),
-    /// Show a generated document.
-    Show(Box<MadeUp>),
     /// Show this step of a lesson.
     GoTo(StepId),
     /// Reset everything to the open lesson's step.

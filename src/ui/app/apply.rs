@@ -166,7 +166,6 @@ impl App {
         let opened = match leave {
             Leave::Open(source) => self.open(source),
             Leave::Follow(link) => self.scene.follow(*link),
-            Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
             Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
             Leave::BackToStep => Ok(self.scene.back_to_step()),
             Leave::Restore { as_new } => self.restore(as_new),

@@ -19,7 +19,7 @@ use crate::model::{
     Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, Settings,
     ViewLayout, ViewSize,
 };
-use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
+use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
 use crate::view::overlay::{GhostCamera, drawn};
@@ -76,15 +76,6 @@ impl OpenScene {
         let problem = |error| Question::message("This scene cannot be opened", error);
         let document = source.load().map_err(problem)?;
         Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
-    }
-
-    /// Opens a generated document in the layout with both views.
-    pub(super) fn show(&mut self, made_up: MadeUp) -> Opened {
-        let MadeUp { document, title, uv } = made_up;
-        let open = OpenDocument::made_up(document, title);
-        let opened = self.replace(open, uv.map_or(Selection::default(), Selection::Uv));
-        self.session.settings.layout = ViewLayout::Both;
-        opened
     }
 
     /// Reads the scene's file again and keeps the view.

@@ -10,7 +10,7 @@ use crate::model::lines::{LinesLab, Window};
 use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Feedback, Session, TypedAnswer};
-use crate::ui::action::{Leave, MadeUp, ShareAction};
+use crate::ui::action::ShareAction;
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
@@ -80,16 +80,8 @@ pub(crate) fn choice(ui: &mut Ui, exercises: &mut Exercises, is_lesson: bool) {
     if !is_lesson {
         ui.horizontal(|ui| {
             let title = exercises.question().exercise.title();
-            let width = (ui.available_width() - 140.0).min(280.0);
+            let width = ui.available_width().min(280.0);
             combo(ui, "exercise", width, title, |ui| choose(ui, exercises));
-            let hint = "Opens this camera and the objects that its ray meets as a scene";
-            if let Some(document) = exercises.document() {
-                let question = exercises.question();
-                let title = question.exercise.title().to_owned();
-                let made_up = MadeUp { document, title, uv: question.uv() };
-                let button = ui.button("Show this scene").on_hover_text(hint);
-                button.asks(Leave::Show(Box::new(made_up)));
-            }
         });
     }
     source(ui, exercises);

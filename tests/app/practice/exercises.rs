@@ -7,7 +7,6 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
-use pinhole_core::{DVec2, Orientation, Selection};
 use pinhole_lecture::exercises::{Exercise, Given, Question, question};
 
 use crate::harness::{
@@ -431,32 +430,8 @@ fn typed_answers_are_kept_whatever_is_opened_in_between() {
 }
 
 #[test]
-fn the_questions_camera_opens_and_asks_about_changes_first() {
-    let mut window = open(Exercise::Distance);
-    show(&mut window, ViewLayout::Both);
-    type_into(&mut window, "eye x", "1");
-    show(&mut window, ViewLayout::Exercises);
-    click(&mut window, "Show this scene");
-    assert_says(&window, "Save the changes to canonical?");
-    click(&mut window, "Discard");
-    let app = window.state();
-    assert_eq!(app.document().camera.viewport.distance, 2.0);
-    let Orientation::View { view, .. } = app.document().camera.orientation else { panic!() };
-    assert_eq!(view, pinhole_core::DVec3::NEG_Z);
-    assert_eq!(app.session().selection, Selection::Uv(DVec2::new(0.2, -0.1)));
-    assert_eq!(app.session().settings.layout, ViewLayout::Both);
-    let hit = app.derived().inspection.clone().unwrap().first_hit().copied().unwrap();
-    assert_eq!(hit.t, 3.0, "the exercise's own answer");
-    assert_says(&window, Exercise::Distance.title());
-    let app = window.state();
-    // The answers are still there when one comes back.
-    assert_eq!(app.session().exercises.question().exercise, Exercise::Distance);
-}
-
-#[test]
 fn a_question_s_wall_is_grey() {
-    let mut window = open(Exercise::Turned);
-    click(&mut window, "Show this scene");
+    let window = open(Exercise::Turned);
     let view = window.state().derived().world_view.clone().unwrap();
     let is_colored = |pixel: &&egui::Color32| {
         let [r, g, b, _] = pixel.to_array();
