@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use egui::{Context, Id};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Shade, Sphere};
+use pinhole_exchange::SceneSource;
 use pinhole_exchange::host::host;
 use pinhole_exchange::link::Link;
-use pinhole_exchange::SceneSource;
 use pinhole_lecture::{Exercise, Mistake};
 
 use crate::figures::{Frames, Order};
@@ -199,8 +199,6 @@ pub enum GhostAction {
     Freeze,
     /// Remove the ghost.
     Drop,
-    /// Swap camera and ghost.
-    Swap,
 }
 
 /// Moves the camera by key presses, as drags do in the camera view. Two numbers count steps to the right and
@@ -363,7 +361,7 @@ actions! {
     Answers(AnswersAction),
     /// Open or control an animation.
     Play(PlayAction),
-    /// Freeze, drop or swap the ghost.
+    /// Freeze or drop the ghost.
     Ghost(GhostAction),
     /// Vote.
     Vote(VoteAction),
@@ -428,7 +426,7 @@ impl Action {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
-            Action::Ghost(GhostAction::Drop | GhostAction::Swap) => there.ghost,
+            Action::Ghost(GhostAction::Drop) => there.ghost,
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway) => there.answers,

@@ -192,12 +192,12 @@ fn what_has_nothing_to_be_done_to_is_not_offered() {
         press(harness, Modifiers::NONE, Key::Escape);
         titles
     };
-    let ghost = "Play and compare: Swap camera and ghost".to_owned();
+    let ghost = "Play and compare: Remove the ghost".to_owned();
     let undo = "Edit: Undo".to_owned();
-    assert!(!offered(&mut harness, "swap ghost").contains(&ghost));
+    assert!(!offered(&mut harness, "remove ghost").contains(&ghost));
     assert!(!offered(&mut harness, "undo").contains(&undo));
     command(&mut harness, "freeze ghost");
-    assert!(offered(&mut harness, "swap ghost").contains(&ghost));
+    assert!(offered(&mut harness, "remove ghost").contains(&ghost));
     command(&mut harness, "look left");
     assert!(offered(&mut harness, "undo").contains(&undo));
     command(&mut harness, "undo");

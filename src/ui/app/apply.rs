@@ -13,8 +13,8 @@ use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_T
 use crate::model::session::{Session, ThemeName, ViewLayout, Workspace, ZOOM};
 use crate::model::translator::{Notice, pasted};
 use crate::ui::action::{
-    Action, ExchangeAction, FileAction, GhostAction, HistoryAction, Leave, LessonAction,
-    LookAction, PlayAction, ShareAction,
+    Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
+    ShareAction,
 };
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
@@ -56,8 +56,7 @@ impl App {
             | Action::History(_)
             | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
             // The other lesson actions stop the animation once they know that there is a step to open.
-            | Action::Lesson(LessonAction::Close)
-            | Action::Ghost(GhostAction::Swap) => self.stop_animation(),
+            | Action::Lesson(LessonAction::Close) => self.stop_animation(),
             Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {}
             Action::File(_) => self.keep_animation(ctx),
             _ => {}
@@ -81,11 +80,7 @@ impl App {
             Action::Share(action) => return self.share(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
-            Action::Ghost(action) => {
-                if self.scene.change_ghost(action) {
-                    self.settle(ctx, Some("swap with the ghost"));
-                }
-            }
+            Action::Ghost(action) => self.scene.change_ghost(action),
             Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);

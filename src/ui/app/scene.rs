@@ -234,17 +234,15 @@ impl OpenScene {
         self.session.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, with which it is then compared; removes the ghost; or swaps the
-    /// camera and the ghost. Returns true if the camera changed.
-    pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
-        let camera = &mut self.open.document.camera;
-        let ghost = &mut self.session.ghost;
-        match (action, ghost.as_mut()) {
-            (GhostAction::Freeze, known) => {
-                let shows_differences = known.is_some_and(|known| known.shows_differences);
-                *ghost = Some(Ghost { camera: *camera, shows_differences });
+    /// Freezes the camera as the ghost, with which it is then compared, or removes the ghost.
+    pub(super) fn change_ghost(&mut self, action: GhostAction) {
+        let (camera, ghost) = (self.open.document.camera, &mut self.session.ghost);
+        match action {
+            GhostAction::Freeze => {
+                let shows_differences = ghost.is_some_and(|known| known.shows_differences);
+                *ghost = Some(Ghost { camera, shows_differences });
             }
-            (GhostAction::Drop, _) => {
+            GhostAction::Drop => {
                 *ghost = None;
                 // Without a ghost, half of the comparison would be empty.
                 let layout = &mut self.session.settings.layout;
@@ -252,14 +250,7 @@ impl OpenScene {
                     *layout = ViewLayout::Both;
                 }
             }
-            (GhostAction::Swap, Some(known)) => {
-                let next = std::mem::replace(&mut known.camera, *camera);
-                self.replace_camera(next);
-                return true;
-            }
-            (GhostAction::Swap, None) => {}
         }
-        false
     }
 
     /// Moves the selection by whole pixels.

@@ -222,8 +222,6 @@ fn playing() -> Vec<UiCommand> {
             [plain(Untyped, Key::G)], GhostAction::Freeze;
         Play, "Remove the ghost", "Removes the ghost.",
             [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
-        Play, "Swap camera and ghost", "Exchanges the camera and the ghost.",
-            [], GhostAction::Swap;
         Play, "Loop", "Turns repetition of the open animation on or off.",
             [plain(Untyped, Key::L)], PlayAction::Loop;
         Play, "Keep", "Closes the animation and keeps the current state.",

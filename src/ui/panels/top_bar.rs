@@ -206,7 +206,6 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Frame the camera", Observe::FrameCamera);
     ui.separator();
     possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);
-    possible_entry(ui, "Swap camera and ghost", GhostAction::Swap, there);
     possible_entry(ui, "Remove the ghost", GhostAction::Drop, there);
     ui.separator();
     ui.menu_button("Drawn over the views", |ui| {

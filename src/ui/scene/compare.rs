@@ -103,7 +103,6 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
 fn buttons(ui: &mut Ui, has_ghost: bool) {
     for (text, name, ghost, needs_one) in [
         ("Freeze", "Freeze the camera as a ghost", GhostAction::Freeze, false),
-        ("Swap", "Swap with the ghost", GhostAction::Swap, true),
         ("Remove", "Remove the ghost", GhostAction::Drop, true),
     ] {
         let button = egui::Button::new(text);
