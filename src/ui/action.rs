@@ -201,17 +201,21 @@ pub enum GhostAction {
     Drop,
 }
 
-/// Moves the camera by key presses, as drags do in the camera view. Two numbers count steps to the right and
-/// up; a single number counts steps forward.
+/// A way in which a drag, a key or the wheel moves the camera in the camera view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Steer {
+pub enum CameraMove {
     /// Look around.
-    Look(i32, i32),
+    Look,
     /// Orbit the eye around *at*.
-    Orbit(i32, i32),
+    Orbit,
     /// Narrow the field of view.
-    Zoom(i32),
+    Zoom,
 }
+
+/// Moves the camera by key presses, as drags do in the camera view: by these numbers of steps to the right and
+/// up. A zoom counts only the first one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Steer(pub CameraMove, pub i32, pub i32);
 
 /// Moves the observer, the camera from which the world view is drawn, by key presses. The numbers count
 /// steps, as in [`Steer`].

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use egui::{Context, Event, Key, Modifiers};
 
-use crate::ui::action::{Action, Observe, Steer, VoteAction};
+use crate::ui::action::{Action, CameraMove, Observe, Steer, VoteAction};
 use crate::view::typesetting::theme;
 
 pub use search::found;
@@ -157,9 +157,9 @@ fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
         Action::Select { .. } => Some("Ten pixels"),
-        Action::Steer(Steer::Look(..)) => Some("Look around (camera view)"),
-        Action::Steer(Steer::Orbit(..)) => Some("Orbit around at (camera view)"),
-        Action::Steer(Steer::Zoom(_)) => Some("Field of view (camera view)"),
+        Action::Steer(Steer(CameraMove::Look, ..)) => Some("Look around (camera view)"),
+        Action::Steer(Steer(CameraMove::Orbit, ..)) => Some("Orbit around at (camera view)"),
+        Action::Steer(Steer(CameraMove::Zoom, ..)) => Some("Field of view (camera view)"),
         Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer (world view)"),
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer (world view)"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom (world view)"),

@@ -12,9 +12,9 @@ use crate::model::observer::WorldAxis;
 use crate::model::play::Kind;
 use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
-    Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HelpAction,
-    HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
-    Steer, Switch, VoteAction,
+    Action, AnswersAction, CameraMove, ExchangeAction, FigureAction, FileAction, GhostAction,
+    HelpAction, HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction,
+    ShareAction, Steer, Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
@@ -258,9 +258,9 @@ fn steps() -> Vec<UiCommand> {
         |x, y| Action::Select { rows: -i64::from(y), columns: x.into() });
     add(Group::Views, View, Modifiers::SHIFT, "Ten pixels {}", "Moves the selection {} by ten pixels.",
         |x, y| Action::Select { rows: -10 * i64::from(y), columns: 10 * i64::from(x) });
-    add(Group::Hand, CameraView, ALT, "Look {}", "Turns the camera {}.", |x, y| Steer::Look(x, y).into());
+    add(Group::Hand, CameraView, ALT, "Look {}", "Turns the camera {}.", |x, y| Steer(CameraMove::Look, x, y).into());
     add(Group::Hand, CameraView, CTRL, "Orbit {}", "Moves the eye {} around what it looks at.",
-        |x, y| Steer::Orbit(x, y).into());
+        |x, y| Steer(CameraMove::Orbit, x, y).into());
     add(Group::Views, WorldView, CTRL, "Observer {}", "Moves the observer {} around what it looks at.",
         |x, y| Observe::Orbit(x, y).into());
     add(Group::Views, WorldView, ALT, "Pan {}", "Moves the world view {}.", |x, y| Observe::Pan(x, y).into());
@@ -354,9 +354,9 @@ fn zooms() -> Vec<UiCommand> {
     use When::{CameraView, View, WorldView};
     commands![
         Hand, "Narrow the field of view", "Makes the viewport smaller and the picture's contents larger.",
-            [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
+            [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer(CameraMove::Zoom, 1, 0);
         Hand, "Widen the field of view", "Makes the viewport larger and the picture's contents smaller.",
-            [plain(CameraView, Key::Minus)], Steer::Zoom(-1);
+            [plain(CameraView, Key::Minus)], Steer(CameraMove::Zoom, -1, 0);
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Look along x", "Shows the scene from the side.",

@@ -17,21 +17,13 @@ use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session, Settings};
 use crate::model::{HoverSource, Hovered, Item};
-use crate::ui::action::Steer;
+use crate::ui::action::{CameraMove, Steer};
 use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};
 use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
 use crate::view::derive::Derived;
 use crate::view::handle_drag::step_of;
 use crate::view::handles::{PlacedHandle, label, value};
-
-/// A way in which a drag, a key or the wheel moves the camera in the camera view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum CameraMove {
-    Look,
-    Orbit,
-    Zoom,
-}
 
 /// The recent steps of the camera by wheel or keys.
 #[derive(Debug)]
@@ -157,14 +149,10 @@ impl Dragging {
 
     /// Moves the camera by a step for each key press.
     pub(crate) fn steer(&mut self, steer: Steer, camera: &mut Camera, time: f64) {
-        let by = |x: i32, y: i32, length: f64| length * DVec2::new(x.into(), y.into());
-        let (way, by) = match steer {
-            Steer::Look(right, up) => (CameraMove::Look, by(right, up, KEY_TURN)),
-            Steer::Orbit(right, up) => (CameraMove::Orbit, by(right, up, KEY_TURN)),
-            Steer::Zoom(on) => (CameraMove::Zoom, by(on, 0, KEY_NEARER)),
-        };
+        let Steer(way, right, up) = steer;
+        let length = if way == CameraMove::Zoom { KEY_NEARER } else { KEY_TURN };
         self.forget(camera, time);
-        self.step(way, by, camera, time, true);
+        self.step(way, length * DVec2::new(right.into(), up.into()), camera, time, true);
     }
 
     /// Forgets the recent steps after a pause, or if the camera has changed since they were made.
