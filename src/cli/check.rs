@@ -17,7 +17,7 @@ use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice
 use crate::cli::arguments::CheckArguments;
 
 /// What is printed, and the exit status: an error unless all answers agree.
-pub(super) type Checked = (String, Result<(), CommandError>);
+pub(super) type CheckOutcome = (String, Result<(), CommandError>);
 
 /// Runs `pinhole check`. If the scene or another input cannot be read, the exit status is not that of wrong
 /// answers, because the student is not to blame.
@@ -57,7 +57,7 @@ fn of_answers(
     arguments: &CheckArguments,
     scene_path: &Path,
     answers_path: &Path,
-) -> Result<Checked, CommandError> {
+) -> Result<CheckOutcome, CommandError> {
     if let Some(map) = &arguments.map {
         named(map, "png", "--map writes PNG")?;
         atomic::check(map)?;

@@ -13,14 +13,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::check::{Check, Checked, Task, status};
+use super::check::{Check, CheckOutcome, Task, status};
 use super::console::{CommandError, read, to_json, warn};
 use super::progress::Progress;
 use crate::cli::arguments::CheckArguments;
 use crate::model::practice::class::{ClassAnswers, INCOMPLETE, RIGHT, Tally, outcomes_of_grade};
 
 /// Grades the codes of answers in a text.
-pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<Checked, CommandError> {
+pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<CheckOutcome, CommandError> {
     let (path, bytes) = read(path, limits::TEXT)?;
     let class = ClassAnswers::read(&String::from_utf8_lossy(&bytes));
     if class.exercises.is_empty() {
@@ -48,7 +48,7 @@ pub(super) fn of_folder(
     task: &Task,
     folder: &Path,
     arguments: &CheckArguments,
-) -> Result<Checked, CommandError> {
+) -> Result<CheckOutcome, CommandError> {
     let (skipped, files) = entries(folder)?;
     if !skipped.is_empty() {
         warn(&format!("skipped as hidden or a folder: {}", skipped.join(", ")));

@@ -1,5 +1,5 @@
 //! Measures one case: compares what every method finds as a ray's first hit with the reference's
-//! result, and times the methods. A [`Tally`] counts a method's wrong decisions (a wrong object, root,
+//! result, and times the methods. A [`ErrorTally`] counts a method's wrong decisions (a wrong object, root,
 //! hit or miss) and collects the errors of its right ones.
 
 use std::f64::consts::PI;
@@ -60,7 +60,7 @@ pub(super) struct Set {
 struct Worker {
     method: Method,
     kernel: Kernel,
-    tally: Tally,
+    tally: ErrorTally,
 }
 
 /// Target duration of a piece of work.
@@ -162,7 +162,7 @@ impl Set {
     pub(super) fn new(subject: CaseSubject, methods: impl IntoIterator<Item = Method>) -> Set {
         let worker = |method: Method| {
             let kernel = subject.kernel(method)?;
-            Some(Worker { method, kernel, tally: Tally::default() })
+            Some(Worker { method, kernel, tally: ErrorTally::default() })
         };
         let workers = methods.into_iter().filter_map(worker).collect();
         Set { subject, workers, decided: 0, hits: 0, conditions: Vec::new(), chunk: 4, timings: 0 }
@@ -212,7 +212,7 @@ impl Set {
 
 /// The results of one method in one case so far.
 #[derive(Default)]
-struct Tally {
+struct ErrorTally {
     /// Number of decisions.
     decisions: u64,
     /// Number of wrong decisions.
@@ -230,7 +230,7 @@ struct Tally {
     steps: Option<[Steps; 2]>,
 }
 
-impl Tally {
+impl ErrorTally {
     /// Counts what a method found for one ray as a right or wrong decision and, if it is right and a
     /// hit, records the errors of t and of the normal. The error of t is recorded only if the true t is
     /// a normal number in the method's precision.
