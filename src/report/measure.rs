@@ -30,6 +30,10 @@ const SLICE: Duration = Duration::from_millis(8);
 /// The method with whose times the others are compared.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
+/// A note for readers of the results.
+const NOTE: &str =
+    "an f32 method rounds what it is given to f32 first, and what that changes is in its error";
+
 /// A measurement in progress. Work is done only in calls of [`Measurement::step`], each of which takes
 /// about 10 ms.
 ///
@@ -70,20 +74,19 @@ impl Measurement {
         camera: &Camera,
     ) -> Result<Measurement, CameraError> {
         let (case, left_out) = scenes::case(name, scene, camera)?;
-        Ok(Measurement::new((vec![case], left_out), "a frame of the scene", scenes::NOTE, None))
+        Ok(Measurement::new((vec![case], left_out), "a frame of the scene", None))
     }
 
-    /// Creates the measurement of all stress families, which takes about two minutes on two cores. The
+    /// Creates the measurement of all stress families, which takes a minute or two on two cores. The
     /// seed determines the cases, on every machine alike, and every ray is compared with the reference.
     pub fn of_families(seed: u64) -> Measurement {
         let timed = "the family's rays one by one";
-        Measurement::new(families::cases(seed), timed, families::NOTE, Some(seed))
+        Measurement::new(families::cases(seed), timed, Some(seed))
     }
 
     fn new(
         (cases, left_out): (Vec<CaseRun>, Vec<String>),
         timed: &str,
-        note: &str,
         seed: Option<u64>,
     ) -> Measurement {
         let head = Report {
@@ -96,7 +99,7 @@ impl Measurement {
             ),
             cases: Vec::new(),
             left_out,
-            notes: vec![note.to_owned()],
+            notes: vec![NOTE.to_owned()],
             seed,
         };
         let one_thread = ThreadPoolBuilder::new().num_threads(1).build().ok();

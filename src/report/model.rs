@@ -45,8 +45,6 @@ pub struct Case {
     pub knob_name: String,
     /// How sensitive t is to small changes of the input, over all rays that hit.
     pub condition: Option<ConditionSpread>,
-    /// The same as `condition`, but for the rays of the `f32` methods, if these are different ones.
-    pub condition_f32: Option<ConditionSpread>,
     /// A sentence about the family; empty for a scene.
     pub about: String,
 }

@@ -147,18 +147,11 @@ fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
 fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
     let coverage = format!("coverage {} %", short(100.0 * case.coverage));
     let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
-    let condition = |of: &str, condition: Option<ConditionSpread>| {
-        condition.map_or(String::new(), |ConditionSpread { median, max }| {
-            format!(", condition of t{of}: median {}, max {}", short(median), short(max))
-        })
-    };
-    let title = format!(
-        "{}: {} decisions, {coverage}{}{}",
-        case.title(),
-        grouped(decisions),
-        condition("", case.condition),
-        condition(" in the cases for f32", case.condition_f32)
-    );
+    let condition = case.condition.map_or(String::new(), |ConditionSpread { median, max }| {
+        format!(", condition of t: median {}, max {}", short(median), short(max))
+    });
+    let title =
+        format!("{}: {} decisions, {coverage}{condition}", case.title(), grouped(decisions));
     wrapped(out, "", &title);
     const HEADS: [(usize, usize, &str); 5] = [
         (3, 3, "error in t, ulps of f64"),

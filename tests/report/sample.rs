@@ -99,6 +99,5 @@ fn case(name: &str, knob: Option<f64>, hardness: f64) -> Case {
         condition: Some(ConditionSpread { median: 9.5, max: 1.0 / (0.1 + hardness) + 40.0 }),
         knob_name: knob.map_or("", |_| "radius / distance").to_owned(),
         about: knob.map_or("", |_| "A sphere that is tiny for its distance.").to_owned(),
-        ..Case::default()
     }
 }

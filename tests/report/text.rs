@@ -166,7 +166,6 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
                 "median": 9.5,
                 "max": 50.0
               },
-              "condition_f32": null,
               "about": ""
             }
           ],

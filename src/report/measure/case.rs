@@ -22,10 +22,10 @@ pub(super) struct CaseRun {
     /// The case as it will appear in the report. Its results are missing until the measurement is done.
     case: Case,
     pub(super) limits: Limits,
-    /// The function that creates `sets`; `None` once the case has begun.
-    make: Option<MakeSets>,
-    /// The rays, and the methods that trace them; empty before the case has begun and after it is done.
-    sets: Vec<Set>,
+    /// The function that creates `set`; `None` once the case has begun.
+    make: Option<MakeSet>,
+    /// The rays, and the methods that trace them; `None` before the case has begun and after it is done.
+    set: Option<Set>,
     is_timing_next: bool,
     /// A sentence about rays that are left out, if there are any.
     pub(super) left_out: Option<String>,
@@ -33,7 +33,7 @@ pub(super) struct CaseRun {
 
 /// A function that creates a case's rays and prepares the methods for them. It also returns a sentence
 /// about rays that are left out, if there are any.
-type MakeSets = Box<dyn FnOnce() -> (Vec<Set>, Option<String>) + Send>;
+type MakeSet = Box<dyn FnOnce() -> (Set, Option<String>) + Send>;
 
 /// The amount of work for a case. It does not depend on the machine's speed or load.
 pub(super) struct Limits {
@@ -72,10 +72,10 @@ impl CaseRun {
     pub(super) fn new(
         case: Case,
         limits: Limits,
-        make: impl FnOnce() -> (Vec<Set>, Option<String>) + Send + 'static,
+        make: impl FnOnce() -> (Set, Option<String>) + Send + 'static,
     ) -> CaseRun {
-        let make: Option<MakeSets> = Some(Box::new(make));
-        CaseRun { case, limits, make, sets: Vec::new(), is_timing_next: false, left_out: None }
+        let make: Option<MakeSet> = Some(Box::new(make));
+        CaseRun { case, limits, make, set: None, is_timing_next: false, left_out: None }
     }
 
     /// Returns how many of the case's pieces of work have been done.
@@ -89,70 +89,45 @@ impl CaseRun {
 
     /// Returns the fraction, 0 to 1, of the case's work that has been done.
     pub(super) fn share(&self) -> f64 {
-        let sum = |count: &dyn Fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>();
-        let all = sum(&|set| set.subject.len() + self.limits.rounds * set.workers.len());
-        let done = sum(&|set| set.decided + set.timings);
-        match all {
-            0 => f64::from(u8::from(self.has_begun())),
-            all => done as f64 / all as f64,
-        }
+        let Some(set) = &self.set else { return f64::from(u8::from(self.has_begun())) };
+        let all = set.subject.len() + self.limits.rounds * set.workers.len();
+        (set.decided + set.timings) as f64 / all.max(1) as f64
     }
 
     /// Keeps the results and frees everything else.
     pub(super) fn finish(&mut self) {
         self.case = self.report();
-        self.sets.clear();
+        self.set = None;
     }
 
     pub(super) fn report(&self) -> Case {
-        if self.sets.is_empty() {
-            return self.case.clone();
-        }
-        let rows_of = |set: &Set| {
-            let pixels_timed = set.subject.pixels_timed() as u64;
-            let row = |w: &Worker| MethodRow { pixels_timed, ..w.tally.row(w.method) };
-            set.workers.iter().map(|w| (w.method, row(w))).collect::<Vec<_>>()
-        };
-        let mut rows: Vec<_> = self.sets.iter().flat_map(rows_of).collect();
-        let index = |method| Method::of_frames().position(|other| other == method);
-        rows.sort_by_key(|(method, _)| index(*method));
+        let Some(set) = &self.set else { return self.case.clone() };
+        let pixels_timed = set.subject.pixels_timed() as u64;
+        let row = |w: &Worker| MethodRow { pixels_timed, ..w.tally.row(w.method) };
+        let coverage = if set.decided == 0 { 0.0 } else { set.hits as f64 / set.decided as f64 };
         Case {
-            coverage: self.coverage(),
-            condition: self.sets.first().and_then(Set::condition),
-            condition_f32: self.sets.get(1).and_then(Set::condition),
-            methods: rows.into_iter().map(|(_, row)| row).collect(),
+            coverage,
+            condition: set.condition(),
+            methods: set.workers.iter().map(row).collect(),
             ..self.case.clone()
         }
-    }
-
-    /// Returns the fraction of the decided rays that hit.
-    fn coverage(&self) -> f64 {
-        let sum = |count: fn(&Set) -> usize| self.sets.iter().map(count).sum::<usize>() as f64;
-        let decided = sum(|set| set.decided);
-        if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
     }
 
     /// Does one piece of work. The first call creates the rays. Further calls alternate between
     /// comparing some rays' hits with the reference and timing some methods.
     pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
         if let Some(make) = self.make.take() {
-            (self.sets, self.left_out) = make();
+            let (set, left_out) = make();
+            (self.set, self.left_out) = (Some(set), left_out);
             return;
         }
+        let Some(set) = &mut self.set else { return };
         let rounds = self.limits.rounds;
-        let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
-        let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
-        if to_time && (self.is_timing_next || !to_decide) {
-            // The set that is furthest behind is timed next, so that all sets are timed in turn.
-            let round = |set: &&mut Set| set.timings / set.workers.len().max(1);
-            if let Some(set) = self.sets.iter_mut().min_by_key(round) {
-                set.time(rounds, one_thread);
-            }
+        let to_time = set.timings < rounds * set.workers.len();
+        if to_time && (self.is_timing_next || set.decided == set.subject.len()) {
+            set.time(rounds, one_thread);
         } else {
-            let behind = self.sets.iter_mut().filter(|set| set.decided < set.subject.len());
-            if let Some(set) = behind.min_by_key(|set| set.decided) {
-                set.decide();
-            }
+            set.decide();
         }
         self.is_timing_next = !self.is_timing_next;
     }

@@ -1,7 +1,6 @@
 //! The cases of the stress families, which are hard for intersection methods: one case for each setting
 //! of each family's knob (the parameter that makes it easier or harder).
 
-use pinhole_core::methods::{Method, Precision};
 use pinhole_core::{Plane, Ray, Scene, Sphere};
 use pinhole_reference::{Family, Object, RayCase};
 
@@ -12,10 +11,6 @@ use crate::report::model::Case;
 
 /// Number of rays for each setting of a knob.
 const RAYS: usize = 600;
-
-/// A note for readers of the results.
-pub(super) const NOTE: &str = "the f32 methods get each family in terms of f32: numbers exact in f32, ulps \
-     of f32, and powers of ten beyond 10^30 or 10^-30 brought into its range, 10^k as 10^(k / 8.2)";
 
 /// Returns the cases of all families, and sentences about measurements that are omitted.
 pub(super) fn cases(seed: u64) -> (Vec<CaseRun>, Vec<String>) {
@@ -40,34 +35,17 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
     CaseRun::new(case, limits, move || make(family, knob, seed))
 }
 
-/// Creates the rays of a case, separately for the `f64` methods and the `f32` methods, and prepares the
-/// methods. The `f32` methods get rays and objects whose numbers are exact in `f32`, so that the
-/// rounding of the scene does not contribute to their errors. Also returns a sentence about cases that
-/// are left out, if there are any.
-fn make(family: &Family, knob: f64, seed: u64) -> (Vec<Set>, Option<String>) {
-    let mut skipped = 0;
-    let mut set = |precision: Precision| {
-        let given = family.rays(knob, seed, RAYS, precision == Precision::F32);
-        let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
-        skipped += given.len() - cases.len();
-        let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
-        let methods = methods_for(has_spheres).filter(|method| given_in(*method) == precision);
-        Set::new(CaseSubject::Rays(cases), methods)
-    };
-    let sets = vec![set(Precision::F64), set(Precision::F32)];
+/// Creates the rays of a case, and prepares the methods. Also returns a sentence about cases that are left
+/// out, if there are any.
+fn make(family: &Family, knob: f64, seed: u64) -> (Set, Option<String>) {
+    let given = family.rays(knob, seed, RAYS, false);
+    let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
+    let skipped = given.len() - cases.len();
+    let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());
     let title = format!("{}, {} = {knob}", family.name, family.knob_name);
     let left_out = (skipped > 0)
         .then(|| format!("{title}: {skipped} cases that the program refuses with an error"));
-    (sets, left_out)
-}
-
-/// Returns the precision of the numbers that a method is given. The ladder (the program's own exact
-/// method) is given `f64`, whatever the precision of its t.
-fn given_in(method: Method) -> Precision {
-    match method {
-        Method::Known(_, precision) => precision,
-        Method::Ladder | Method::LadderF32 | Method::DoubleDouble => Precision::F64,
-    }
+    (Set::new(CaseSubject::Rays(cases), methods_for(has_spheres)), left_out)
 }
 
 fn scene_of(objects: &[Object]) -> Option<Scene> {

@@ -16,10 +16,6 @@ const TIMED_SIDE: u32 = 256;
 /// Maximum number of intersection tests in one time measurement, which limits the duration of
 /// [`Measurement::step`](super::Measurement::step).
 const TIMED_TESTS: usize = 1 << 17;
-/// A note for readers of the results.
-pub(super) const NOTE: &str = "an f32 method rounds the scene to f32 first, and what that changes is in \
-     its error";
-
 /// Returns the case of a scene, and sentences about measurements that are omitted.
 pub(super) fn case(
     name: &str,
@@ -56,7 +52,7 @@ fn make(
     scene: Scene,
     camera: &Camera,
     resolved: &ResolvedCamera,
-) -> (Vec<Set>, Option<String>) {
+) -> (Set, Option<String>) {
     let image = resolved.image();
     let raster = Raster::shown_on(image, SIDE, SIDE);
     let (all, compared) = (Raster::full(image).len(), raster.len());
@@ -70,7 +66,7 @@ fn make(
     let (methods, scene) = (methods_for(!scene.spheres().is_empty()), Arc::new(scene));
     let timed = timed_raster(resolved, scene.len());
     let picture = MeasuredPicture::new(scene, camera, resolved, raster, timed);
-    (vec![Set::new(CaseSubject::Frame(Box::new(picture)), methods)], left_out)
+    (Set::new(CaseSubject::Frame(Box::new(picture)), methods), left_out)
 }
 
 /// Returns the pixels that are traced for timing: all of them or, if they are too many, evenly spaced
