@@ -27,7 +27,7 @@ mod surd;
 mod trace;
 
 pub use camera::{Camera, Orientation, Status, View, basis};
-pub use families::{Draw, Family, RayCase};
+pub use families::{Draw, Family, RayCase, decade, moved_by_ulps};
 pub use object::Object;
 pub use real::{Real, angle_between};
 pub use trace::{Hit, first_hit, roots};

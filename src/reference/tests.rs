@@ -27,7 +27,7 @@ fn any_f64(draw: &mut Draw) -> f64 {
 }
 
 fn draw(name: &str) -> Draw {
-    Draw::new(4, name, 0.0, 0, false)
+    Draw::new(4, name, 0.0, 0)
 }
 
 fn exact(x: f64) -> Dyadic {
@@ -270,7 +270,7 @@ fn the_textbook_at_twice_the_precision_agrees() {
             if family.name == "frame-tangent" && knob == 0.0 {
                 continue;
             }
-            for case in family.cases(knob, 30, 2, false) {
+            for case in family.cases(knob, 30, 2) {
                 agrees_with_the_textbook(family.name, &case);
             }
         }

@@ -127,7 +127,7 @@ fn right_next_to_the_roots_of_the_reference_s_rays() {
     let mut values = 0;
     for family in Family::all() {
         for &knob in family.knobs {
-            for case in family.rays(knob, 5, 2, false) {
+            for case in family.rays(knob, 5, 2) {
                 let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
                 for object in given::scene(&case.objects).objects() {
                     let along = of_ray(&object, &ray);

@@ -131,7 +131,7 @@ fn each_margin_is_what_the_reference_says() {
     let mut seen = BTreeSet::new();
     for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.cases(*knob, 18, 2, false) {
+            for case in family.cases(*knob, 18, 2) {
                 check(&case, &format!("{} {knob}", family.name), &mut seen);
             }
         }

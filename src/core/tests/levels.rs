@@ -152,7 +152,7 @@ fn stress_frames_are_the_same_bits_on_every_level() {
     let mut frames = 0;
     for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.cases(*knob, 5, 4, false) {
+            for case in family.cases(*knob, 5, 4) {
                 if case.camera.rows.max(case.camera.columns) > ImageSize::MAX {
                     continue;
                 }

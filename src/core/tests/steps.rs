@@ -331,7 +331,7 @@ fn frames_reach_every_step() {
     let mut steps = Steps::default();
     for family in &frames::FAMILIES {
         for knob in family.knobs {
-            for case in family.cases(*knob, 7, 1, false) {
+            for case in family.cases(*knob, 7, 1) {
                 if case.camera.rows.max(case.camera.columns) > 64 {
                     continue;
                 }

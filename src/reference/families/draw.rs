@@ -10,8 +10,6 @@ use crate::camera::Orientation;
 /// its numbers, and those of a library may change with its version.
 pub struct Draw {
     state: u64,
-    /// True if all numbers of the case must be exact in `f32`.
-    pub single: bool,
 }
 
 /// Upper limits of the random integers from which a case is built in which objects touch each other, or
@@ -25,18 +23,12 @@ pub(crate) struct Sizes {
 
 impl Draw {
     /// Returns the generators for `count` cases of a family.
-    pub fn cases(
-        seed: u64,
-        family: &str,
-        knob: f64,
-        count: usize,
-        single: bool,
-    ) -> impl Iterator<Item = Draw> {
-        (0..count).map(move |index| Draw::new(seed, family, knob, index, single))
+    pub fn cases(seed: u64, family: &str, knob: f64, count: usize) -> impl Iterator<Item = Draw> {
+        (0..count).map(move |index| Draw::new(seed, family, knob, index))
     }
 
-    pub(crate) fn new(seed: u64, family: &str, knob: f64, index: usize, single: bool) -> Draw {
-        let mut draw = Draw { state: seed, single };
+    pub(crate) fn new(seed: u64, family: &str, knob: f64, index: usize) -> Draw {
+        let mut draw = Draw { state: seed };
         let name = family.bytes().fold(0, |sum: u64, byte| sum.wrapping_mul(257) + u64::from(byte));
         for part in [name, knob.to_bits(), index as u64] {
             draw.state = draw.next() ^ part;
@@ -109,7 +101,7 @@ impl Draw {
     }
 
     pub(crate) fn sizes(&mut self) -> Sizes {
-        if self.single || self.once_in(2) {
+        if self.once_in(2) {
             Sizes { quaternion: 3, extent: 1 << 10, steps: 1 << 8 }
         } else {
             Sizes { quaternion: 100, extent: 1 << 40, steps: 1 << 20 }
@@ -169,44 +161,19 @@ impl Draw {
         ];
         (columns, a * a + b * b + c * c + d * d)
     }
+}
 
-    /// Returns `x` moved away from 0 by `ulps` units in the last place (towards 0 if `ulps` is
-    /// negative). If numbers must be exact in `f32`, these are units of `f32`.
-    pub fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
-        let steps = ulps as i64;
-        // The bits of consecutive floats are consecutive integers.
-        let moved = if self.single {
-            f64::from(f32::from_bits((i64::from((x as f32).to_bits()) + steps) as u32))
-        } else {
-            f64::from_bits(x.to_bits().wrapping_add_signed(steps))
-        };
-        assert!(moved.is_finite() && x != 0.0, "{x} has no neighbour");
-        moved
-    }
+/// Returns `x` moved away from 0 by `ulps` units in the last place (towards 0 if `ulps` is negative).
+pub fn moved_by_ulps(x: f64, ulps: f64) -> f64 {
+    // The bits of consecutive floats are consecutive integers.
+    let moved = f64::from_bits(x.to_bits().wrapping_add_signed(ulps as i64));
+    assert!(moved.is_finite() && x != 0.0, "{x} has no neighbour");
+    moved
+}
 
-    /// Returns `10^k` for an integer k, correctly rounded, including subnormals. If numbers must be
-    /// exact in `f32`, a large k is reduced by the ratio of the ranges, so that the result is in the
-    /// range of `f32`.
-    pub fn decade(&self, k: f64) -> f64 {
-        let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
-        format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
-    }
-
-    /// Returns `x` in the form in which the case uses it: rounded to `f32` if numbers must be exact in
-    /// `f32`, but never to infinity or 0.
-    pub fn given(&self, x: f64) -> f64 {
-        if !self.single || x == 0.0 {
-            return x;
-        }
-        let limits = (f64::from(f32::from_bits(1)), f64::from(f32::MAX));
-        f64::from(x.abs().clamp(limits.0, limits.1) as f32).copysign(x)
-    }
-
-    /// Returns `v` in the form in which the case uses it: rounded to `f32` if numbers must be exact in
-    /// `f32`.
-    pub fn given3(&self, v: [f64; 3]) -> [f64; 3] {
-        v.map(|x| self.given(x))
-    }
+/// Returns `10^k` for an integer k, correctly rounded, including subnormals.
+pub fn decade(k: f64) -> f64 {
+    format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
 }
 
 pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

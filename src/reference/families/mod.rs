@@ -3,7 +3,7 @@
 mod draw;
 mod rays;
 
-pub use draw::Draw;
+pub use draw::{Draw, decade, moved_by_ulps};
 
 use std::sync::LazyLock;
 
@@ -108,19 +108,10 @@ impl Family {
         Family::all().find(|family| family.name == name)
     }
 
-    /// Returns the first `count` cases for one value of the [knob](Family::knobs). If `single` is true,
-    /// all numbers are exact in `f32`, units in the last place are those of `f32`, and powers of ten
-    /// outside the range of `f32` are moved into it.
-    pub fn rays(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<RayCase> {
-        let given = |mut draw: Draw| {
-            let RayCase { objects, origin, direction } = (self.make)(&mut draw, knob);
-            RayCase {
-                objects: objects.into_iter().map(|object| object.given(&draw)).collect(),
-                origin: draw.given3(origin),
-                direction: draw.given3(direction),
-            }
-        };
-        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
+    /// Returns the first `count` cases for one value of the [knob](Family::knobs).
+    pub fn rays(&self, knob: f64, seed: u64, count: usize) -> Vec<RayCase> {
+        let case = |mut draw: Draw| (self.make)(&mut draw, knob);
+        Draw::cases(seed, self.name, knob, count).map(case).collect()
     }
 }
 
@@ -141,12 +132,6 @@ impl Object {
                 Object::Plane { point: map_point(point), normal: normal(n) }
             }
         }
-    }
-
-    /// Returns the object in the form in which the case uses it, as [`Draw::given`] does for a number.
-    #[must_use]
-    pub fn given(self, draw: &Draw) -> Object {
-        self.map(|v| draw.given3(v), |v| draw.given3(v), |x| draw.given(x))
     }
 }
 

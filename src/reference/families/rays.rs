@@ -5,7 +5,7 @@
 //! vectors of the same integer length n (see [`Draw::whole_frame`]). If N is one of these vectors, and
 //! k an integer, a sphere of radius k n around P + k N passes exactly through P, without rounding.
 
-use crate::families::draw::{Draw, Sizes, cross, dot, plus, scaled};
+use crate::families::draw::{Draw, Sizes, cross, decade, dot, moved_by_ulps, plus, scaled};
 use crate::families::{FamilyRow, OFFSETS, PLANETS, RayCase, SMALL, TO_ROUNDING, ULPS};
 use crate::object::Object;
 
@@ -115,10 +115,9 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
     let origin = draw.in_box(10.0);
     let distance = draw.between(1.0, 100.0);
     let center = plus(origin, distance, draw.direction());
-    let radius = distance * draw.decade(k);
-    // If rounding the direction would already make the ray miss, and occasionally otherwise, use the
-    // exact line from 0 through the centre.
-    if (draw.single && k < -6.0) || draw.once_in(8) {
+    let radius = distance * decade(k);
+    // Occasionally, use the exact line from 0 through the centre.
+    if draw.once_in(8) {
         return one_sphere(center, radius, [0.0; 3], scaled(center, draw.power_of_two(-8, 8)));
     }
     let impact = draw.between(0.0, 1.2);
@@ -130,7 +129,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> RayCase {
 /// Makes a case with the eye a little above a huge sphere, so that the squares in c = |origin -
 /// center|^2 - radius^2 nearly cancel.
 fn planet(draw: &mut Draw, k: f64) -> RayCase {
-    let radius = draw.decade(k) * draw.between(1.0, 2.0);
+    let radius = decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
     let origin = draw.in_box(3.0);
     let down = draw.direction();
@@ -147,7 +146,7 @@ fn planet(draw: &mut Draw, k: f64) -> RayCase {
 
 /// Makes a case with a line that passes close to the sphere's outline, inside or outside.
 fn grazing(draw: &mut Draw, k: f64) -> RayCase {
-    let impact = 1.0 + draw.sign() * draw.decade(k);
+    let impact = 1.0 + draw.sign() * decade(k);
     everyday(draw, impact)
 }
 
@@ -158,7 +157,7 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
     let ([along, out, _], length) = draw.whole_frame(quaternion);
     let touched = [0; 3].map(|_| draw.whole(-extent, extent));
     let (back, radii) = (draw.whole(1, steps), draw.whole(1, steps));
-    let radius = draw.moved_by_ulps(radii * length, ulps);
+    let radius = moved_by_ulps(radii * length, ulps);
     let scale = draw.binary_scale();
     let stretch = draw.power_of_two(-8, 8);
     one_sphere(plus(touched, radii, out), radius, plus(touched, -back, along), along)
@@ -170,7 +169,7 @@ fn tangent(draw: &mut Draw, ulps: f64) -> RayCase {
 fn eye_near_surface(draw: &mut Draw, k: f64) -> RayCase {
     let radius = draw.between(0.5, 4.0);
     let center = draw.in_box(4.0);
-    let height = draw.sign() * draw.decade(k);
+    let height = draw.sign() * decade(k);
     let origin = plus(center, radius * (1.0 + height), draw.direction());
     one_sphere(center, radius, origin, draw.in_box(1.0))
 }
@@ -182,7 +181,7 @@ fn eye_on_surface(draw: &mut Draw, ulps: f64) -> RayCase {
     let ([along, out, aside], length) = draw.whole_frame(quaternion);
     let origin = [0; 3].map(|_| draw.whole(-extent, extent));
     let radii = draw.whole(1, steps);
-    let radius = draw.moved_by_ulps(radii * length, ulps);
+    let radius = moved_by_ulps(radii * length, ulps);
     let direction = match draw.whole(0, 3) as i64 {
         0 => along,
         1 => out,
@@ -199,21 +198,21 @@ fn eye_inside(draw: &mut Draw, share: f64) -> RayCase {
     let radius = draw.of_any_size(0.01, 100.0);
     let center = draw.in_box(4.0);
     let origin = plus(center, radius * share, draw.direction());
-    one_sphere(draw.given3(center), radius, draw.given3(origin), draw.direction())
+    one_sphere(center, radius, origin, draw.direction())
 }
 
 /// Makes a case with an ordinary sphere and a direction whose length is far from 1.
 fn direction_length(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
     let length = dot(case.direction, case.direction).sqrt();
-    let scale = draw.decade(k) / length;
+    let scale = decade(k) / length;
     RayCase { direction: scaled(case.direction, scale), ..case }
 }
 
 /// Makes a case with an ordinary sphere and ray, far from the world's origin.
 fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     let mut case = any_impact(draw);
-    let offset = scaled(draw.in_box(1.0), draw.decade(k));
+    let offset = scaled(draw.in_box(1.0), decade(k));
     for object in &mut case.objects {
         if let Object::Sphere { center, .. } = object {
             *center = plus(*center, 1.0, offset);
@@ -223,8 +222,7 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
     let Some(Object::Sphere { center, radius }) = case.objects.first().copied() else {
         return case;
     };
-    let center = draw.given3(center);
-    let origin = draw.given3(plus(case.origin, 1.0, offset));
+    let origin = plus(case.origin, 1.0, offset);
     let to = plus(center, -1.0, origin);
     if dot(to, to) > 2.0 * radius * radius {
         let impact = draw.between(0.0, 1.2);
@@ -238,7 +236,7 @@ fn world_offset(draw: &mut Draw, k: f64) -> RayCase {
 /// overflow or underflow in `f64`.
 fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
     let case = any_impact(draw);
-    let (scale, inverse) = (draw.decade(k), draw.decade(-k.clamp(-300.0, 300.0)));
+    let (scale, inverse) = (decade(k), decade(-k.clamp(-300.0, 300.0)));
     let (lengths, direction) = match draw.whole(0, 3) as i64 {
         0 => (scale, 1.0),
         1 => (1.0, scale),
@@ -250,7 +248,7 @@ fn extreme_range(draw: &mut Draw, k: f64) -> RayCase {
 
 /// Makes a case whose origin, centre, radius and direction have independent orders of magnitude.
 fn mixed_range(draw: &mut Draw, k: f64) -> RayCase {
-    let (large, small) = (draw.decade(k), draw.decade(-k));
+    let (large, small) = (decade(k), decade(-k));
     let mut size = || draw.of_any_size(small.sqrt(), large.sqrt());
     let sizes = [size(), size(), size(), size()];
     // These are square roots of the sizes, so that a ratio above f64's largest number is never formed.
@@ -273,7 +271,7 @@ fn one_plane(point: [f64; 3], normal: [f64; 3], origin: [f64; 3], direction: [f6
 /// and direction nearly cancel.
 fn near_parallel_plane(draw: &mut Draw, k: f64) -> RayCase {
     let normal = draw.direction();
-    let slope = draw.sign() * draw.decade(k) * draw.between(0.3, 3.0);
+    let slope = draw.sign() * decade(k) * draw.between(0.3, 3.0);
     let direction = plus(draw.across(normal), slope, normal);
     let length = draw.between(0.5, 3.0);
     let normal = scaled(normal, draw.between(0.5, 3.0));
@@ -291,7 +289,7 @@ fn parallel_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let origin = plus(inside, height, normal);
     // Change a coordinate that contributes to the product.
     if let Some(i) = (0..3).find(|&i| normal[i] * along[i] != 0.0) {
-        normal[i] = draw.moved_by_ulps(normal[i], ulps);
+        normal[i] = moved_by_ulps(normal[i], ulps);
     }
     one_plane(point, normal, origin, along).scaled(draw.binary_scale(), 1.0)
 }
@@ -310,7 +308,7 @@ fn everyday_plane(draw: &mut Draw) -> RayCase {
 /// Makes a case with an ordinary plane and ray, far from the world's origin.
 fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday_plane(draw);
-    let offset = scaled(draw.in_box(1.0), draw.decade(k));
+    let offset = scaled(draw.in_box(1.0), decade(k));
     let moved = |point| plus(point, 1.0, offset);
     let objects = objects.into_iter().map(|plane| plane.map(moved, |normal| normal, |r| r));
     RayCase { objects: objects.collect(), origin: moved(origin), direction }
@@ -320,7 +318,7 @@ fn plane_offset(draw: &mut Draw, k: f64) -> RayCase {
 /// that products overflow or underflow in `f64`.
 fn plane_range(draw: &mut Draw, k: f64) -> RayCase {
     let RayCase { objects, origin, direction } = everyday_plane(draw);
-    let scale = draw.decade(k);
+    let scale = decade(k);
     let factor = |draw: &mut Draw| if draw.once_in(2) { scale } else { 1.0 };
     let (lengths, normals, directions) = (factor(draw), factor(draw), factor(draw));
     let length = |point| scaled(point, lengths);
@@ -354,8 +352,8 @@ fn contact(draw: &mut Draw) -> Contact {
 impl Contact {
     /// Returns the sphere that passes through the contact point and has its centre at `point + radii *
     /// out`. Its radius is then changed by `ulps` units in the last place.
-    fn sphere(&self, draw: &Draw, radii: f64, ulps: f64) -> Object {
-        let radius = draw.moved_by_ulps(radii.abs() * self.length, ulps);
+    fn sphere(&self, radii: f64, ulps: f64) -> Object {
+        let radius = moved_by_ulps(radii.abs() * self.length, ulps);
         Object::Sphere { center: plus(self.point, radii, self.out), radius }
     }
 
@@ -394,14 +392,10 @@ fn shuffled(
 /// place. Of two equal spheres, the one listed first is hit.
 fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
     let center = draw.in_box(4.0);
-    let center = draw.given3(center);
     let radius = draw.between(0.5, 3.0);
-    let radius = draw.given(radius);
-    let other = draw.moved_by_ulps(radius, ulps);
+    let other = moved_by_ulps(radius, ulps);
     let origin = plus(center, draw.between(0.0, 5.0), draw.direction());
-    let origin = draw.given3(origin);
     let direction = plus(plus(center, -1.0, origin), 0.7 * radius, draw.direction());
-    let direction = draw.given3(direction);
     let [first, second] = [radius, other].map(|radius| Object::Sphere { center, radius });
     shuffled(draw, [first, second], origin, direction)
 }
@@ -411,8 +405,8 @@ fn concentric(draw: &mut Draw, ulps: f64) -> RayCase {
 fn touching_inside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let [small, more] = [(); 2].map(|()| draw.whole(1, contact.steps / 2));
-    let outer = contact.sphere(draw, -small - more, 0.0);
-    let inner = contact.sphere(draw, -small, ulps);
+    let outer = contact.sphere(-small - more, 0.0);
+    let inner = contact.sphere(-small, ulps);
     let outward = contact.outward(draw);
     let origin = plus(contact.point, draw.whole(1, contact.steps), outward);
     shuffled(draw, [outer, inner], origin, scaled(outward, -1.0))
@@ -424,18 +418,18 @@ fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let other = draw.whole(1, contact.steps);
     let (a, b) = (draw.whole(-2, 2), draw.whole(-2, 2));
-    let beyond = contact.sphere(draw, other, ulps);
+    let beyond = contact.sphere(other, ulps);
     let back = draw.whole(1, 8);
     if draw.once_in(3) {
         let radii = draw.whole(1, contact.steps);
-        let around = contact.sphere(draw, -radii, 0.0);
+        let around = contact.sphere(-radii, 0.0);
         let across = contact.across(draw);
         return shuffled(draw, [around, beyond], plus(contact.point, -back, across), across);
     }
     // From D = out + a along + b aside back into the sphere of k radii: | k out - j D | < k n holds if
     // j (1 + a^2 + b^2) < 2 k.
     let outward = plus(plus(contact.out, a, contact.along), b, contact.aside);
-    let around = contact.sphere(draw, -back * (1.0 + a * a + b * b), 0.0);
+    let around = contact.sphere(-back * (1.0 + a * a + b * b), 0.0);
     shuffled(draw, [around, beyond], plus(contact.point, -back, outward), outward)
 }
 
@@ -443,7 +437,7 @@ fn touching_outside(draw: &mut Draw, ulps: f64) -> RayCase {
 fn sphere_plane(draw: &mut Draw, ulps: f64) -> RayCase {
     let contact = contact(draw);
     let radii = draw.whole(1, contact.steps);
-    let sphere = contact.sphere(draw, -radii, ulps);
+    let sphere = contact.sphere(-radii, ulps);
     let point = plus(contact.point, draw.whole(-9, 9), contact.across(draw));
     let normal = scaled(contact.out, draw.sign() * draw.whole(1, 5));
     let outward = contact.outward(draw);
@@ -465,7 +459,7 @@ fn coincident_planes(draw: &mut Draw, ulps: f64) -> RayCase {
     let mut point = plus(contact.point, draw.whole(-9, 9), in_plane);
     // Change a coordinate that contributes to the plane's position.
     if let Some(i) = (0..3).find(|&i| normal[i] * point[i] != 0.0) {
-        point[i] = draw.moved_by_ulps(point[i], ulps);
+        point[i] = moved_by_ulps(point[i], ulps);
     }
     let outward = contact.outward(draw);
     let origin = plus(contact.point, draw.whole(1, contact.steps), outward);

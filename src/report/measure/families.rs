@@ -38,7 +38,7 @@ fn case(family: &'static Family, knob: f64, seed: u64) -> CaseRun {
 /// Creates the rays of a case, and prepares the methods. Also returns a sentence about cases that are left
 /// out, if there are any.
 fn make(family: &Family, knob: f64, seed: u64) -> (Set, Option<String>) {
-    let given = family.rays(knob, seed, RAYS, false);
+    let given = family.rays(knob, seed, RAYS);
     let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
     let skipped = given.len() - cases.len();
     let has_spheres = cases.iter().any(|(scene, _)| !scene.spheres().is_empty());

@@ -1,8 +1,6 @@
 //! Families of difficult camera bases, like those of rays in `pinhole_reference::Family`.
 
-use pinhole_reference::{Draw, Orientation};
-
-use super::frames::mapped;
+use pinhole_reference::{Draw, Orientation, decade, moved_by_ulps};
 
 /// A camera's place and orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,17 +22,10 @@ pub(crate) struct BasisFamily {
 }
 
 impl BasisFamily {
-    /// Returns `count` cases for one value of the knob. If `single` is true, all numbers are exact in
-    /// `f32`.
-    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<BasisCase> {
-        let given = |mut draw: Draw| {
-            let BasisCase { eye, orientation } = (self.make)(&mut draw, knob);
-            BasisCase {
-                eye: draw.given3(eye),
-                orientation: mapped(orientation, |v| draw.given3(v)),
-            }
-        };
-        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
+    /// Returns `count` cases for one value of the knob.
+    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize) -> Vec<BasisCase> {
+        let case = |mut draw: Draw| (self.make)(&mut draw, knob);
+        Draw::cases(seed, self.name, knob, count).map(case).collect()
     }
 }
 
@@ -68,7 +59,6 @@ fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
 }
 
 fn seen_from(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> BasisCase {
-    let eye = draw.given3(eye);
     BasisCase { eye, orientation: draw.aimed(eye, view, up) }
 }
 
@@ -94,13 +84,12 @@ fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
 /// nearly cancel. The knob is log10 of the angle in radians.
 fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
     let eye = draw.in_box(10.0);
-    let eye = draw.given3(eye);
     let view = scaled(draw.direction(), draw.between(0.5, 20.0));
-    let at = draw.given3(plus(eye, 1.0, view));
+    let at = plus(eye, 1.0, view);
     // Up must be nearly parallel to the view after rounding.
     let is_at_a_point = draw.once_in(2);
-    let view = if is_at_a_point { plus(at, -1.0, eye) } else { draw.given3(view) };
-    let angle = draw.decade(k) * draw.between(0.3, 3.0);
+    let view = if is_at_a_point { plus(at, -1.0, eye) } else { view };
+    let angle = decade(k) * draw.between(0.3, 3.0);
     let length = draw.sign() * draw.between(0.1, 2.0);
     let square = view.iter().map(|x| x * x).sum::<f64>();
     let up = scaled(plus(view, angle * square.sqrt(), draw.across(view)), length);
@@ -123,7 +112,7 @@ fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
     // If up has only one nonzero coordinate, changing it leaves up parallel to the view.
     let i = draw.whole(0, 2) as usize;
     if up[i] != 0.0 {
-        up[i] = draw.moved_by_ulps(up[i], ulps);
+        up[i] = moved_by_ulps(up[i], ulps);
     }
     let scale = draw.power_of_two(-20, 20);
     seen_from(draw, scaled(eye, scale), scaled(view, scale), up)
@@ -148,7 +137,7 @@ fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
 /// Makes a camera whose eye and at are very close together or very far apart. The knob is log10 of
 /// their distance.
 fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
-    let length = draw.decade(k);
+    let length = decade(k);
     // If the eye's coordinates were far larger than the view's, rounding would erase the view.
     let eye = scaled(draw.in_box(0.5), length);
     let view = scaled(draw.direction(), length);
@@ -159,14 +148,14 @@ fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
 /// Makes a camera with a very long or very short up vector. The knob is log10 of its length.
 fn up_length(draw: &mut Draw, k: f64) -> BasisCase {
     let (eye, view) = (draw.in_box(10.0), draw.in_box(10.0));
-    let up = scaled(draw.direction(), draw.decade(k));
+    let up = scaled(draw.direction(), decade(k));
     seen_from(draw, eye, view, up)
 }
 
 /// Makes an ordinary camera far from the world's origin, so that at - eye nearly cancels. The knob is
 /// log10 of the distance.
 fn camera_offset(draw: &mut Draw, k: f64) -> BasisCase {
-    let eye = scaled(draw.direction(), draw.decade(k));
+    let eye = scaled(draw.direction(), decade(k));
     let (view, up) = (draw.in_box(10.0), draw.in_box(1.0));
     seen_from(draw, eye, view, up)
 }

@@ -2,7 +2,7 @@
 //! `pinhole_reference::Family`. In some of them, outlines of spheres pass exactly through pixel
 //! centres, or objects coincide.
 
-use pinhole_reference::{Camera, Draw, Object, Orientation};
+use pinhole_reference::{Camera, Draw, Object, Orientation, decade, moved_by_ulps};
 
 /// A whole picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,37 +29,10 @@ impl FrameFamily {
         FAMILIES.iter().find(|family| family.name == name).expect("a family")
     }
 
-    /// Returns `count` cases for one value of the knob. If `single` is true, all numbers are exact in
-    /// `f32`.
-    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize, single: bool) -> Vec<FrameCase> {
-        let given = |mut draw: Draw| {
-            let FrameCase { camera, objects } = (self.make)(&mut draw, knob);
-            let camera = Camera {
-                eye: draw.given3(camera.eye),
-                orientation: mapped(camera.orientation, |v| draw.given3(v)),
-                width: draw.given(camera.width),
-                height: draw.given(camera.height),
-                distance: draw.given(camera.distance),
-                ..camera
-            };
-            let objects = objects.into_iter().map(|object| object.given(&draw)).collect();
-            FrameCase { camera, objects }
-        };
-        Draw::cases(seed, self.name, knob, count, single).map(given).collect()
-    }
-}
-
-/// Returns the orientation with each of its vectors mapped by `vector`.
-pub(crate) fn mapped(
-    orientation: Orientation,
-    vector: impl Fn([f64; 3]) -> [f64; 3],
-) -> Orientation {
-    match orientation {
-        Orientation::At { at, up } => Orientation::At { at: vector(at), up: vector(up) },
-        Orientation::View { view, up } => Orientation::View { view: vector(view), up: vector(up) },
-        Orientation::Basis { u, v, w } => {
-            Orientation::Basis { u: vector(u), v: vector(v), w: vector(w) }
-        }
+    /// Returns `count` cases for one value of the knob.
+    pub(crate) fn cases(&self, knob: f64, seed: u64, count: usize) -> Vec<FrameCase> {
+        let case = |mut draw: Draw| (self.make)(&mut draw, knob);
+        Draw::cases(seed, self.name, knob, count).map(case).collect()
     }
 }
 
@@ -149,13 +122,11 @@ pub(crate) const FAMILIES: [FrameFamily; 12] = [
 
 /// Returns a camera at `eye` that looks at a point, with 16 to 24 pixels along each side of the image.
 fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
-    let (eye, at) = (draw.given3(eye), draw.given3(at));
     let up = draw.direction();
     let view = plus(at, -1.0, eye);
     let orientation = match draw.whole(0, 5) as i64 {
         0 | 1 => Orientation::View { view, up },
-        // Rounded to f32, the vectors would not be accepted as a basis.
-        2 if !draw.single => {
+        2 => {
             let [u, v, w] = rounded_basis(view, up);
             Orientation::Basis { u, v, w }
         }
@@ -189,7 +160,7 @@ fn everyday(draw: &mut Draw, count: f64) -> FrameCase {
 
 /// Makes a case with the horizon of a huge sphere just below the eye.
 fn planet(draw: &mut Draw, k: f64) -> FrameCase {
-    let radius = draw.decade(k) * draw.between(1.0, 2.0);
+    let radius = decade(k) * draw.between(1.0, 2.0);
     let height = draw.of_any_size(1e-3, 10.0);
     let eye = draw.in_box(3.0);
     let down = draw.direction();
@@ -224,7 +195,7 @@ fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
     let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
     let camera = camera(draw, eye, at);
-    let ratio = draw.decade(k);
+    let ratio = decade(k);
     let mut objects = Vec::new();
     for _ in 0..6 {
         let row = draw.whole(0, i64::from(camera.rows) - 1);
@@ -242,7 +213,7 @@ fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
 /// Makes a case with the eye just outside or inside a sphere's surface.
 fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
     let (center, radius) = (draw.in_box(4.0), draw.between(0.5, 4.0));
-    let height = draw.sign() * draw.decade(k);
+    let height = draw.sign() * decade(k);
     let eye = plus(center, radius * (1.0 + height), draw.direction());
     let at = plus(eye, 1.0, draw.direction());
     let other = Object::Sphere { center: plus(eye, 3.0, draw.direction()), radius: 1.0 };
@@ -259,14 +230,14 @@ fn offset(draw: &mut Draw, k: f64) -> FrameCase {
     if let Orientation::At { at, up } = case.camera.orientation {
         case.camera.orientation = Orientation::View { view: plus(at, -1.0, case.camera.eye), up };
     }
-    let offset = scaled(draw.direction(), draw.decade(k));
+    let offset = scaled(draw.direction(), decade(k));
     case.map(|point| plus(point, 1.0, offset), |radius| radius)
 }
 
 /// Makes a case with an ordinary scene and a camera whose up vector is nearly parallel to its view.
 fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
-    let angle = draw.decade(k) * draw.between(0.3, 3.0);
+    let angle = decade(k) * draw.between(0.3, 3.0);
     let length = draw.sign() * draw.between(0.3, 2.0);
     let eye = case.camera.eye;
     case.camera.orientation = match case.camera.orientation {
@@ -291,7 +262,7 @@ fn tipped(draw: &mut Draw, view: [f64; 3], angle: f64, length: f64) -> [f64; 3] 
 /// Makes a case whose picture has only one row or one column.
 fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 2.0);
-    let pixels = draw.decade(k) as u32;
+    let pixels = decade(k) as u32;
     let [columns, rows] = if draw.once_in(2) { [pixels, 1] } else { [1, pixels] };
     case.camera = Camera { columns, rows, ..case.camera };
     case
@@ -300,7 +271,7 @@ fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
 /// Makes a case in which the viewport's size, its distance, or both are extreme.
 fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
     let mut case = everyday(draw, 3.0);
-    let size = draw.decade(k);
+    let size = decade(k);
     let (extent, distance) = match draw.whole(0, 2) as i64 {
         0 => (size, 1.0),
         1 => (1.0, size),
@@ -316,7 +287,7 @@ fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
 /// underflow in `f64`.
 fn range(draw: &mut Draw, k: f64) -> FrameCase {
     let case = everyday(draw, 3.0);
-    case.scaled(draw.decade(k))
+    case.scaled(decade(k))
 }
 
 /// Number of pixels from the middle pixel to the edge of the picture.
@@ -381,7 +352,7 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
         let t = -along[2].signum() * draw.whole(1, 16);
         let radii = draw.sign() * draw.whole(1, 8);
         let center = plus(scaled(along, t), radii, out);
-        let radius = draw.moved_by_ulps(radii.abs() * size * length, ulps);
+        let radius = moved_by_ulps(radii.abs() * size * length, ulps);
         objects.push(Object::Sphere { center: plus(eye, 1.0, in_frame(&world, center)), radius });
     }
     let view = scaled(world[2], -draw.whole(1, 5));
@@ -416,7 +387,7 @@ fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
         let along = scaled(of_column(draw.whole(-HALF, HALF)), draw.whole(1, 8));
         let radii = draw.sign() * draw.whole(1, 40);
         let center = plus(along, radii, [0.0, 1.0, 0.0]);
-        let radius = draw.moved_by_ulps(radii.abs() * length, ulps);
+        let radius = moved_by_ulps(radii.abs() * length, ulps);
         objects.push(Object::Sphere { center: plus(eye, 1.0, in_frame(&world, center)), radius });
     }
     FrameCase { camera: half_turned(draw, &world, eye), objects }
@@ -439,7 +410,7 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
     let small = draw.whole(1, 6);
     let sphere = |radii: f64, ulps| {
         let center = plus(eye, 1.0, in_frame(&world, plus(contact, -radii, out)));
-        Object::Sphere { center, radius: draw.moved_by_ulps(radii * size * length, ulps) }
+        Object::Sphere { center, radius: moved_by_ulps(radii * size * length, ulps) }
     };
     let inner = sphere(small, ulps);
     let outer = sphere(2.0 * small + 1.0, 0.0);
@@ -456,13 +427,12 @@ pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let center = draw.whole_vector(20);
     let radius = draw.whole(4, 12);
-    let second = draw.moved_by_ulps(radius, ulps);
+    let second = moved_by_ulps(radius, ulps);
     let (point, normal) = (plus(center, 1.0, draw.whole_vector(6)), draw.whole_vector(9));
     let in_plane = cross(normal, draw.whole_vector(9));
     let other_point = plus(point, draw.whole(-3, 3), in_plane);
     let other_normal = scaled(normal, draw.sign() * draw.whole(1, 7));
     let eye = plus(center, draw.between(1.5, 3.0) * radius, draw.direction());
-    let eye = draw.given3(eye);
     let up = draw.direction();
     let orientation = Orientation::At { at: center, up };
     let half = draw.whole(6, HALF) as u32;

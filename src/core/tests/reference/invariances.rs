@@ -7,7 +7,7 @@ use pinhole_reference::{
     Camera, Family, Hit, Object, Orientation, RayCase, Real, angle_between, basis, first_hit, roots,
 };
 
-use crate::common::frames::{FrameCase, FrameFamily, mapped as mapped_orientation};
+use crate::common::frames::{FrameCase, FrameFamily};
 use crate::common::{bases, margins};
 
 type Map<'a> = &'a dyn Fn([f64; 3]) -> [f64; 3];
@@ -21,7 +21,7 @@ fn everyday_ray_families() -> impl Iterator<Item = &'static Family> {
 
 fn all_rays(count: usize) -> impl Iterator<Item = RayCase> {
     everyday_ray_families().flat_map(move |family| {
-        family.knobs.iter().flat_map(move |&knob| family.rays(knob, 11, count, false))
+        family.knobs.iter().flat_map(move |&knob| family.rays(knob, 11, count))
     })
 }
 
@@ -100,7 +100,7 @@ fn length(v: &[Real; 3]) -> f64 {
 fn a_hit_is_on_its_object() {
     for family in Family::all() {
         for &knob in family.knobs {
-            for RayCase { objects, origin, direction } in family.rays(knob, 12, 10, false) {
+            for RayCase { objects, origin, direction } in family.rays(knob, 12, 10) {
                 let Some(hit) = first_hit(&objects, origin, direction) else { continue };
                 assert!((length(&hit.normal) - 1.0).abs() < 1e-15, "{}", family.name);
                 match objects[hit.object] {
@@ -136,7 +136,7 @@ fn a_hit_is_on_its_object() {
 #[test]
 fn the_object_is_crossed_at_the_root() {
     let family = Family::named("ordinary").unwrap();
-    for case in family.rays(0.5, 13, 200, false) {
+    for case in family.rays(0.5, 13, 200) {
         let hit = first_hit(&case.objects, case.origin, case.direction).unwrap();
         let side = |t: f64| {
             let q = std::array::from_fn(|i| case.origin[i] + t * case.direction[i]);
@@ -171,7 +171,7 @@ fn a_camera_along_the_axes_is_an_ordinary_ray() {
         Orientation::Basis { u: [1.0, 0.0, 0.0], v: [0.0, 1.0, 0.0], w: [0.0, 0.0, 1.0] },
     ];
     let family = Family::named("several").unwrap();
-    for case in family.rays(5.0, 14, 100, false) {
+    for case in family.rays(5.0, 14, 100) {
         let [x, y, z] = case.direction;
         let ray = first_hit(&case.objects, case.origin, case.direction);
         for orientation in ways {
@@ -192,14 +192,18 @@ fn a_camera_along_the_axes_is_an_ordinary_ray() {
 
 #[test]
 fn a_camera_may_be_turned_with_its_world() {
-    for FrameCase { camera, objects } in
-        FrameFamily::named("frame-ordinary").cases(8.0, 15, 6, false)
-    {
-        let other = Camera {
-            eye: permuted(camera.eye),
-            orientation: mapped_orientation(camera.orientation, permuted),
-            ..camera
+    for FrameCase { camera, objects } in FrameFamily::named("frame-ordinary").cases(8.0, 15, 6) {
+        let turned = |orientation| match orientation {
+            Orientation::At { at, up } => Orientation::At { at: permuted(at), up: permuted(up) },
+            Orientation::View { view, up } => {
+                Orientation::View { view: permuted(view), up: permuted(up) }
+            }
+            Orientation::Basis { u, v, w } => {
+                Orientation::Basis { u: permuted(u), v: permuted(v), w: permuted(w) }
+            }
         };
+        let other =
+            Camera { eye: permuted(camera.eye), orientation: turned(camera.orientation), ..camera };
         let view = camera.prepare(&objects).unwrap();
         let other_view = other.prepare(&mapped(&objects, &permuted, &permuted, 1.0)).unwrap();
         for (row, column) in (0..camera.rows).zip((0..camera.columns).rev()) {
@@ -218,7 +222,7 @@ fn a_camera_may_be_turned_with_its_world() {
 #[test]
 fn a_pixel_is_the_uv_of_its_centre() {
     let family = FrameFamily::named("frame-ordinary");
-    for FrameCase { mut camera, objects } in family.cases(3.0, 16, 4, false) {
+    for FrameCase { mut camera, objects } in family.cases(3.0, 16, 4) {
         // With powers of two the centre's position is a double.
         (camera.columns, camera.rows, camera.width, camera.height) = (16, 8, 1.0, 0.5);
         let view = camera.prepare(&objects).unwrap();
@@ -236,7 +240,7 @@ fn a_pixel_is_the_uv_of_its_centre() {
 fn bases_are_orthonormal_and_right_handed() {
     for family in &bases::FAMILIES {
         for &knob in family.knobs {
-            for case in family.cases(knob, 17, 20, false) {
+            for case in family.cases(knob, 17, 20) {
                 let Ok([u, v, w]) = basis(case.eye, &case.orientation) else { continue };
                 for vector in [&u, &v, &w] {
                     assert!((length(vector) - 1.0).abs() < 1e-15);

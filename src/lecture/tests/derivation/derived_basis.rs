@@ -204,7 +204,7 @@ fn the_vectors_are_those_of_the_reference() {
     let mut vectors = 0;
     for family in &bases::FAMILIES {
         for &knob in family.knobs {
-            for case in family.cases(knob, 5, 10, false) {
+            for case in family.cases(knob, 5, 10) {
                 let orientation = given::orientation(&case.orientation);
                 let camera = Camera { eye: case.eye.into(), orientation, ..Camera::CANONICAL };
                 let BasisDerivation::FromUp(derived) = BasisDerivation::new(&camera) else {

@@ -83,7 +83,7 @@ fn the_direction_is_that_of_the_reference() {
     let mut rays = 0;
     for family in &frames::FAMILIES {
         for &knob in family.knobs {
-            for case in family.cases(knob, 5, 2, false) {
+            for case in family.cases(knob, 5, 2) {
                 let Ok(view) = case.camera.prepare(&[]) else { continue };
                 let resolved = given::camera(&case.camera).resolve().unwrap();
                 let pixel = Pixel { row: 1, column: 2 };

@@ -127,7 +127,7 @@ fn roots_and_hits_are_those_of_the_reference() {
     let mut seen = 0;
     for family in Family::all() {
         for &knob in family.knobs {
-            for case in family.rays(knob, 11, 3, false) {
+            for case in family.rays(knob, 11, 3) {
                 let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
                 let exact = ExactRay::from_ray(&ray).unwrap();
                 for given_object in &case.objects {
