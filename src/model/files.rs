@@ -128,6 +128,11 @@ impl OpenDocument {
         OpenDocument { forgiving: false, ..Self::of_step(document, title) }
     }
 
+    /// Makes an empty scene with the canonical camera.
+    pub fn blank() -> Self {
+        Self::made_up(Document::default(), UNNAMED.to_owned())
+    }
+
     /// Leaves the lesson: from now on, changes count as unsaved. If the step's scene equals one of the
     /// scenes in `known`, the document belongs to the first such scene; otherwise it is unnamed.
     pub fn leave_lesson(&mut self, known: impl Iterator<Item = SceneSource>) {

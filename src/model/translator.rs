@@ -5,10 +5,10 @@ use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 use pinhole_exchange::format::{
-    Axis, Conventions, ExportScene, Exported, Format, Include, Input, PixelConvention,
+    Axis, Conventions, ExportScene, Exported, Format, Imported, Include, Input, PixelConvention,
 };
-use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN};
-use pinhole_exchange::{Document, limits};
+use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN, file_text};
+use pinhole_exchange::{Document, FileError, limits};
 use pinhole_lecture::numbers::{equated_tuple, written_whole};
 
 use crate::model::symbols::{bold, italic};
@@ -60,35 +60,67 @@ pub struct Notice {
 const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
                      but the objects are not: negate their z, too, for the same picture";
 
+/// A camera that was read, if there was a valid one, and the notice that says what was read or why not.
+pub type Taken = (Option<Camera>, Notice);
+
+/// Returns a notice that no camera was read.
+fn not_taken(title: String, note: String, at_hand: &Camera) -> Taken {
+    let (camera, notes) = (Some(*at_hand), vec![note]);
+    (None, Notice { title, notes, worked: false, camera, shown_at: None })
+}
+
 /// Reads the camera in a text. Values that the text does not specify are taken from the camera `at_hand`;
-/// objects in the text are ignored. The camera is `None` if the text contains no valid one; the notice then
-/// says why.
-pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Notice) {
-    let failed = |title: &str, note: String| {
-        let (title, notes) = (title.to_owned(), vec![note]);
-        (None, Notice { title, notes, worked: false, camera: Some(*at_hand), shown_at: None })
-    };
+/// objects in the text are ignored.
+pub fn pasted(text: &str, at_hand: &Camera) -> Taken {
     if text.len() > limits::PASTE {
         let most = limits::PASTE >> 10;
         let has = text.len().div_ceil(1 << 10);
         let problem = format!(
             "it has {has} KiB, and at most {most} KiB are read: copy the camera's lines alone"
         );
-        return failed("This text was not pasted: nothing was changed", problem);
+        let title = "This text was not pasted: nothing was changed";
+        return not_taken(title.to_owned(), problem, at_hand);
     }
     let Some(importer) = Importer::of(text) else {
-        return failed("This text is not a camera: nothing was changed", UNKNOWN.to_owned());
+        let title = "This text is not a camera: nothing was changed";
+        return not_taken(title.to_owned(), UNKNOWN.to_owned(), at_hand);
     };
     let text = Input { path: Path::new("pasted"), text };
-    match importer.read(&text, at_hand) {
+    taken(importer.read(&text, at_hand), importer, "pasted", at_hand)
+}
+
+/// Reads the camera in a file, as [`pasted`] does in a text.
+pub fn imported(path: &Path, at_hand: &Camera) -> Taken {
+    let read = || {
+        let text = file_text(path, limits::read(path, limits::TEXT)?)?;
+        let text = Input { path, text: &text };
+        let importer = Importer::of_file(&text)?;
+        Ok((importer, importer.read(&text, at_hand)))
+    };
+    match read() {
+        Ok((importer, read)) => taken(read, importer, "imported", at_hand),
+        Err(error) => taken(Err(error), Importer::Literal, "imported", at_hand),
+    }
+}
+
+fn taken(
+    read: Result<Imported, FileError>,
+    importer: Importer,
+    how: &str,
+    at_hand: &Camera,
+) -> Taken {
+    match read {
         Ok(read) => {
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
-            let (title, notes) = (format!("Camera pasted: {}", importer.label()), notes.collect());
+            let (title, notes) = (format!("Camera {how}: {}", importer.label()), notes.collect());
             let camera = Some(read.camera);
             (camera, Notice { title, notes, worked: true, camera, shown_at: None })
         }
-        Err(error) => failed("Not pasted: this camera cannot be read", error.to_string()),
+        Err(error) => {
+            let title = format!("Not {how}: this camera cannot be read");
+            not_taken(title, error.to_string(), at_hand)
+        }
     }
 }
 

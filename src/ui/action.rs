@@ -22,6 +22,8 @@ use crate::view::overlay::PointShown;
 /// An action that leaves the open scene. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Leave {
+    /// Open an empty scene.
+    New,
     /// Open a scene.
     Open(SceneSource),
     /// Open what a link shows.
@@ -143,6 +145,10 @@ pub enum ExchangeAction {
     AskPaste,
     /// Set the camera from another program's text.
     Paste(String),
+    /// Ask for the path of a file with a camera.
+    AskImport,
+    /// Set the camera from another program's file.
+    Import(PathBuf),
     /// Ask where to save the translated camera.
     AskSave,
     /// Save the translated camera.
@@ -247,15 +253,17 @@ impl Observe {
     }
 }
 
-/// Adds or removes one of the scene's objects.
+/// Adds or deletes one of the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {
     /// Add a sphere in view of the camera and choose it.
     AddSphere,
     /// Add a plane below the origin and choose it.
     AddPlane,
-    /// Remove the chosen object.
-    Remove,
+    /// Delete the chosen object.
+    Delete,
+    /// Add a copy of the chosen object and choose it.
+    Duplicate,
 }
 
 /// Changes how the scene is shown.
@@ -373,7 +381,7 @@ actions! {
     Steer(Steer),
     /// Move the observer of the world view.
     Observe(Observe),
-    /// Add or remove an object.
+    /// Add or delete an object.
     Object(ObjectAction),
     /// Change how the scene is shown.
     Look(LookAction),
@@ -413,6 +421,8 @@ pub(crate) struct Available {
     pub(crate) lesson: bool,
     /// True if an animation is open.
     pub(crate) animation: bool,
+    /// True if an object is chosen.
+    pub(crate) object: bool,
     /// True if there is a ghost to compare with.
     pub(crate) ghost: bool,
     /// True if a student's answers are open.
@@ -430,6 +440,7 @@ impl Action {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
+            Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
             Action::Ghost(GhostAction::Drop) => there.ghost,
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,

@@ -1,12 +1,13 @@
 //! The way of an edit: from a field to the document, the picture and every readout, in one frame.
 
 use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel, Sphere};
 
-use super::harness::{assert_says, says, type_into, window};
+use super::harness::{assert_says, choose_object, says, type_into, window};
 
 #[test]
 fn an_edit_reaches_document_picture_and_readouts_in_the_same_frame() {
@@ -238,9 +239,50 @@ fn objects_are_added_edited_and_removed() {
     type_into(&mut window, "point y", "-3");
     let plane = window.state().document().planes.last().unwrap().shape;
     assert_eq!((plane.normal.x, plane.point.y), (1.0, -3.0));
-    window.get_by_label("Remove").click();
+    window.get_by_label("Delete").click();
     window.run();
     assert_eq!(window.state().document().object_count(), objects + 1);
+}
+
+#[test]
+fn the_chosen_object_is_duplicated_and_deleted_by_keys_and_comes_back() {
+    let mut window = window("canonical");
+    let before = window.state().document().clone();
+    for title in ["sphere 0 “ball”", "plane 2 “back wall”"] {
+        choose_object(&mut window, title);
+        window.key_press_modifiers(Modifiers::COMMAND, Key::D);
+        window.run();
+        assert_eq!(window.state().document().object_count(), before.object_count() + 1);
+        window.key_press(Key::Delete);
+        window.run();
+        assert_eq!(*window.state().document(), before, "the copy is deleted, not the original");
+        choose_object(&mut window, title);
+        window.key_press(Key::Delete);
+        window.run();
+        assert_eq!(window.state().document().object_count(), before.object_count() - 1);
+        window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        window.run();
+        assert_eq!(*window.state().document(), before);
+    }
+    choose_object(&mut window, "sphere 0 “ball”");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::D);
+    window.run();
+    let spheres = &window.state().document().spheres;
+    let [ball, copy] = [spheres[0].shape, spheres.last().unwrap().shape];
+    assert_eq!(
+        (copy.radius, copy.center),
+        (ball.radius, ball.center + DVec3::X * 2.0 * ball.radius)
+    );
+}
+
+#[test]
+fn a_new_scene_is_empty_and_has_the_canonical_camera() {
+    let mut window = window("look-at");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    window.run();
+    let document = window.state().document();
+    assert_eq!((document.camera, document.object_count()), (Camera::CANONICAL, 0));
+    assert_says(&window, "Nothing to see yet: add a sphere or a plane.");
 }
 
 #[test]

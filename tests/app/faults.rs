@@ -106,7 +106,7 @@ fn what_is_left_of_the_scene_keeps_its_colours_while_an_object_is_at_fault() {
     choose_object(&mut window, "sphere 0 “ball”");
     type_into(&mut window, "radius", "-1");
     choose_object(&mut window, "sphere 1 “marble”");
-    window.get_by_label("Remove").click();
+    window.get_by_label("Delete").click();
     window.run();
     let after = window.state().derived().world_view.clone().unwrap().image;
     let orange = |image: &egui::ColorImage| {

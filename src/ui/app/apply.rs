@@ -7,11 +7,11 @@ use egui::{Context, Event, Id, Popup, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
 use pinhole_exchange::scenes::SceneSource;
 
-use crate::model::files::title_of;
+use crate::model::files::{OpenDocument, title_of};
 use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
 use crate::model::session::{Session, ThemeName, ViewLayout, Workspace, ZOOM};
-use crate::model::translator::{Notice, pasted};
+use crate::model::translator::{Notice, Taken, imported, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
     ShareAction,
@@ -34,6 +34,14 @@ const OPEN: FileQuestion = FileQuestion {
 };
 const SAVE_AS: FileQuestion =
     FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
+
+const IMPORT: FileQuestion = FileQuestion {
+    title: "Import a camera",
+    verb: "Import",
+    endings: &["gltf", "glb", "txt"],
+    hint: "path of a glTF or of a text with numbers",
+    writes: None,
+};
 
 const SAVE_PAGE: FileQuestion = FileQuestion {
     title: "Save as a page for a browser",
@@ -159,6 +167,7 @@ impl App {
         self.settle(ctx, None);
         let before = self.scene.clone();
         let opened = match leave {
+            Leave::New => Ok(self.scene.replace(OpenDocument::blank(), Selection::default())),
             Leave::Open(source) => self.open(source),
             Leave::Follow(link) => self.scene.follow(*link),
             Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
@@ -210,8 +219,13 @@ impl App {
                 Some(Dialog::file(field, FileAction::SavePage))
             }
             FileAction::SavePage(path) => {
-                let reason = files::save_page(&self.scene, &path).err()?;
-                Some(Dialog::message("The page was not saved", reason))
+                match files::save_page(&self.scene, &path) {
+                    Ok(()) => self.say_saved("Saved to", &path),
+                    Err(reason) => {
+                        return Some(Dialog::message("The page was not saved", reason));
+                    }
+                }
+                None
             }
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
@@ -262,6 +276,12 @@ impl App {
     pub(crate) fn say(&mut self, title: String, notes: Vec<String>) {
         let notice = Notice { title, notes, worked: true, camera: None, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
+    }
+
+    /// Shows a notice that something was written to a file.
+    pub(super) fn say_saved(&mut self, verb: &str, path: &Path) {
+        let name = path.file_name().unwrap_or(path.as_os_str()).display();
+        self.say(format!("{verb} {name}"), Vec::new());
     }
 
     /// Reads the scene's file, which another program has changed, again as a step that the user can undo.
@@ -338,19 +358,34 @@ impl App {
             // The text arrives later, as a paste event, like text pasted with the keyboard.
             ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
             ExchangeAction::Paste(text) => {
-                let (camera, said) = pasted(&text, &self.scene.open.document.camera);
-                if let Some(camera) = camera {
-                    self.keep_animation(ctx);
-                    self.settle(ctx, None);
-                    self.scene.replace_camera(camera);
-                    self.settle(ctx, Some("paste a camera"));
-                }
-                self.scene.session.translator.notice = Some(said);
+                let taken = pasted(&text, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "paste a camera");
+            }
+            ExchangeAction::AskImport => {
+                let field = PathField::new(IMPORT, self.scene.open.file(), "");
+                return Some(Dialog::file(field, ExchangeAction::Import));
+            }
+            ExchangeAction::Import(path) => {
+                let taken = imported(&path, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "import a camera");
             }
             ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
             ExchangeAction::Save(path) => return files::save_translation(&self.scene, &path),
         }
         None
+    }
+}
+
+impl App {
+    /// Replaces the camera by one that was read, as a step that the user can undo, and says what was read.
+    fn take_camera(&mut self, ctx: &Context, (camera, said): Taken, step: &str) {
+        if let Some(camera) = camera {
+            self.keep_animation(ctx);
+            self.settle(ctx, None);
+            self.scene.replace_camera(camera);
+            self.settle(ctx, Some(step));
+        }
+        self.scene.session.translator.notice = Some(said);
     }
 }
 

@@ -117,13 +117,16 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file dropped on the window. Its first bytes tell whether it is a link, graded as
-/// answers, or opened as a scene.
+/// Returns the action for a file dropped on the window. Its first bytes and its name tell whether it is a
+/// link, answers to grade, a glTF to take the camera from, or a scene to open.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     match host().read_start(&path, FIRST) {
         Ok(bytes) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
         Ok(bytes) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
+        _ if path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb") => {
+            ExchangeAction::Import(path).into()
+        }
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
@@ -205,8 +208,13 @@ impl App {
                 Some(Dialog::Export(self.export_form(ctx, &subjects)))
             }
             FigureAction::Export { order, path } => {
-                let problem = self.export(&order, &path).err()?;
-                Some(Dialog::message("The figure was not exported", problem))
+                match self.export(&order, &path) {
+                    Ok(()) => self.say_saved("Exported to", &path),
+                    Err(problem) => {
+                        return Some(Dialog::message("The figure was not exported", problem));
+                    }
+                }
+                None
             }
             FigureAction::AskAnimation => {
                 let player = self.playback.player.as_mut()?;
@@ -222,6 +230,7 @@ impl App {
             FigureAction::CopyDerivation(markup) => {
                 let (document, session) = self.figure_source();
                 ctx.copy_text(derivation_of(document, &session).written_in(markup));
+                self.say(format!("Copied as {}", markup.label()), Vec::new());
                 None
             }
         }

@@ -210,7 +210,7 @@ impl OpenScene {
         }
     }
 
-    /// Adds an object, or removes the chosen one. Returns a message if that fails.
+    /// Adds an object, or deletes or copies the chosen one. Returns a message if that fails.
     pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
         let document = &mut self.open.document;
         let count = document.object_count();
@@ -218,11 +218,17 @@ impl OpenScene {
         match action {
             ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
             ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
-            ObjectAction::Remove => {
-                let removed = objects::remove(document, chosen?);
-                let problem = |reason| Dialog::message("This object was not removed", reason);
-                return removed.map(|()| self.chosen_object = None).err().map(problem);
+            ObjectAction::Delete => {
+                let deleted = objects::delete(document, chosen?);
+                let problem = |reason| Dialog::message("This object was not deleted", reason);
+                return deleted.map(|()| self.chosen_object = None).err().map(problem);
             }
+            ObjectAction::Duplicate => match objects::duplicate(document, chosen?) {
+                Ok(copy) => self.chosen_object = Some(copy),
+                Err(reason) => {
+                    return Some(Dialog::message("This object was not duplicated", reason));
+                }
+            },
         }
         None
     }

@@ -83,6 +83,8 @@ pub(super) fn table() -> Vec<UiCommand> {
 fn files() -> Vec<UiCommand> {
     use When::*;
     commands![
+        File, "New", "Opens an empty scene with the canonical camera.",
+            [key(Anywhere, CTRL, Key::N)], Leave::New;
         File, "Open…", "Asks which scene or lesson to open.",
             [key(Anywhere, CTRL, Key::O)], FileAction::AskOpen;
         File, "Save as…", "Asks which file to save the scene to.",
@@ -118,6 +120,8 @@ fn program() -> Vec<UiCommand> {
             [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
         Edit, "Redo", "Redoes the change that was undone last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
+        File, "Import a camera…", "Asks which glTF, or file of numbers, to take the camera from.",
+            [], ExchangeAction::AskImport;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
             [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
@@ -374,13 +378,16 @@ fn zooms() -> Vec<UiCommand> {
 
 #[rustfmt::skip]
 fn objects_and_drags() -> Vec<UiCommand> {
+    use When::Untyped;
     commands![
         Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.",
             [], ObjectAction::AddSphere;
         Objects, "+ Plane", "Adds a plane below the origin, and chooses it.",
             [], ObjectAction::AddPlane;
-        Objects, "Remove the chosen object", "Removes it from the scene.",
-            [], ObjectAction::Remove;
+        Objects, "Delete the chosen object", "Deletes it from the scene.",
+            [plain(Untyped, Key::Delete)], ObjectAction::Delete;
+        Objects, "Duplicate the chosen object", "Adds a copy beside it, and chooses it.",
+            [key(Untyped, CTRL, Key::D)], ObjectAction::Duplicate;
         Hand, "Eye travels", "On: moving the eye keeps the view direction. Off: the eye orbits at.",
             [], LookAction::Toggle(Switch::EyeTravels);
         Hand, "Keep up",

@@ -48,11 +48,35 @@ pub(crate) fn add_plane(document: &mut Document) -> usize {
     document.sphere_count() + document.planes.len() - 1
 }
 
-/// Removes an object from the scene.
+/// Adds a copy of an object: of a sphere, beside it; of a plane, one unit in front of it. Returns its index.
 ///
 /// # Errors
 /// Returns an error if the object comes from a file of spheres.
-pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String> {
+pub(crate) fn duplicate(document: &mut Document, index: usize) -> Result<usize, String> {
+    let first_plane = document.sphere_count();
+    if index < document.spheres.len() {
+        let right = document.camera.resolve().map_or(DVec3::X, |camera| camera.basis().u);
+        let mut copy = document.spheres[index].clone();
+        let Sphere { center, radius } = copy.shape;
+        // At the end of the range of numbers, the copy is in the same place.
+        copy.shape = Sphere::new(center + 2.0 * radius * right, radius).unwrap_or(copy.shape);
+        document.spheres.push(copy);
+        Ok(document.spheres.len() - 1)
+    } else if index >= first_plane {
+        let mut copy = document.planes[index - first_plane].clone();
+        copy.shape.point += copy.shape.normal.normalize_or_zero();
+        document.planes.push(copy);
+        Ok(first_plane + document.planes.len() - 1)
+    } else {
+        Err(row_of_file(document, index))
+    }
+}
+
+/// Deletes an object from the scene.
+///
+/// # Errors
+/// Returns an error if the object comes from a file of spheres.
+pub(crate) fn delete(document: &mut Document, index: usize) -> Result<(), String> {
     let first_plane = document.sphere_count();
     if index < document.spheres.len() {
         document.spheres.remove(index);
@@ -139,7 +163,7 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) -> Response {
     response
 }
 
-/// Shows an object's fields. Returns true if the object was removed.
+/// Shows an object's fields. Returns true if the object was deleted.
 fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
     let first_plane = document.sphere_count();
     let own = document.color_of(index as u32);
@@ -155,7 +179,7 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
 }
 
 /// Shows the fields of an object. Stores the object only if it has changed, because storing it copies the
-/// list, which is shared with the undo history. Returns true if the object was removed.
+/// list, which is shared with the undo history. Returns true if the object was deleted.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,
@@ -177,7 +201,7 @@ fn edit<S: Clone + PartialEq>(
     false
 }
 
-/// Shows the name, the colour and the remove button. Returns true if the button was clicked. The object's
+/// Shows the name, the colour and the delete button. Returns true if the button was clicked. The object's
 /// colour can be edited unless the colour scheme replaces it.
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
     ui.horizontal(|ui| {
@@ -193,7 +217,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
         if ui.add(field).named("name").changed() {
             item.name = (!name.is_empty()).then_some(name);
         }
-        ui.button("Remove").clicked()
+        ui.button("Delete").clicked()
     })
     .inner
 }

@@ -13,7 +13,7 @@ use crate::model::session::{
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LookAction, Observe, ShareAction, request,
+    HelpAction, HistoryAction, Leave, LookAction, ObjectAction, Observe, ShareAction, request,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
@@ -143,7 +143,9 @@ fn lessons_menu(ui: &mut Ui) {
 }
 
 fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], there: Available) {
+    entry(ui, "New", Leave::New);
     entry(ui, "Open…", FileAction::AskOpen);
+    entry(ui, "Import a camera…", ExchangeAction::AskImport);
     entry(ui, "Save", FileAction::Save);
     entry(ui, "Save as…", FileAction::AskSaveAs { then: None });
     entry(ui, "Save as a page…", FileAction::AskSavePage);
@@ -196,6 +198,9 @@ fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available) {
         possible_entry(ui, &text, action, there);
     }
     entry(ui, "Paste a camera", ExchangeAction::AskPaste);
+    ui.separator();
+    possible_entry(ui, "Duplicate the chosen object", ObjectAction::Duplicate, there);
+    possible_entry(ui, "Delete the chosen object", ObjectAction::Delete, there);
 }
 
 fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {

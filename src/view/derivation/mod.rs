@@ -408,6 +408,16 @@ pub enum Markup {
     Markdown,
 }
 
+impl Markup {
+    /// Returns the language's name.
+    pub fn label(self) -> &'static str {
+        match self {
+            Markup::Latex => "LaTeX",
+            Markup::Markdown => "Markdown",
+        }
+    }
+}
+
 impl Derivation {
     /// Writes the derivation for slides or notes.
     pub fn written_in(&self, markup: Markup) -> String {

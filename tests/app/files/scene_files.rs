@@ -265,3 +265,29 @@ fn settings_out_of_range_are_brought_back() {
     assert_eq!(settings.digits, 17);
     assert!((0.0..=1.0).contains(&settings.splits.get(Split::Views)));
 }
+
+#[test]
+fn a_camera_is_imported_from_a_file_and_the_notice_goes_by_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("camera.txt");
+    fs::write(&file, "gluLookAt(4, 3, 3, 0, 0, 0, 0, 1, 0);").unwrap();
+    let mut window = window("canonical");
+    let before = window.state().document().clone();
+    command(&mut window, "Import a camera");
+    type_path(&mut window, &file);
+    window.key_press(egui::Key::Enter);
+    window.run_steps(3);
+    assert_eq!(window.state().document().camera.eye.to_array(), [4.0, 3.0, 3.0]);
+    assert_says(&window, "Camera imported: literal numbers");
+    window.run_steps(60);
+    assert!(texts_with(&window, "Camera imported").is_empty(), "it goes by itself");
+    ctrl(&mut window, egui::Key::Z);
+    assert_eq!(*window.state().document(), before);
+    fs::write(&file, "no camera").unwrap();
+    command(&mut window, "Import a camera");
+    type_path(&mut window, &file);
+    window.key_press(egui::Key::Enter);
+    window.run_steps(3);
+    assert_eq!(*window.state().document(), before);
+    assert_says(&window, "Not imported: this camera cannot be read");
+}
