@@ -9,6 +9,8 @@ mod texts;
 
 use pinhole_core::{Camera, DVec2, Plane, Sphere};
 
+use crate::mistakes::Mistake;
+
 pub use judge::Verdict;
 pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart};
 pub use texts::{follows, question};
@@ -31,23 +33,23 @@ impl Question {
         judge::judge(&self.parts, answers)
     }
 
-    /// Returns the quantity of the part from which the wrong answer to part `k` follows: the verdict on
-    /// it names all mistakes that the verdict on part `k` names, and they are
-    /// [about](Asked::is_about_mistake) that quantity. Returns `None` if there is no such part, or if
-    /// any of the mistakes is about part `k` itself.
+    /// Returns the quantity of the part whose verdict already names all mistakes that the verdict on part
+    /// `k` names, so that they need not be named again: the part where they were
+    /// [made](Asked::is_about_mistake) or, if several could be or none is, an earlier one. Returns `None`
+    /// if there is no such part.
     pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
         let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
-        if mistakes.iter().any(|mistake| self.parts[k].asked.is_about_mistake(*mistake)) {
-            return None;
-        }
-        let explains = |asked: Asked, verdict: &Option<Verdict>| match verdict {
-            Some(Verdict::Mistakes(named)) => mistakes
-                .iter()
-                .all(|mistake| asked.is_about_mistake(*mistake) && named.contains(mistake)),
+        let is_about = |j: usize, mistake: &Mistake| self.parts[j].asked.is_about_mistake(*mistake);
+        let is_made_here = mistakes.iter().any(|mistake| is_about(k, mistake));
+        let names_all = |j: &usize| match &verdicts[*j] {
+            Some(Verdict::Mistakes(named)) => mistakes.iter().all(|made| named.contains(made)),
             _ => false,
         };
-        let mut parts = self.parts.iter().zip(verdicts);
-        parts.find(|(part, verdict)| explains(part.asked, verdict)).map(|(part, _)| part.asked)
+        let is_made = |j: &usize| mistakes.iter().all(|mistake| is_about(*j, mistake));
+        let others = (0..self.parts.len()).filter(|j| *j < k || *j > k && !is_made_here);
+        let source = others.filter(names_all).find(is_made);
+        let source = source.or_else(|| (0..k).filter(|_| !is_made_here).find(names_all));
+        source.map(|j| self.parts[j].asked)
     }
 
     /// Returns the camera that the question describes; `None` if it has none.

@@ -162,8 +162,8 @@ impl Verdict {
     }
 }
 
-/// Returns the verdict, in words, on an answer that is wrong only because it was calculated from a
-/// wrong answer to another part, which asks for `source`.
+/// Returns the verdict, in words, on an answer that is wrong only by the mistake that the verdict on
+/// another part, which asks for `source`, already names.
 pub fn follows(source: Asked) -> String {
-    format!("Wrong: it follows from {}.", source.symbol())
+    format!("Wrong, for the same reason as {}.", source.symbol())
 }

@@ -615,6 +615,8 @@ impl Mistake {
             (self, other),
             (Mistake::WNotNormalized, Mistake::NothingNormalized)
                 | (Mistake::UIsWCrossUp, Mistake::LeftHanded | Mistake::ULeftwards)
+                // Minus the right t may be z itself, or result from a minus in d: its amount is right.
+                | (Mistake::SignOfT, Mistake::CoordinateForT | Mistake::SignOfZ)
         )
     }
 }

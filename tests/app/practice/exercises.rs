@@ -213,6 +213,35 @@ fn a_wrong_number_is_told_by_what_it_leaves_over() {
 }
 
 #[test]
+fn one_mistake_is_told_once() {
+    let mut window = open(Exercise::WarmUpPlane);
+    let sign = "Wrong: The sign is wrong: in front of the ray's origin, 𝑡 is positive; behind it, \
+                negative.";
+    answer(&mut window, "t", "-6");
+    click(&mut window, "Check");
+    assert_eq!(said(&window, "t"), sign);
+    answers(&mut window, "point", &["-1.2", "0.6", "6"]);
+    click(&mut window, "Check");
+    assert_eq!(said(&window, "t"), sign);
+    assert_eq!(said(&window, "point"), "Wrong, for the same reason as 𝑡.");
+    choose(&mut window, Exercise::Turned);
+    for (part, texts) in [
+        ("u", ["1", "0", "-1"]),
+        ("v", ["0", "1", "0"]),
+        ("w", ["1", "0", "1"]),
+        ("d", ["-0.8", "-0.1", "-1.2"]),
+    ] {
+        answers(&mut window, part, &texts);
+    }
+    answer(&mut window, "t", "5");
+    click(&mut window, "Check");
+    assert!(said(&window, "u").starts_with("Wrong: 𝐮 and 𝐰 must be of length 1"));
+    for part in ["w", "d", "t"] {
+        assert_eq!(said(&window, part), "Wrong, for the same reason as 𝐮.", "{part}");
+    }
+}
+
+#[test]
 fn a_part_that_is_right_is_not_blamed_for_another() {
     let mut window = open(Exercise::ViewUp);
     let question = "A camera looks along view = (0, −2, 0), with up = (2, 2, 0).";
@@ -227,7 +256,7 @@ fn a_part_that_is_right_is_not_blamed_for_another() {
     click(&mut window, "Check");
     assert_eq!(said(&window, "w"), "Right.");
     let left = "Wrong: 𝐮 = 𝐰 × up points left: the factors are exchanged.";
-    let follows = |part| format!("Wrong: it follows from {part}.");
+    let follows = |part| format!("Wrong, for the same reason as {part}.");
     assert_eq!((said(&window, "u"), said(&window, "v")), (left.to_owned(), follows("𝐮")));
     // The same u, but with a w that it follows from.
     answers(&mut window, "w", &["0", "-1", "0"]);

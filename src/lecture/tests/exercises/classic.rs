@@ -72,9 +72,11 @@ fn the_wall() {
     let wall = |lines: &[Line<'_>]| sheet(Exercise::WarmUpPlane, lines);
     let point: Line<'_> = (Point, &[1.2, -0.6, -6.0], &[]);
     let t: Line<'_> = (T, &[6.0], &[]);
-    // z = -6 itself, or 6 with a minus; not d's z, because it would have spoilt the point.
-    let minus = [Mistake::SignOfT, Mistake::CoordinateForT];
+    // 6 with a minus, although z = -6, too, and a wrong sign of d's z gives the same.
+    let minus = [Mistake::SignOfT];
+    wall(&[(T, &[-6.0], &minus)]);
     wall(&[(T, &[-6.0], &minus), point]);
+    wall(&[(T, &[-6.0], &minus), (Point, &[-1.2, 0.6, 6.0], &minus)]);
     // 6 |d| = 6 sqrt 1.05, a sixth, and 6 minus the 1 up to the viewport.
     wall(&[(T, &[6.0 * 1.05f64.sqrt()], &[Mistake::TForDistance]), point]);
     wall(&[(T, &[1.0 / 6.0], &[Mistake::TInverted]), point]);

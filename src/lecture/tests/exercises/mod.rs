@@ -144,9 +144,25 @@ fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
                     Some(_) if matches!(verdict, Verdict::Backwards { .. }) => (),
                     Some(_) => {
                         let Verdict::Mistakes(named) = verdict else { panic!("{verdict:?}") };
-                        assert!(named.contains(&mistake), "{question:?} {mistake:?}: {named:?}");
+                        let tells =
+                            |named: &Mistake| *named == mistake || named.is_part_of(mistake);
+                        assert!(named.iter().any(tells), "{question:?} {mistake:?}: {named:?}");
                     }
                 }
+            }
+            // What is wrong is said once, and every other part refers to one that says it.
+            let sources = Vec::from_iter(parts.map(|k| question.source_of(k, &verdicts)));
+            let mut said = HashSet::new();
+            for ((part, verdict), source) in question.parts.iter().zip(&verdicts).zip(&sources) {
+                let verdict = verdict.as_ref().unwrap();
+                let sentence = verdict.sentence(part);
+                let is_new = verdict.is_right() || source.is_some() || said.insert(sentence);
+                assert!(is_new, "{question:?} {mistake:?}: {verdicts:?}");
+                let is_head = |asked: Asked| {
+                    let parts = question.parts.iter().zip(&sources);
+                    parts.into_iter().any(|(part, from)| part.asked == asked && from.is_none())
+                };
+                assert!(source.is_none_or(is_head), "{question:?} {mistake:?}: {sources:?}");
             }
         }
     }
