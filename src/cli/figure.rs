@@ -136,7 +136,7 @@ fn session_of(
     if sees {
         let objects = document.scene().map_err(|error| scene_fault(scene, error))?;
         let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
-        session.observer = Some(Observer::frame_all(&document.camera, &objects, size));
+        session.observer = Some(Observer::of_scene(document, &objects, size));
     }
     if !asked {
         for item in [Item::Ray, Item::Hit] {

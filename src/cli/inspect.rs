@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use pinhole_core::{
     DVec2, DVec3, Orientation, Pixel, Ray, ResolvedCamera, Root, UpAngle, shortest, triple,
 };
-use pinhole_exchange::document::Document;
+use pinhole_exchange::document::{Document, StoredObserver};
 use pinhole_lecture::numbers::grouped;
 use serde::Serialize;
 
@@ -45,8 +45,15 @@ impl Readout<'_> {
 
     fn to_text(&self) -> String {
         let mut text = String::new();
+        let parts = [
+            ("camera", self.camera_lines()),
+            ("observer", self.observer_lines()),
+            ("ray", self.ray_lines()),
+            ("hits", self.hit_lines()),
+        ];
+        // A scene without an observer has no such part.
         for (title, lines) in
-            [("camera", self.camera_lines()), ("ray", self.ray_lines()), ("hits", self.hit_lines())]
+            parts.into_iter().filter(|(title, lines)| *title != "observer" || !lines.is_empty())
         {
             text.push_str(title);
             text.push('\n');
@@ -89,6 +96,19 @@ impl Readout<'_> {
         let size = format!("{width} x {height} pixels");
         lines.push(row("image", size));
         lines
+    }
+
+    fn observer_lines(&self) -> Vec<String> {
+        let degrees = |x: f64| format!("{} degrees", shortest(x));
+        let rows = self.document.observer.map(|observer| {
+            [
+                row("target", triple(observer.target)),
+                row("azimuth", degrees(observer.azimuth)),
+                row("elevation", degrees(observer.elevation)),
+                row("distance", shortest(observer.distance)),
+            ]
+        });
+        rows.into_iter().flatten().collect()
     }
 
     fn ray_lines(&self) -> Vec<String> {
@@ -195,6 +215,8 @@ fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
 #[derive(Serialize)]
 struct Inspect<'a> {
     camera: CameraJson,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    observer: Option<StoredObserver>,
     pixel: Option<Pixel>,
     uv: DVec2,
     ray: Ray,
@@ -237,6 +259,7 @@ impl Readout<'_> {
                 up_view_angle_deg: up_angle.angle.to_degrees(),
                 conditioning: up_angle.conditioning,
             },
+            observer: self.document.observer,
             pixel: inspection.pixel(),
             uv: inspection.uv,
             ray: Ray {

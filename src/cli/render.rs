@@ -146,11 +146,7 @@ fn with_overlay(
         OverlayItems::NONE.with(Item::Planes, true)
     };
     let session = Session {
-        observer: Some(Observer::frame_all(
-            &document.camera,
-            scene,
-            ViewSize::of_aspect(size.aspect()),
-        )),
+        observer: Some(Observer::of_scene(document, scene, ViewSize::of_aspect(size.aspect()))),
         settings: Settings { shade: arguments.shade, items, ..Settings::default() },
         ..Session::default()
     };

@@ -4,7 +4,8 @@ use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Object, Plane, Rgb, Scene, SceneError, Sphere};
+use pinhole_core::{Camera, DVec3, Object, Plane, Rgb, Scene, SceneError, Sphere};
+use serde::Serialize;
 
 /// The contents of a scene file: a camera and the objects of the scene.
 ///
@@ -16,12 +17,27 @@ pub struct Document {
     pub note: String,
     /// The camera.
     pub camera: Camera,
+    /// The observer with which the scene opens; `None` for one that is fitted to the scene.
+    pub observer: Option<StoredObserver>,
     /// The `[[sphere]]`s.
     pub spheres: SharedList<Item<Sphere>>,
     /// The spheres from the file named in `spheres = "..."`.
     pub csv_spheres: Option<CsvSpheres>,
     /// The `[[plane]]`s.
     pub planes: SharedList<Item<Plane>>,
+}
+
+/// The observer of the world view, as scene files and lesson files write it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct StoredObserver {
+    /// The point at which the observer looks.
+    pub target: DVec3,
+    /// Angle from +z towards +x, in degrees.
+    pub azimuth: f64,
+    /// Angle above the target's level, in degrees: -90 to 90.
+    pub elevation: f64,
+    /// Distance from the target, in world units.
+    pub distance: f64,
 }
 
 /// A copy-on-write list: clones of a document share it until one of them changes it. This keeps the
@@ -132,6 +148,7 @@ impl Default for Document {
         Document {
             note: String::new(),
             camera: Camera::CANONICAL,
+            observer: None,
             spheres: SharedList::default(),
             csv_spheres: None,
             planes: SharedList::default(),

@@ -86,9 +86,10 @@ pub fn name_of(before: &Document, after: &Document) -> StepName {
         ("change planes", before.planes != after.planes),
         ("change the spheres' file", before.csv_spheres != after.csv_spheres),
     ];
+    let observer = [("keep the view", before.observer != after.observer)];
     let of_camera = camera.iter().any(|(_, has_changed)| *has_changed);
     let of_objects = objects.iter().any(|(_, has_changed)| *has_changed);
-    let parts = camera.into_iter().chain(objects);
+    let parts = camera.into_iter().chain(objects).chain(observer);
     let changed: Vec<&str> = parts.filter(|part| part.1).map(|(name, _)| name).collect();
     let text = match changed[..] {
         [one] => one,
@@ -169,6 +170,7 @@ mod names_tests {
     use pinhole_exchange::document::Item;
 
     use super::*;
+    use crate::model::Observer;
 
     fn scene() -> Document {
         let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
@@ -208,6 +210,7 @@ mod names_tests {
         assert_name("turn the camera", false, |d| {
             d.camera = d.camera.given_by(OrientationKind::Basis).unwrap();
         });
+        assert_name("keep the view", false, |d| d.observer = Some(Observer::default().stored()));
         assert_name("change spheres", true, |d| d.spheres[0].shape.center.x = 1.0);
         assert_name("change planes", true, |d| d.planes[0].color = Some([1, 2, 3]));
         assert_name("change spheres", false, |d| drop(d.spheres.remove(0)));

@@ -377,3 +377,25 @@ fn what_does_not_fit_is_refused() {
         .failed(1, "no/out.svg: cannot be written: no such file or directory");
     assert!(entries(folder.path()).is_empty());
 }
+
+#[test]
+fn a_figure_is_seen_from_the_scene_s_own_observer() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = pinhole_exchange::BuiltinScene::find("canonical").unwrap().text;
+    let picture = |name: &str, observer: &str| {
+        fs::write(folder.path().join("scene.toml"), format!("{plain}\n{observer}")).unwrap();
+        let out = folder.path().join(name);
+        let line = format!("scene.toml --view world --width 320 -o {name}");
+        figure(folder.path(), &line).done();
+        decode(&out).2
+    };
+    let from = |azimuth: f64| {
+        format!(
+            "[observer]\ntarget = [0, 0, -3]\nazimuth = {azimuth}\nelevation = 20\ndistance = 12\n"
+        )
+    };
+    let fitted = picture("fitted.png", "");
+    let [left, right] = [picture("left.png", &from(-40.0)), picture("right.png", &from(40.0))];
+    assert!(fitted != left && left != right && right != fitted);
+    assert!(left == picture("turned.png", &from(320.0)));
+}

@@ -3,6 +3,7 @@
 use std::fs;
 
 use expect_test::expect;
+use pinhole_exchange::BuiltinScene;
 use serde_json::Value;
 
 use super::{Run, run, run_in};
@@ -324,4 +325,37 @@ fn a_camera_without_a_basis_is_told_at_the_field_at_fault() {
                 .failed(1, &format!("s.toml:{message}"));
         }
     }
+}
+
+#[test]
+fn an_observer_of_the_scene_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let plain = BuiltinScene::find("canonical").unwrap().text;
+    let table =
+        "[observer]\ntarget = [0, 0.5, -3]\nazimuth = 40\nelevation = -20.25\ndistance = 12\n";
+    fs::write(folder.path().join("seen.toml"), format!("{plain}\n{table}")).unwrap();
+    fs::write(folder.path().join("plain.toml"), plain).unwrap();
+    let inspect = |line: &str| {
+        let line = format!("inspect {line}");
+        run_in(folder.path(), &line.split(' ').collect::<Vec<_>>()).done()
+    };
+    let [seen, other] = ["seen", "plain"].map(|name| inspect(&format!("{name}.toml --uv 0,0")));
+    let row = |name: &str, value: &str| format!("  {name:<20}  {value}\n");
+    let rows = [
+        row("target", "(0, 0.5, -3)"),
+        row("azimuth", "40 degrees"),
+        row("elevation", "-20.25 degrees"),
+        row("distance", "12"),
+    ];
+    let lines = format!("observer\n{}", rows.concat());
+    assert_eq!(seen.replace(&lines, ""), other);
+    assert_ne!(seen, other);
+    let [seen, other] =
+        ["seen", "plain"].map(|name| inspect(&format!("{name}.toml --uv 0,0 --json")));
+    let [mut seen, other]: [Value; 2] =
+        [seen, other].map(|text| serde_json::from_str(&text).unwrap());
+    let observer = seen.as_object_mut().unwrap().remove("observer").unwrap();
+    close(&observer, "/target", &[0.0, 0.5, -3.0]);
+    close(&observer, "/elevation", &[-20.25]);
+    assert_eq!(seen, other);
 }

@@ -231,7 +231,12 @@ fn a_lesson_may_have_its_own_scene_or_name_a_file_beside_it() {
     let scene = "pinhole = 1\n[camera]\neye = [7, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n";
     fs::write(folder.path().join("room.toml"), scene).unwrap();
     fs::write(&path, format!("{HEAD}scene = \"room.toml\"\n")).unwrap();
-    assert_eq!(load(&path).unwrap().steps[0].document.camera.eye.x, 7.0);
+    let step = load(&path).unwrap().steps.remove(0);
+    assert_eq!((step.document.camera.eye.x, step.view.observer), (7.0, None));
+    let observer = "[observer]\ntarget = [1, 2, 3]\nazimuth = 40\nelevation = 20\ndistance = 12\n";
+    fs::write(folder.path().join("room.toml"), format!("{scene}{observer}")).unwrap();
+    let observer = load(&path).unwrap().steps[0].view.observer.unwrap();
+    assert_eq!((observer.target(), observer.distance()), (DVec3::new(1.0, 2.0, 3.0), 12.0));
     fs::write(folder.path().join("room.toml"), "pinhole = 1\n").unwrap();
     let error = load(&path).unwrap_err().to_string();
     assert!(

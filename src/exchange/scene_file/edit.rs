@@ -40,13 +40,15 @@ fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> 
         match new {
             Item::Table(new) => {
                 if !table.contains_key(key) {
-                    // A table that is missing in the text stands for default values. It is inserted
-                    // after the camera.
+                    // The table stands for default values while it is missing in the text. It is
+                    // inserted after the camera.
                     let mut added = Table::new();
                     added.set_position(table.get("camera")?.as_table().and_then(Table::position));
                     table.insert(key, Item::Table(added));
                 }
-                edit(table.get_mut(key)?.as_table_like_mut()?, old?.as_table_like()?, new)?;
+                let none = Table::new();
+                let old = old.and_then(Item::as_table_like).unwrap_or(&none);
+                edit(table.get_mut(key)?.as_table_like_mut()?, old, new)?;
             }
             Item::ArrayOfTables(new) => {
                 let none = ArrayOfTables::new();

@@ -19,6 +19,12 @@
 //! width = 400
 //! height = 400
 //!
+//! [observer]                        # of the world view; optional
+//! target = [0.0, 0.0, -3.0]         # looked at
+//! azimuth = 40.0                    # degrees, from +z towards +x
+//! elevation = 20.0                  # degrees above the target
+//! distance = 12.0                   # from the target
+//!
 //! [[sphere]]
 //! name = "ball"                     # optional
 //! center = [0.0, 0.0, -5.0]
@@ -34,6 +40,9 @@
 //! Every table except `camera` may be omitted, and so may each field of `viewport` and `image`; the
 //! defaults are those of the canonical camera. A top-level `spheres = "file.csv"`, with a path relative
 //! to the scene file, adds [many spheres](crate::csv::spheres). Unknown fields are errors.
+//!
+//! Without `[observer]`, the world view is fitted to the scene. Only the command *Keep this view in the
+//! scene* adds or changes this table: looking around changes no file.
 //!
 //! The comment lines at the beginning of the file are the document's note, a text for the viewer about
 //! the scene.
@@ -52,8 +61,8 @@ use crate::host::host;
 use crate::{FileError, Location, limits};
 
 pub(crate) use read::camera;
-pub use read::{TABLES, tables, toml};
-pub use write::to_text;
+pub use read::{TABLES, observer, tables, toml};
+pub use write::{observer_fields, to_text};
 
 mod edit;
 mod read;

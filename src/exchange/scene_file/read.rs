@@ -1,5 +1,6 @@
 //! Reads a document from a scene file's text.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -9,15 +10,16 @@ use toml_parser::lexer::TokenKind;
 
 use super::{VERSION, note_of_block, split_note};
 use crate::csv::load_spheres;
-use crate::document::{CsvSpheres, Document, Item};
+use crate::document::{CsvSpheres, Document, Item, StoredObserver};
 use crate::error::one_line;
 use crate::fields::{Section, TomlField, TomlSource};
 use crate::format::{Imported, Input};
 use crate::images;
 use crate::{FileError, limits};
 
-const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
-/// The tables of a scene.
+const TOP: &[&str] =
+    &["pinhole", "spheres", "camera", "viewport", "image", "observer", "sphere", "plane"];
+/// The tables of a scene that a lesson's step may have.
 pub const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
 /// The fields in [`TOP`] that are values rather than tables, and must therefore precede the first
 /// table.
@@ -41,6 +43,7 @@ pub(super) fn document(
         ..Document::default()
     };
     tables(&root, &mut document)?;
+    document.observer = root.get("observer").map(|field| observer(&field)).transpose()?;
     document.csv_spheres = root.get("spheres").map(|field| csv(&field, base)).transpose()?;
     Ok(document)
 }
@@ -58,6 +61,7 @@ pub(crate) fn camera(input: &Input, at_hand: &Camera) -> Result<Imported, FileEr
     } else {
         root.only(TOP, &[])?;
         tables(&root, &mut scene)?;
+        root.get("observer").map(|field| observer(&field)).transpose()?;
     }
     let has_objects = scene.object_count() > 0 || scene.csv_spheres.is_some();
     let left_out =
@@ -223,6 +227,36 @@ fn image(section: &Section) -> Result<ImageSize, FileError> {
     let (width, height) =
         (measure("width", default.width())?, measure("height", default.height())?);
     ImageSize::new(width, height).map_err(|_| section.missing("a size", &right))
+}
+
+/// Limits of an observer's distance from its target.
+const DISTANCES: RangeInclusive<f64> = 1e-9..=1e12;
+
+/// Reads the observer of the world view.
+///
+/// # Errors
+/// Returns an error if a field is missing, unknown or out of range.
+pub fn observer(field: &TomlField) -> Result<StoredObserver, FileError> {
+    let section = field.section()?;
+    section.only(&["target", "azimuth", "elevation", "distance"], BEFORE_TABLES)?;
+    let number = |key: &str, such_as: &str| section.need(key, such_as)?.number();
+    let observer = StoredObserver {
+        target: section.need("target", "target = [0.0, 0.0, -3.0]")?.vector()?,
+        azimuth: number("azimuth", "azimuth = 40.0 (degrees, from +z towards +x)")?,
+        elevation: number("elevation", "elevation = 20.0 (degrees above the target)")?,
+        distance: number("distance", "distance = 12.0")?,
+    };
+    let refuse = |key: &str, right: &str| section.get(key).map_or(Ok(()), |f| Err(f.error(right)));
+    if observer.target.abs().max_element() > *DISTANCES.end() {
+        refuse("target", "it must be at most 1e12 away")?;
+    }
+    if observer.elevation.abs() > 90.0 {
+        refuse("elevation", "it must be -90 to 90 degrees")?;
+    }
+    if !DISTANCES.contains(&observer.distance) {
+        refuse("distance", "it must be 1e-9 to 1e12")?;
+    }
+    Ok(observer)
 }
 
 fn objects<S>(

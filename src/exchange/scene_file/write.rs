@@ -5,7 +5,7 @@ use std::path::Path;
 use pinhole_core::{Basis, Camera, DVec3, Orientation, Plane, Sphere};
 
 use super::{VERSION, edit, note_to_block, read};
-use crate::document::{Document, Item};
+use crate::document::{Document, Item, StoredObserver};
 use crate::error::is_hidden;
 use crate::images;
 
@@ -44,6 +44,10 @@ pub(super) fn fresh(document: &Document) -> String {
         number(viewport.distance)
     ));
     text.push_str(&format!("\n[image]\nwidth = {}\nheight = {}\n", image.width(), image.height()));
+    if let Some(observer) = &document.observer {
+        let fields = observer_fields(observer).join("\n");
+        text.push_str(&format!("\n[observer]\n{fields}\n"));
+    }
     for item in document.spheres.iter() {
         let Sphere { center, radius } = item.shape;
         let shape = format!("center = {}\nradius = {}\n", vector(center), number(radius));
@@ -66,6 +70,18 @@ fn camera_fields(camera: &Camera) -> String {
         }
     };
     format!("eye = {}\n{way}", vector(camera.eye))
+}
+
+/// Returns the fields of an observer, as both scene files and lesson files write them.
+pub fn observer_fields(observer: &StoredObserver) -> [String; 4] {
+    let StoredObserver { target, azimuth, elevation, distance } = *observer;
+    let field = |name: &str, x: f64| format!("{name} = {}", number(x));
+    [
+        format!("target = {}", vector(target)),
+        field("azimuth", azimuth),
+        field("elevation", elevation),
+        field("distance", distance),
+    ]
 }
 
 fn fields<S>(item: &Item<S>, shape: String) -> String {

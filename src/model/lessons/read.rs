@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
 use pinhole_exchange::fields::{Section, TomlField, TomlSource};
-use pinhole_exchange::scene_file::{TABLES, tables, toml};
+use pinhole_exchange::scene_file::{TABLES, observer, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
 use pinhole_lecture::{Exercise, ImplicitLine, Mistake, ParametricLine};
 
@@ -115,8 +115,9 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     tables(section, &mut document)?;
     let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
     if is_new {
-        // The observer and t belong to the previous scene.
-        (view.observer, view.t, view.formulas) = (None, None, None);
+        // The observer and t belonged to the previous scene.
+        let observer = document.observer.map(Observer::from);
+        (view.observer, view.t, view.formulas) = (observer, None, None);
     }
     let selection = match last.filter(|_| !is_new) {
         Some(step) => step.selection,
@@ -213,7 +214,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         }
         Ok(())
     }
-    say(section, "observer", &mut view.observer, |field| observer(&field.section()?))?;
+    say(section, "observer", &mut view.observer, |field| observer(field).map(Observer::from))?;
     say(section, "layout", &mut view.layout, |field| {
         let layouts = ViewLayout::LISTED.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)
@@ -268,17 +269,6 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);
     let seed = seed.map(|seed| seed.whole(0..=largest, "a whole number")).transpose()?;
     Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))
-}
-
-fn observer(section: &Section) -> Result<Observer, FileError> {
-    section.only(&["target", "azimuth", "elevation", "distance"], &[])?;
-    let number = |key: &str, such_as: &str| section.need(key, such_as)?.number();
-    Ok(Observer::new(
-        section.need("target", "target = [0.0, 0.0, -3.0]")?.vector()?,
-        number("azimuth", "azimuth = 40.0 (degrees, from +z towards +x)")?.to_radians(),
-        number("elevation", "elevation = 20.0 (degrees above the target)")?.to_radians(),
-        section.need("distance", "distance = 12.0")?.positive()?,
-    ))
 }
 
 /// Reads a name and returns the value that `known` lists with it.

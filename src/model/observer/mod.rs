@@ -4,6 +4,7 @@
 use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
 };
+use pinhole_exchange::document::{Document, StoredObserver};
 
 pub use fit::ORDINARY_ASPECT;
 pub use subject::{AXIS_LENGTH, Bound, Drawn, Surroundings, UP_LENGTH, VIEW_LENGTH, side_length};
@@ -49,7 +50,33 @@ impl Default for Observer {
     }
 }
 
+impl From<StoredObserver> for Observer {
+    fn from(stored: StoredObserver) -> Observer {
+        let StoredObserver { target, azimuth, elevation, distance } = stored;
+        Observer::new(target, azimuth.to_radians(), elevation.to_radians(), distance)
+    }
+}
+
 impl Observer {
+    /// Returns the observer with which a document opens in a view of this size: its own, or one that is
+    /// fitted to its scene.
+    pub fn of_scene(document: &Document, scene: &Scene, size: ViewSize) -> Observer {
+        let fitted = || Observer::frame_all(&document.camera, scene, size);
+        document.observer.map_or_else(fitted, Observer::from)
+    }
+
+    /// Returns the observer as files write it, rounded to digits that move no pixel of the view.
+    pub fn stored(&self) -> StoredObserver {
+        let round = |x: f64, digits: usize| format!("{x:.digits$}").parse().unwrap_or(x) + 0.0;
+        let digits = (4.0 - self.distance.log10().floor()).max(0.0) as usize;
+        StoredObserver {
+            target: self.target.map(|x| round(x, digits)),
+            azimuth: round(self.azimuth.to_degrees().rem_euclid(360.0), 2),
+            elevation: round(self.elevation.to_degrees(), 2),
+            distance: round(self.distance, digits),
+        }
+    }
+
     /// Creates an observer at `distance` from `target`. Values that are out of range are clamped.
     pub fn new(target: DVec3, azimuth: f64, elevation: f64, distance: f64) -> Observer {
         Observer { target, azimuth, elevation, distance }.in_range()

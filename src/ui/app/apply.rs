@@ -101,6 +101,7 @@ impl App {
                 }
                 in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
             }
+            Action::Keep(action) => return self.keep(action),
             Action::Object(action) => return self.scene.change_objects(action),
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}

@@ -194,6 +194,7 @@ impl App {
             redo: self.history.steps.redo_name().is_some(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
+            kept_view: self.scene.open.document.observer.is_some(),
             object: self.scene.chosen_object.is_some(),
             ghost: self.scene.session.ghost.is_some(),
             answers: self.scene.session.answers.is_some(),

@@ -6,6 +6,7 @@ mod files;
 mod frame;
 mod glide;
 mod history;
+mod keep;
 mod lessons;
 mod over;
 mod playback;

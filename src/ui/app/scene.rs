@@ -60,6 +60,8 @@ pub(super) struct Opened {
 
 impl OpenScene {
     pub(super) fn new(open: OpenDocument, session: Session) -> OpenScene {
+        let stored = open.document.observer.map(Observer::from);
+        let session = Session { observer: session.observer.or(stored), ..session };
         OpenScene { open, session, lessons: Lessons::default(), chosen_object: None, framed: None }
     }
 
@@ -92,7 +94,7 @@ impl OpenScene {
     pub(super) fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
         self.close_lesson();
         self.open = open;
-        self.session.observer = None;
+        self.session.observer = self.open.document.observer.map(Observer::from);
         self.session.ghost = None;
         self.session.selection = selection;
         self.chosen_object = None;

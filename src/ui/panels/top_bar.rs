@@ -13,7 +13,8 @@ use crate::model::session::{
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LookAction, ObjectAction, Observe, ShareAction, request,
+    HelpAction, HistoryAction, KeepAction, Leave, LookAction, ObjectAction, Observe, ShareAction,
+    request,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
@@ -209,6 +210,8 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Recap: from view to the ray", LookAction::Recap);
     entry(ui, "Frame all", Observe::FrameAll);
     entry(ui, "Frame the camera", Observe::FrameCamera);
+    entry(ui, "Keep this view in the scene", KeepAction::InScene);
+    possible_entry(ui, "Forget the view kept in the scene", KeepAction::Nowhere, there);
     ui.separator();
     possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);
     possible_entry(ui, "Remove the ghost", GhostAction::Drop, there);

@@ -1,4 +1,7 @@
-//! The observer: zooming to what is under the pointer, framing by a double click, and the gizmo of axes.
+//! The observer: zooming to what is under the pointer, framing by a double click, the gizmo of axes, and the view
+//! that a scene keeps.
+
+use std::fs;
 
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, vec2};
@@ -6,8 +9,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
 use pinhole_core::{DVec3, Frame, NO_OBJECT};
+use pinhole_exchange::BuiltinScene;
+use pinhole_exchange::link::{Link, Linked};
 
-use crate::harness::window;
+use crate::harness::{assert_says, command, window};
 
 fn world<'a>(harness: &'a Harness<'_, App>) -> &'a Frame<f32> {
     harness.state().derived().world_frame.as_deref().expect("a world view")
@@ -136,4 +141,53 @@ fn the_gizmo_and_its_keys_look_along_the_axes() {
         harness.run();
         assert!(looks(&harness), "{name}, by its key");
     }
+}
+
+#[test]
+fn a_scene_opens_with_the_view_that_was_kept_in_it_and_looking_around_changes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let plain = BuiltinScene::find("look-at").unwrap().text;
+    fs::write(&path, plain).unwrap();
+    let mut harness = window(&path);
+    let framed = harness.state().session().observer;
+    let (at, _) = seen(&harness, 1);
+    turn_wheel(&mut harness, at, 7, 1.0);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    harness.run();
+    assert_says(&harness, "mine.toml");
+    assert_eq!(fs::read_to_string(&path).unwrap(), plain, "looking around changes no file");
+    command(&mut harness, "Views: Keep this view");
+    assert_says(&harness, "mine.toml*");
+    assert_says(&harness, "The scene opens with this view once it is saved");
+    let kept = *world(&harness).camera();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    harness.run();
+    let text = fs::read_to_string(&path).unwrap();
+    let table: Vec<&str> = text.lines().filter(|line| !plain.contains(line)).collect();
+    assert_eq!(table.len(), 5, "{table:?}");
+    assert_eq!(table[0], "[observer]");
+    let reopened = window(&path);
+    let again = *world(&reopened).camera();
+    let size = again.eye().distance(harness.state().document().camera.eye);
+    assert!(again.eye().abs_diff_eq(kept.eye(), 1e-4 * size), "{} {}", again.eye(), kept.eye());
+    assert!(again.basis().w.abs_diff_eq(kept.basis().w, 1e-4));
+    let link = Link { shown: Linked::scene(reopened.state().document()), ray: None, page: None };
+    let mut linked = window("canonical");
+    linked.state_mut().follow_link(format!("#{}", link.to_fragment().unwrap()));
+    linked.run();
+    assert_eq!(*world(&linked).camera(), again, "a link keeps it");
+    // Moving again changes nothing; forgetting does, and undo brings it back.
+    turn_wheel(&mut harness, at, 1, -3.0);
+    assert_says(&harness, "mine.toml");
+    command(&mut harness, "Views: Forget the view");
+    assert_says(&harness, "mine.toml*");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert_says(&harness, "mine.toml");
+    command(&mut harness, "Views: Forget the view");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    harness.run();
+    assert_eq!(fs::read_to_string(&path).unwrap(), plain);
+    assert_eq!(window(&path).state().session().observer, framed);
 }

@@ -151,7 +151,7 @@ const CAMERA: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\
 const BEHIND_THE_CAMERA: Cases = &[
     (
         "[lights]\nsun = 1\n",
-        "6:2: lights is unknown: the fields here are pinhole, spheres, camera, viewport, image, sphere, plane",
+        "6:2: lights is unknown: the fields here are pinhole, spheres, camera, viewport, image, observer, sphere, plane",
     ),
     ("[viewport]\nwidth = 0\n", "7:9: viewport.width is 0: it must be greater than 0"),
     ("[viewport]\nheight = -1.5\n", "7:10: viewport.height is -1.5: it must be greater than 0"),
@@ -189,6 +189,34 @@ const BEHIND_THE_CAMERA: Cases = &[
     (
         "[image]\ndistance = 1\n",
         "7:1: image.distance is unknown: the fields here are width, height",
+    ),
+    (
+        "[observer]\ntarget = [0, 0, 0]\nazimuth = 40\nelevation = 20\n",
+        "6:1: observer.distance is missing: write distance = 12.0",
+    ),
+    (
+        "observer = { target = [0, 0, 0], azimuth = nan, elevation = 20, distance = 12 }\n",
+        "6:1: camera.observer is unknown: the fields here are eye, at, view, up, basis",
+    ),
+    (
+        "[observer]\ntarget = [0, 0, 0]\nazimuth = nan\nelevation = 20\ndistance = 12\n",
+        "8:11: observer.azimuth is nan: it must be a finite number",
+    ),
+    (
+        "[observer]\ntarget = [0, 0, 0]\nazimuth = 4\nelevation = 91\ndistance = 12\n",
+        "9:13: observer.elevation is 91: it must be -90 to 90 degrees",
+    ),
+    (
+        "[observer]\ntarget = [0, 0, 0]\nazimuth = 4\nelevation = 9\ndistance = 0\n",
+        "10:12: observer.distance is 0: it must be 1e-9 to 1e12",
+    ),
+    (
+        "[observer]\ntarget = [0, 2e12, 0]\nazimuth = 4\nelevation = 9\ndistance = 1\n",
+        "7:10: observer.target is [0, 2e12, 0]: it must be at most 1e12 away",
+    ),
+    (
+        "[observer]\ntarget = [0, 0, 0]\nazimut = 4\nelevation = 9\ndistance = 1\n",
+        "8:1: observer.azimut is unknown: did you mean azimuth?",
     ),
     ("[[sphere]]\ncenter = [0, 0, -5]\n", "6:1: sphere[0].radius is missing: write radius = 1.0"),
     (

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
-use pinhole_exchange::document::{CsvSpheres, Document, Item};
+use pinhole_exchange::document::{CsvSpheres, Document, Item, StoredObserver};
 use pinhole_exchange::scene_file::{self, to_text};
 use proptest::collection::vec;
 use proptest::option;
@@ -98,14 +98,27 @@ fn items<S: std::fmt::Debug + Clone>(
     vec(item.prop_map(|(name, color, shape)| Item { name, color, shape }), 0..5)
 }
 
+fn observer() -> impl Strategy<Value = StoredObserver> {
+    let target = [-1e12..=1e12, -1.0..=1.0, -9.0..=0.0f64].prop_map(DVec3::from_array);
+    let observer = (target, -1e3..=1e3, -90.0..=90.0, 1e-9..=1e12);
+    observer.prop_map(|(target, azimuth, elevation, distance)| StoredObserver {
+        target,
+        azimuth,
+        elevation,
+        distance,
+    })
+}
+
 pub(super) fn document() -> impl Strategy<Value = Document> {
     let sphere = (vector(), positive()).prop_map(|(center, radius)| Sphere { center, radius });
     let normal = vector().prop_map(|n| if n == DVec3::ZERO { DVec3::Z } else { n });
     let plane = (vector(), normal).prop_map(|(point, normal)| Plane { point, normal });
-    (note(), camera(), items(sphere), items(plane), option::of(text())).prop_map(
-        |(note, camera, spheres, planes, csv)| Document {
+    let camera = (camera(), option::of(observer()));
+    (note(), camera, items(sphere), items(plane), option::of(text())).prop_map(
+        |(note, (camera, observer), spheres, planes, csv)| Document {
             note,
             camera,
+            observer,
             spheres: spheres.into(),
             csv_spheres: csv.map(|path| CsvSpheres {
                 file: path.clone().into(),

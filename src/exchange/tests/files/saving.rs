@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use pinhole_core::{Basis, DVec3, ImageSize, Orientation, Plane, Sphere};
-use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::document::{Document, Item, StoredObserver};
 use pinhole_exchange::{atomic, scene_file};
 
 const COMMENTED: &str = r##"# Look at the ball.
@@ -122,6 +122,20 @@ fn tables_come_and_go() {
             "\n[[plane]]\npoint = [0.0, 0.0, 0.0]\nnormal = [0.0, 1.0, 0.0]\n# the end\n",
         )],
     );
+}
+
+#[test]
+fn an_observer_is_kept_beside_the_comments_and_forgotten() {
+    let target = DVec3::new(0.0, 0.5, -3.0);
+    let observer = StoredObserver { target, azimuth: 40.0, elevation: -20.25, distance: 12.0 };
+    let table = "\n[observer]\ntarget = [0.0, 0.5, -3.0]\nazimuth = 40.0\nelevation = -20.25\ndistance = 12.0\n";
+    let with_table = format!("up = [0, 1, 0]\n{table}");
+    check(|d| d.observer = Some(observer), &[("up = [0, 1, 0]\n", &with_table)]);
+    let commented = COMMENTED.replace("up = [0, 1, 0]\n", &with_table);
+    let mut document = read(&commented);
+    assert_eq!(document.observer, Some(observer));
+    document.observer = None;
+    assert_eq!(scene_file::to_text(&document, Some(&commented)), COMMENTED);
 }
 
 #[test]
