@@ -188,7 +188,8 @@ fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<String> {
     let off: Vec<usize> = (0..truth.len()).filter(is_off).collect();
     let mut findings = Vec::new();
     if off.len() < truth.len() {
-        let coordinate = |k: usize| format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k]);
+        let symbols = part.asked.coordinates().map(|(_, symbol)| symbol);
+        let coordinate = |k: usize| format!("{} should be another number", symbols[k]);
         findings.extend(off.into_iter().map(coordinate));
     }
     findings.extend(part.conditions.iter().filter_map(|condition| condition.missed_by(given)));
@@ -326,6 +327,20 @@ pub(super) enum Condition {
         /// The point (u, v).
         uv: DVec2,
     },
+    /// The point of the canonical viewport is the centre of a pixel.
+    Pixel {
+        /// W and H.
+        size: DVec2,
+        /// The pixel's column and row, counted as in the question.
+        place: DVec2,
+        /// The column and the row of the image's upper left corner, counted likewise. Pixels' centres
+        /// are at whole numbers.
+        first: f64,
+    },
+    /// The point is the ray's at this t. Nothing is said of points that are not on the ray.
+    At(Ray, f64),
+    /// The number results from this formula.
+    Formula(&'static str),
 }
 
 /// A surface, or a line in two dimensions, on which an answer must lie. In two dimensions, z is 0.
@@ -363,6 +378,27 @@ impl Condition {
                 let from = "from the eye, where every view ray starts";
                 is_off(distance, eye.length()).then(|| format!("it is {} {from}", short(distance)))
             }
+            (Condition::Pixel { size, place, first }, _) => {
+                let found =
+                    (point(given)?.truncate() * DVec2::new(1.0, -1.0) + 0.5) * *size + *first;
+                // Without the rounding errors of (u, v), which would be told as if they were typed.
+                let found = (found * 1e9).round() / 1e9;
+                let [column, row, wanted_column, wanted_row] =
+                    [found.x, found.y, place.x, place.y].map(short);
+                Some(format!(
+                    "it is in column {column} and row {row}, not {wanted_column} and {wanted_row}"
+                ))
+            }
+            (Condition::At(ray, t), _) => {
+                let from = point(given)? - ray.origin;
+                let found = from.dot(ray.direction) / ray.direction.length_squared();
+                let (found, wanted) = (short(found), short(*t));
+                Condition::OnRay(*ray)
+                    .missed_by(given)
+                    .is_none()
+                    .then(|| format!("it is at 𝑡 = {found}, not at 𝑡 = {wanted}"))
+            }
+            (Condition::Formula(formula), _) => Some(format!("it should be {formula}")),
             (Condition::Through { basis, distance, uv }, _) => {
                 let d = basis.to_camera_from_world(point(given)?);
                 if d.z >= 0.0 {

@@ -7,7 +7,7 @@ mod question;
 mod solve;
 mod texts;
 
-use pinhole_core::{Camera, DVec2, Plane, Sphere};
+use pinhole_core::{Camera, DVec2, Pixel, Plane, Sphere};
 
 use crate::mistakes::Mistake;
 
@@ -64,8 +64,18 @@ impl Question {
             Given::Uv(uv)
             | Given::UvAndWall { uv, .. }
             | Given::Distance { uv, .. }
-            | Given::Turned { uv, .. } => Some(uv),
-            Given::Sphere { .. } => Some(DVec2::ZERO),
+            | Given::Turned { uv, .. }
+            | Given::PointAt { uv, .. } => Some(uv),
+            Given::Sphere { .. } | Given::Coefficients { .. } => Some(DVec2::ZERO),
+            _ => None,
+        }
+    }
+
+    /// Returns the pixel of the question, and whether the question counts rows and columns from 1;
+    /// `None` if it has none.
+    pub fn pixel(&self) -> Option<(Pixel, bool)> {
+        match self.given {
+            Given::Pixel { pixel, from_one, .. } => Some((pixel, from_one)),
             _ => None,
         }
     }
@@ -73,7 +83,7 @@ impl Question {
     /// Returns the sphere of the question; `None` if it has none.
     pub fn sphere(&self) -> Option<Sphere> {
         match self.given {
-            Given::Sphere { sphere, .. } => Some(sphere),
+            Given::Sphere { sphere, .. } | Given::Coefficients { sphere, .. } => Some(sphere),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+use pinhole_core::{Camera, DVec2, DVec3, ImageSize, Pixel, Ray, Sphere};
 
 use super::question::{Exercise, Given};
 use crate::mistakes::SplitMix64;
@@ -14,6 +14,9 @@ use crate::mistakes::SplitMix64;
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
+    let eye = DVec3::new(20.0, 4.0, 10.0);
+    let ray = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z };
+    let sphere = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
     match exercise {
         Exercise::WarmUpRay => Given::Uv(uv),
         Exercise::WarmUpPlane => Given::UvAndWall { uv, z },
@@ -22,15 +25,15 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
         Exercise::ViewUp => {
             Given::ViewUp { view: 2.0 * DVec3::NEG_Y, up: DVec3::new(2.0, 2.0, 0.0) }
         }
-        Exercise::EyeAtUp => Given::EyeAtUp {
-            eye: DVec3::new(20.0, 4.0, 10.0),
-            at: DVec3::new(-1.0, 0.0, -5.0),
-            up: DVec3::Y,
+        Exercise::EyeAtUp => Given::EyeAtUp { eye, at: DVec3::new(-1.0, 0.0, -5.0), up: DVec3::Y },
+        Exercise::Sphere => Given::Sphere { ray, sphere },
+        Exercise::Coefficients => Given::Coefficients { ray, sphere },
+        Exercise::PixelUv => Given::Pixel {
+            image: Camera::CANONICAL.image,
+            pixel: Pixel { row: 240, column: 280 },
+            from_one: true,
         },
-        Exercise::Sphere => Given::Sphere {
-            ray: Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z },
-            sphere: Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 },
-        },
+        Exercise::PointAt => Given::PointAt { eye, uv, t: 6.0 },
         Exercise::Lines => Given::Lines {
             line: DVec3::new(1.0, 1.0, -2.0),
             origin: DVec2::ZERO,
@@ -56,8 +59,21 @@ pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
         }
         Exercise::ViewUp => dice.view_up(),
         Exercise::EyeAtUp => dice.eye_at_up(),
-        Exercise::Sphere => dice.sphere(),
+        Exercise::Sphere => {
+            let (ray, sphere) = dice.sphere();
+            Given::Sphere { ray, sphere }
+        }
+        Exercise::Coefficients => {
+            let (ray, sphere) = dice.sphere();
+            Given::Coefficients { ray, sphere }
+        }
         Exercise::Lines => dice.lines(),
+        Exercise::PixelUv => dice.pixel(),
+        Exercise::PointAt => {
+            let eye =
+                DVec3::new(dice.whole(-4, 4), dice.sign() * dice.whole(1, 5), dice.whole(1, 9));
+            Given::PointAt { eye, uv: dice.uv(), t: dice.whole(2, 9) }
+        }
     }
 }
 
@@ -131,7 +147,7 @@ impl Dice {
 
     /// Returns a ray and a sphere. The ray's distance from the centre, half the chord, and the radius
     /// are the sides of a right triangle, and all three are integers.
-    fn sphere(&mut self) -> Given {
+    fn sphere(&mut self) -> (Ray, Sphere) {
         const TRIANGLES: [(f64, f64, f64); 6] = [
             (3.0, 4.0, 5.0),
             (4.0, 3.0, 5.0),
@@ -145,9 +161,20 @@ impl Dice {
         let origin = DVec3::new(self.whole(-2, 2), self.whole(-2, 2), self.whole(-2, 2));
         let (t, length) = (self.whole(2, 6), self.one_of(&[1.0, 2.0, 2.0]));
         let center = origin + (t * length + half) * along + aside * across;
-        Given::Sphere {
-            ray: Ray { origin, direction: length * along },
-            sphere: Sphere { center, radius },
+        (Ray { origin, direction: length * along }, Sphere { center, radius })
+    }
+
+    /// Returns a pixel of a square image of so many pixels that the decimals of (u, v) are few. Its row
+    /// and column differ.
+    fn pixel(&mut self) -> Given {
+        let size = self.one_of(&[4, 5, 8, 10, 20, 40]);
+        let row = self.below(size);
+        let column = (row + 1 + self.below(size - 1)) % size;
+        let [size, row, column] = [size, row, column].map(|k| k as u32);
+        Given::Pixel {
+            image: ImageSize::new(size, size).unwrap_or(Camera::CANONICAL.image),
+            pixel: Pixel { row, column },
+            from_one: self.sign() > 0.0,
         }
     }
 

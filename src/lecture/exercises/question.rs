@@ -1,6 +1,6 @@
 //! What a question consists of: the given numbers, the quantities to find, and the answers.
 
-use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, Ray, Sphere};
 
 use super::judge::Condition;
 use crate::mistakes::Mistake;
@@ -24,6 +24,12 @@ pub enum Exercise {
     Sphere,
     /// A line and a ray in two dimensions.
     Lines,
+    /// The point (u, v) of a pixel's centre.
+    PixelUv,
+    /// The point of a ray at a given t.
+    PointAt,
+    /// The coefficients and the discriminant of the equation for t of a ray and a sphere.
+    Coefficients,
 }
 
 /// The numbers given in a question.
@@ -89,6 +95,31 @@ pub enum Given {
         /// d.
         direction: DVec2,
     },
+    /// The canonical camera with this image, and a pixel.
+    Pixel {
+        /// W and H.
+        image: ImageSize,
+        /// The pixel.
+        pixel: Pixel,
+        /// True if the question counts rows and columns from 1, as in the lecture.
+        from_one: bool,
+    },
+    /// A canonical camera that was moved, and its ray through a point of the viewport.
+    PointAt {
+        /// The camera's position.
+        eye: DVec3,
+        /// The point (u, v).
+        uv: DVec2,
+        /// The ray's t.
+        t: f64,
+    },
+    /// A ray and a sphere, of which the equation for t is to be found.
+    Coefficients {
+        /// The ray.
+        ray: Ray,
+        /// The sphere.
+        sphere: Sphere,
+    },
 }
 
 /// A quantity that the student must find.
@@ -112,6 +143,16 @@ pub enum Asked {
     Normal,
     /// Whether the ray itself hits (t > 0), and not only the line on which it lies.
     Hits,
+    /// The point (u, v) of the viewport.
+    Uv,
+    /// a in `a t^2 + 2 b t + c = 0`, the equation of a ray and a sphere.
+    A,
+    /// b in it, half of the coefficient of t.
+    B,
+    /// c in it.
+    C,
+    /// Its discriminant, `D = b^2 - a c`.
+    Discriminant,
 }
 
 /// An answer, right or wrong.
@@ -156,12 +197,15 @@ pub struct Question {
 impl Exercise {
     /// All exercises, in the lecture's order.
     pub const ALL: &'static [Exercise] = &[
+        Exercise::PixelUv,
         Exercise::WarmUpRay,
+        Exercise::PointAt,
         Exercise::WarmUpPlane,
         Exercise::Distance,
         Exercise::Turned,
         Exercise::ViewUp,
         Exercise::EyeAtUp,
+        Exercise::Coefficients,
         Exercise::Sphere,
         Exercise::Lines,
     ];
@@ -177,6 +221,9 @@ impl Exercise {
             Exercise::EyeAtUp => ("eye-at-up", "A basis from eye, at and up"),
             Exercise::Sphere => ("sphere", "A ray and a sphere"),
             Exercise::Lines => ("lines", "A line and a ray in two dimensions"),
+            Exercise::PixelUv => ("pixel-uv", "A pixel's (u, v)"),
+            Exercise::PointAt => ("point-at-t", "The point at t"),
+            Exercise::Coefficients => ("coefficients", "a, b, c and D of a ray and a sphere"),
         }
     }
 
@@ -204,6 +251,11 @@ impl Asked {
             Asked::Point => ("point", "point"),
             Asked::Normal => ("normal", "normal"),
             Asked::Hits => ("hits", "the ray hits"),
+            Asked::Uv => ("uv", "(𝑢, 𝑣)"),
+            Asked::A => ("a", "𝑎"),
+            Asked::B => ("b", "𝑏"),
+            Asked::C => ("c", "𝑐"),
+            Asked::Discriminant => ("D", "𝐷"),
         }
     }
 
@@ -215,6 +267,14 @@ impl Asked {
     /// Returns the quantity's symbol, for the label in front of the text fields of its answer.
     pub fn symbol(self) -> &'static str {
         self.names().1
+    }
+
+    /// Returns the names of the quantity's coordinates, as far as it has them, each with its symbol.
+    pub fn coordinates(self) -> [(&'static str, &'static str); 3] {
+        match self {
+            Asked::Uv => [("u", "𝑢"), ("v", "𝑣"), ("", "")],
+            _ => [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")],
+        }
     }
 
     /// Returns true if the quantity is a vector of length 1.

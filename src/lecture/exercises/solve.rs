@@ -1,6 +1,8 @@
 //! Calculates the right answers to every question, and the answers to which classic mistakes lead.
 
-use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Roots, Sphere, Viewport};
+use pinhole_core::{
+    Basis, Camera, DVec2, DVec3, Orientation, Pixel, Plane, Ray, Roots, Sphere, Viewport,
+};
 
 use crate::exercises::judge::{Condition, Surface, is_near};
 use crate::exercises::question::{Answer, Asked, Given, QuestionPart};
@@ -18,6 +20,9 @@ pub(super) fn parts(given: &Given) -> Option<Vec<QuestionPart>> {
         Given::ViewUp { .. } | Given::EyeAtUp { .. } => basis_from_up(given)?,
         Given::Sphere { ray, sphere } => ray_and_sphere(&ray, &sphere)?,
         Given::Lines { line, origin, direction } => two_lines(line, origin, direction),
+        Given::Pixel { pixel, from_one, .. } => uv_of_pixel(&camera(given)?, pixel, from_one)?,
+        Given::PointAt { eye, uv, t } => point_at(eye, uv, t),
+        Given::Coefficients { ray, sphere } => coefficients(&ray, &sphere),
     };
     for (mistake, asked, answer) in wrongs {
         let part = parts.iter_mut().find(|part| part.asked == asked);
@@ -55,7 +60,10 @@ pub(super) fn camera(given: &Given) -> Option<Camera> {
         }
         Given::ViewUp { view, up } => camera_at(DVec3::ZERO, Orientation::View { view, up }, 1.0),
         Given::EyeAtUp { eye, at, up } => camera_at(eye, Orientation::At { at, up }, 1.0),
-        Given::Sphere { ray: Ray { origin, direction }, .. } => {
+        Given::Pixel { image, .. } => Camera { image, ..Camera::CANONICAL },
+        Given::PointAt { eye, .. } => Camera { eye, ..Camera::CANONICAL },
+        Given::Sphere { ray: Ray { origin, direction }, .. }
+        | Given::Coefficients { ray: Ray { origin, direction }, .. } => {
             let up = if direction.x == 0.0 && direction.z == 0.0 { DVec3::Z } else { DVec3::Y };
             let orientation = Orientation::View { view: direction, up };
             camera_at(origin, orientation, direction.length())
@@ -131,6 +139,51 @@ fn camera_at(eye: DVec3, orientation: Orientation, distance: f64) -> Camera {
 /// product.
 fn turned(right: DVec3) -> Basis {
     Basis { u: right, v: DVec3::Y, w: right.cross(DVec3::Y) }
+}
+
+/// Returns the part of a question about the centre of a pixel of a canonical camera; `None` if the camera
+/// has no basis.
+fn uv_of_pixel(camera: &Camera, pixel: Pixel, from_one: bool) -> Option<Parts> {
+    let DVec2 { x: u, y: v } = camera.resolve().ok()?.uv_of_pixel(pixel);
+    let size = DVec2::new(camera.image.width().into(), camera.image.height().into());
+    // The same formula for any place of the image, counted from 0: whole numbers are corners.
+    let at = |column, row| (DVec2::new(column, row) / size - 0.5) * DVec2::new(1.0, -1.0);
+    let (i, j) = (f64::from(pixel.row), f64::from(pixel.column));
+    let other = if from_one { 1.5 } else { -0.5 };
+    let corner = at(0.0, 0.0);
+    let wrongs = [
+        (Mistake::CountedFromOther, at(j + other, i + other)),
+        (Mistake::PixelCorner, at(j, i)),
+        (Mistake::PixelCorner, at(j + 1.0, i + 1.0)),
+        (Mistake::RowsColumnsSwapped, at(i + 0.5, j + 0.5)),
+        (Mistake::VDown, DVec2::new(u, -v)),
+        (Mistake::ULeft, DVec2::new(-u, v)),
+        (Mistake::UvSwapped, DVec2::new(v, u)),
+        (Mistake::UvFromCorner, DVec2::new(u - corner.x, v - corner.y)),
+        (Mistake::UvFromCorner, DVec2::new(u - corner.x, corner.y - v)),
+    ];
+    let from = if from_one { 1.0 } else { 0.0 };
+    let condition = Condition::Pixel { size, place: DVec2::new(j, i) + from, first: from - 0.5 };
+    Some((
+        vec![part_with(Asked::Uv, pair(DVec2::new(u, v)), vec![condition])],
+        wrongs.map(|(mistake, uv)| (mistake, Asked::Uv, pair(uv))).to_vec(),
+    ))
+}
+
+fn point_at(eye: DVec3, uv: DVec2, t: f64) -> Parts {
+    let ray = Ray { origin: eye, ..view_ray(Basis::CANONICAL, 1.0, uv) };
+    let Ray { origin: p, direction: d } = ray;
+    let wrongs = [
+        (Mistake::OriginLeftOut, t * d),
+        (Mistake::TAlongUnit, p + t * d.normalize()),
+        (Mistake::TOnAll, t * (p + d)),
+        (Mistake::PAndDSwapped, d + t * p),
+    ];
+    let conditions = vec![Condition::OnRay(ray), Condition::At(ray, t)];
+    (
+        vec![part_with(Asked::Point, vector(ray.at(t)), conditions)],
+        wrongs.map(|(mistake, point)| (mistake, Asked::Point, vector(point))).to_vec(),
+    )
 }
 
 fn ray_through(uv: DVec2) -> Parts {
@@ -411,6 +464,41 @@ fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
         by_formula(Mistake::DividedBy2A),
         by_formula(Mistake::DividedByA),
     ]
+}
+
+/// Returns the parts of a question about `a t^2 + 2 b t + c = 0`, the equation for t of a ray and a
+/// sphere.
+fn coefficients(ray: &Ray, sphere: &Sphere) -> Parts {
+    let (p, d, r) = (ray.origin, ray.direction, sphere.radius);
+    let of = |oc: DVec3| [d.dot(d), d.dot(oc), oc.dot(oc) - r * r];
+    let discriminant = |[a, b, c]: [f64; 3]| b * b - a * c;
+    let [a, b, c] = of(p - sphere.center);
+    let all = |[a, b, c]: [f64; 3], d| {
+        [(Asked::A, a), (Asked::B, b), (Asked::C, c), (Asked::Discriminant, d)]
+    };
+    let formulas = ["𝐝 · 𝐝", "𝐝 · (𝐩 − centre)", "|𝐩 − centre|² − 𝑟²", "𝑏² − 𝑎𝑐"];
+    let parts = all([a, b, c], discriminant([a, b, c])).into_iter().zip(formulas);
+    let parts = parts.map(|((asked, truth), formula)| {
+        part_with(asked, number(truth), vec![Condition::Formula(formula)])
+    });
+    let full = 4.0 * discriminant([a, b, c]);
+    let made = |mistake, abc| (mistake, abc, discriminant(abc));
+    let wrongs = [
+        made(Mistake::ALeftOut, [1.0, b, c]),
+        (Mistake::BForHalfB, [a, 2.0 * b, c], full),
+        made(Mistake::BForHalfB, [a, 2.0 * b, c]),
+        made(Mistake::CenterMinusP, [a, -b, c]),
+        made(Mistake::SignOfC, [a, b, -c]),
+        made(Mistake::RadiusNotSquared, [a, b, c + r * r - r]),
+        made(Mistake::RadiusLeftOut, [a, b, c + r * r]),
+        made(Mistake::CenterLeftOut, of(p)),
+        made(Mistake::OriginLeftOut, of(-sphere.center)),
+        (Mistake::FullDiscriminant, [a, b, c], full),
+    ];
+    let wrongs = wrongs
+        .into_iter()
+        .flat_map(|(mistake, abc, d)| all(abc, d).map(|(asked, x)| (mistake, asked, number(x))));
+    (parts.collect(), wrongs.collect())
 }
 
 fn two_lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {

@@ -1,7 +1,7 @@
 //! Writes questions and verdicts in words. In these texts, `**p**` denotes a vector, and `*t*` a
 //! scalar. Numbers are written in exact form, such as `1/√2`, where one is recognised.
 
-use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, Ray, Sphere};
 
 use super::judge::{ENOUGH_DIGITS, Verdict};
 use super::question::{Asked, Given, QuestionPart};
@@ -38,7 +38,33 @@ pub fn question(given: &Given) -> Vec<String> {
         }
         Given::Sphere { ray, sphere } => sphere_and_ray(&ray, &sphere),
         Given::Lines { line, origin, direction } => lines(line, origin, direction),
+        Given::Pixel { image, pixel, from_one } => {
+            vec![CANONICAL.to_owned(), centre_of_pixel(image, pixel, from_one)]
+        }
+        Given::PointAt { eye, uv, t } => {
+            let ray = format!("{} + *t* {}", triple(eye), triple(uv.extend(-1.0)));
+            let camera = format!("A canonical camera was moved to eye = {}.", triple(eye));
+            vec![camera, format!("Where is the point at *t* = {} of its ray {ray}?", number(t))]
+        }
+        Given::Coefficients { ray, sphere } => vec![
+            given_sphere_and_ray(&ray, &sphere),
+            "The points in both are at the *t* with *a t*² + 2*b t* + *c* = 0. What are *a*, *b*, *c* \
+             and *D* = *b*² − *a c*?"
+                .to_owned(),
+        ],
     }
+}
+
+fn centre_of_pixel(image: ImageSize, pixel: Pixel, from_one: bool) -> String {
+    let from = u32::from(from_one);
+    format!(
+        "Its image is {} × {} pixels. Rows and columns are counted from {from}, from the top left. What \
+         is (*u*, *v*) at the centre of the pixel in row *i* = {}, column *j* = {}?",
+        image.width(),
+        image.height(),
+        pixel.row + from,
+        pixel.column + from
+    )
 }
 
 fn where_on_wall(uv: DVec2, z: f64) -> String {
@@ -81,16 +107,19 @@ fn turned(right: DVec3, uv: DVec2, z: f64) -> Vec<String> {
     vec![camera, asked]
 }
 
-fn sphere_and_ray(ray: &Ray, sphere: &Sphere) -> Vec<String> {
-    let given = format!(
+fn given_sphere_and_ray(ray: &Ray, sphere: &Sphere) -> String {
+    format!(
         "The ray {} + *t* {} and the sphere around {} of radius {}.",
         triple(ray.origin),
         triple(ray.direction),
         triple(sphere.center),
         number(sphere.radius)
-    );
+    )
+}
+
+fn sphere_and_ray(ray: &Ray, sphere: &Sphere) -> Vec<String> {
     let asked = "At which *t* is the first hit, where, and with which outward unit normal?";
-    vec![given, asked.to_owned()]
+    vec![given_sphere_and_ray(ray, sphere), asked.to_owned()]
 }
 
 fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {

@@ -182,6 +182,7 @@ mistakes! {
         hint: "Any image shows it; one of few pixels shows it best.",
         advice: "Look at where in a pixel (u, v) is taken: at its centre, (j + 0.5)/W and (i + \
                  0.5)/H, with j and i from 0.",
+        exercise_feedback: "This is a corner of the pixel, half a pixel from its centre: mind the ½.",
         ways: &[
             |p| p.move_in_pixel(-0.5, -0.5),
             |p| p.edge_to_edge = true,
@@ -209,6 +210,7 @@ mistakes! {
         hint: "Give the image more than one pixel.",
         advice: "Look at which index makes what: u comes from the column j and W, v from the row i \
                  and H.",
+        exercise_feedback: "Row and column are exchanged: 𝑢 comes from the column 𝑗, 𝑣 from the row 𝑖.",
         ways: &[
             |p| p.swap = Swap::Indices,
             |p| p.swap = Swap::Shares,
@@ -435,13 +437,14 @@ mistakes! {
     /// p is used instead of `p - center`.
     CenterLeftOut "center-left-out" {
         advice: "Look at p - center in the quadratic's b and c: the sphere's center is left out.",
+        exercise_feedback: "The centre is left out: it is 𝐩 − centre, not 𝐩.",
         ways: &[|p| p.quadratic.offset = Offset::CenterLeftOut],
     }
 
     /// `-center` is used instead of `p - center`, or `t d` instead of `p + t d`.
     OriginLeftOut "origin-left-out" {
         advice: "Look at p - center in the quadratic's b and c: p, which is the eye, is left out.",
-        exercise_feedback: "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
+        exercise_feedback: "𝐩 is left out: the ray is 𝐩 + 𝑡𝐝, not 𝑡𝐝 alone.",
         ways: &[|p| p.quadratic.offset = Offset::OriginLeftOut],
     }
 
@@ -544,6 +547,17 @@ mistakes! {
     PAndDSwapped "p-and-d-swapped": "𝐩 and 𝐝 are exchanged: 𝑡 multiplies 𝐝.",
     LineForRay "line-for-ray":
         "Look at the sign of 𝑡: the line is met behind the ray's origin where 𝑡 < 0.",
+    CountedFromOther "counted-from-other":
+        "This is the centre of another pixel: mind whether the first row and column are number 0 or 1.",
+    UvFromCorner "uv-from-corner":
+        "This is measured from the image's corner: (𝑢, 𝑣) is (0, 0) in its middle.",
+    TAlongUnit "t-along-unit":
+        "This goes the distance 𝑡: 𝑡 is in units of |𝐝|, so do not normalize 𝐝.",
+    TOnAll "t-on-all": "𝑡 multiplies 𝐝 alone, not 𝐩.",
+    CenterMinusP "center-minus-p": "The sign is wrong: it is 𝐩 − centre, from the centre to 𝐩.",
+    RadiusLeftOut "radius-left-out": "𝑟² is left out: 𝑐 = |𝐩 − centre|² − 𝑟².",
+    FullDiscriminant "full-discriminant":
+        "This is 4𝐷, from the whole coefficient of 𝑡 and 4𝑎𝑐: with 𝑏, half of it, 𝐷 = 𝑏² − 𝑎𝑐.",
 }
 }
 
@@ -617,6 +631,7 @@ impl Mistake {
                 | (Mistake::UIsWCrossUp, Mistake::LeftHanded | Mistake::ULeftwards)
                 // Minus the right t may be z itself, or result from a minus in d: its amount is right.
                 | (Mistake::SignOfT, Mistake::CoordinateForT | Mistake::SignOfZ)
+                | (Mistake::FullDiscriminant, Mistake::BForHalfB)
         )
     }
 }

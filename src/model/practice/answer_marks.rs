@@ -121,11 +121,12 @@ impl Exercises {
         let mut basis = BASIS.into_iter().filter(|asked| self.asks(*asked)).peekable();
         // Without a question about the basis, the camera is given by its viewport.
         let camera: &[Item] = if basis.peek().is_some() { &[At, ViewAndUp] } else { &[] };
+        let is_secret = |asked| self.asks(asked) && self.answered(asked).right.is_none();
         // What is on the viewport shows all three vectors.
-        let is_secret = basis.any(|asked| self.answered(asked).right.is_none());
-        let viewport: &[Item] =
-            if is_secret { &[] } else { &[Frustum, Viewport, UvLegs, Measures] };
-        let may_be_seen = [&[Eye, Axes, Planes, Labels, Floor], camera, viewport].concat();
+        let is_basis_secret = basis.any(is_secret);
+        let viewport: &[Item] = if is_basis_secret { &[] } else { &[Frustum, Viewport, Measures] };
+        let legs: &[Item] = if is_basis_secret || is_secret(Asked::Uv) { &[] } else { &[UvLegs] };
+        let may_be_seen = [&[Eye, Axes, Planes, Labels, Floor], camera, viewport, legs].concat();
         let shown = may_be_seen.into_iter().filter(|item| usual.shows(*item));
         shown.fold(OverlayItems::NONE, |all, item| all.with(item, true))
     }
@@ -148,7 +149,7 @@ impl Exercises {
     /// given (u, v). Returns `None` if it gives neither.
     fn given_ray(&self) -> Option<Ray> {
         match self.question().given {
-            Given::Sphere { ray, .. } => Some(ray),
+            Given::Sphere { ray, .. } | Given::Coefficients { ray, .. } => Some(ray),
             _ => Some(self.question().camera()?.resolve().ok()?.ray(self.question().uv()?)),
         }
     }
@@ -181,10 +182,21 @@ impl Exercises {
     /// Adds marks for the hit points in the answers, and for the normals there.
     fn mark_hits(&self, marks: &mut Vec<AnswerMark>) {
         let (point, normal) = (self.answered(Asked::Point), self.answered(Asked::Normal));
+        let name = if self.asks(Asked::T) { "hit" } else { "point" };
         let right = vector(&point.right);
-        marks.extend(right.map(|at| AnswerMark::right(MarkShape::Point(at), "hit")));
+        marks.extend(right.map(|at| AnswerMark::right(MarkShape::Point(at), name)));
         let yours = vector(&point.yours);
-        marks.extend(yours.map(|at| your(MarkShape::Point(at), "hit")));
+        marks.extend(yours.map(|at| your(MarkShape::Point(at), name)));
+        // The viewport of a question about (u, v) is the canonical one.
+        let on_viewport = |uv: &Option<Vec<f64>>| match uv.as_deref()? {
+            [u, v] => {
+                Some(DVec3::new(*u, *v, -1.0)).filter(|at| at.is_finite()).map(MarkShape::Point)
+            }
+            _ => None,
+        };
+        let uv = self.answered(Asked::Uv);
+        marks.extend(on_viewport(&uv.right).map(|at| AnswerMark::right(at, "(u, v)")));
+        marks.extend(on_viewport(&uv.yours).map(|at| your(at, "(u, v)")));
         if let (Some(at), Some(n)) = (right, vector(&normal.right)) {
             marks.push(AnswerMark::right(MarkShape::Normal(at, n), "n"));
         }

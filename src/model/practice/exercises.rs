@@ -286,6 +286,19 @@ mod tests {
     }
 
     #[test]
+    fn u_and_v_are_not_measured_where_they_are_asked_for() {
+        let legs = |exercises: &Exercises| {
+            let usual = crate::model::OverlayItems::NONE.with(crate::model::Item::UvLegs, true);
+            exercises.items(usual) == usual
+        };
+        assert!(legs(&Exercises::open(Exercise::WarmUpRay, None)));
+        let mut exercises = Exercises::open(Exercise::PixelUv, None);
+        assert!(!legs(&exercises));
+        exercises.toggle_solution();
+        assert!(legs(&exercises));
+    }
+
+    #[test]
     fn every_question_has_its_words_and_its_scene() {
         for &exercise in Exercise::ALL {
             for seed in [None, Some(1), Some(2)] {

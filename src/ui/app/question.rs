@@ -42,12 +42,19 @@ impl OpenScene {
         });
         let Session { observer, hovered, .. } = scene.session;
         scene.session = Session {
-            selection: question.uv().map_or(Selection::default(), Selection::Uv),
+            selection: match question.pixel() {
+                Some((pixel, _)) => Selection::Pixel(pixel),
+                None => question.uv().map_or(Selection::default(), Selection::Uv),
+            },
             observer,
             hovered,
             presenting: self.session.presenting,
             formulas: Some(solution(question)),
-            settings: Settings { items: exercises.items(settings.items), ..*settings },
+            settings: Settings {
+                items: exercises.items(settings.items),
+                count_from_one: question.pixel().is_some_and(|(_, from_one)| from_one),
+                ..*settings
+            },
             exercises: exercises.clone(),
             // As in a lesson's step, everything that is drawn has its label.
             spoken: Some(Vec::new()),
@@ -59,9 +66,11 @@ impl OpenScene {
 
 /// Returns the lines of the derivation that lead to the answers.
 fn solution(question: &Question) -> Formulas {
-    use Concept::{Direction, Normal, Ray, U, UpCrossW, V, View, W, WCrossU};
+    use Concept::{Direction, Normal, Pixel, Ray, U, UpCrossW, V, View, W, WCrossU};
     let (root, is_sphere) = (Concept::Root { object: 0, number: 0 }, question.sphere().is_some());
-    let discriminant = Concept::Equation { object: 0, step: EquationStep::Discriminant };
+    let equation = |step| Concept::Equation { object: 0, step };
+    let discriminant = equation(EquationStep::Discriminant);
+    let has_t = question.parts.iter().any(|part| part.asked == Asked::T);
     let is_view_asked = matches!(question.given, Given::EyeAtUp { .. });
     let concepts = question.parts.iter().flat_map(|part| match part.asked {
         Asked::W if is_view_asked => vec![View, W],
@@ -71,9 +80,14 @@ fn solution(question: &Question) -> Formulas {
         Asked::Origin => vec![Ray],
         Asked::Direction => vec![Direction],
         Asked::T if is_sphere => vec![discriminant, root],
+        Asked::Point if !has_t => vec![Ray, Ray],
         Asked::T | Asked::Point => vec![root],
         Asked::Normal => vec![Normal],
         Asked::Hits => Vec::new(),
+        // The pixel, u and v.
+        Asked::Uv => vec![Pixel; 3],
+        Asked::A | Asked::B | Asked::C => vec![equation(EquationStep::Coefficients)],
+        Asked::Discriminant => vec![discriminant],
     });
     Formulas::Solution(Arc::from(Vec::from_iter(concepts)))
 }

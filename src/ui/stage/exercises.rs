@@ -45,9 +45,6 @@ const MARGIN: f32 = 4.0;
 /// and the verdict, take two rows.
 pub(crate) const SUBSTITUTION: f32 = 14.5;
 
-/// The names of a vector's coordinates: for screen readers, and as symbols.
-const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
-
 /// Name of the picture of a question in two dimensions.
 const PLANE: &str = "Lines in the plane";
 
@@ -272,7 +269,7 @@ fn answer(
     let width = (ui.available_width() - SIGN) / part.count() as f32 - between;
     let width = width.clamp(44.0, FIELD);
     let (mut has_focus, mut left, mut entered) = (false, false, false);
-    for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
+    for ((axis, hint), text) in part.asked.coordinates().into_iter().zip(&mut typed.fields) {
         let (label, hint) = match part.count() {
             1 => (format!("answer {name}"), ""),
             _ => (format!("answer {name} {axis}"), hint),

@@ -1,7 +1,7 @@
 //! Derivation of the camera: how u, v and w follow from the view direction and up, or the checks of a basis
 //! that the user entered directly; then the view ray of a pixel or of a point (u, v).
 
-use pinhole_core::{BasisError, Camera, DVec3, Pixel, ResolvedCamera, Selection, Viewport};
+use pinhole_core::{BasisError, Camera, DVec3, Pixel, Ray, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{
     BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, RayDerivation,
 };
@@ -282,6 +282,14 @@ pub(super) fn ray_lines(
     let formula = equation(along(P, T, D), substituted);
     lines.push(DerivedLine::new(Concept::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines
+}
+
+/// Returns the line that computes the ray's point at this t.
+pub(super) fn point_line(ray: Ray, t: f64, numbers: NumberFormat) -> DerivedLine {
+    let [p, d] = [ray.origin, ray.direction].map(|of| numbers.vector(of));
+    let factor = || numbers.scalar(t);
+    let sides = [along(P, factor(), D), along(p, factor(), d), numbers.vector(ray.at(t))];
+    DerivedLine::chain(Concept::Ray, sides)
 }
 
 /// Returns `p + t d`.

@@ -267,11 +267,13 @@ pub struct DerivationSettings {
     pub numbers: NumberFormat,
     /// The reason why there is no picture of the current document; `None` if there is one.
     pub fault: Option<Fault>,
+    /// The t whose point on the ray is computed; `None` if only the ray is.
+    pub t: Option<f64>,
 }
 
 /// Computes the derivation.
 pub fn derivation(inputs: &DerivationInputs) -> Derivation {
-    let DerivationSettings { selection, sections, numbers, fault } = inputs.settings;
+    let DerivationSettings { selection, sections, numbers, fault, t } = inputs.settings;
     let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<DerivedLine>| {
@@ -291,7 +293,9 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
     if sections.shows(DerivationSection::PixelToRay) {
         let lines = match &selected {
             Some((resolved, inspection, _, derived)) => {
-                camera::ray_lines(camera, resolved, derived, inspection, numbers)
+                let lines = camera::ray_lines(camera, resolved, derived, inspection, numbers);
+                let point = t.map(|t| camera::point_line(derived.ray, t, numbers));
+                lines.into_iter().chain(point).collect()
             }
             None => {
                 let selection = selection.inside(camera.image);

@@ -42,6 +42,7 @@ fn derive_as(
             sections: DerivationSections::default(),
             numbers: NumberFormat { rounding, exact, from_one },
             fault,
+            t: None,
         },
     })
 }

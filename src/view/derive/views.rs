@@ -14,6 +14,7 @@ use pinhole_core::{
     Shade, edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
+use pinhole_lecture::exercises::Given;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
@@ -373,6 +374,10 @@ impl Derivations {
                 from_one: session.settings.count_from_one,
             },
             fault: derived.fault,
+            t: match session.exercises.question().given {
+                Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
+                _ => None,
+            },
         };
         // The document may be large, so it is compared before it is cloned.
         let key = (settings, only);

@@ -2,6 +2,7 @@
 
 mod answers;
 mod class;
+mod diagnosis;
 pub(crate) mod exercises;
 mod hands;
 mod mistakes;

@@ -56,6 +56,13 @@ fn the_lectures_answers_are_right() {
         (Exercise::Sphere, Asked::T, vec![4.0]),
         (Exercise::Sphere, Asked::Point, vec![0.0, 0.0, -4.0]),
         (Exercise::Sphere, Asked::Normal, vec![0.0, 0.0, 1.0]),
+        // 240.5/400 and 280.5/400, in the middle of the pixel.
+        (Exercise::PixelUv, Asked::Uv, vec![0.20125, -0.10125]),
+        (Exercise::PointAt, Asked::Point, vec![21.2, 3.4, 4.0]),
+        (Exercise::Coefficients, Asked::A, vec![1.0]),
+        (Exercise::Coefficients, Asked::B, vec![-5.0]),
+        (Exercise::Coefficients, Asked::C, vec![24.0]),
+        (Exercise::Coefficients, Asked::Discriminant, vec![1.0]),
         (Exercise::Lines, Asked::T, vec![1.0]),
         (Exercise::Lines, Asked::Point, vec![1.0, 1.0]),
     ];
@@ -202,12 +209,15 @@ fn seeds_are_kept_and_differ() {
 fn lessons_name_exercises_by_ids_that_stay() {
     let ids: Vec<_> = Exercise::ALL.iter().map(|exercise| exercise.id()).collect();
     let known = [
+        "pixel-uv",
         "warm-up-ray",
+        "point-at-t",
         "warm-up-plane",
         "distance",
         "turned-basis",
         "view-up",
         "eye-at-up",
+        "coefficients",
         "sphere",
         "lines",
     ];
