@@ -30,8 +30,11 @@ pub const KEY_ZOOM: f64 = 1.15;
 /// Logarithm of the zoom factor per point of wheel scrolling, for the world view's observer and for the
 /// page *Lines*.
 pub const WHEEL_ZOOM: f32 = 0.004;
-/// Minimum distance of the observer from what it is zoomed at, as a fraction of that thing's size.
+/// Minimum distance of the observer from the camera or the sphere that it is zoomed at, as a fraction of that
+/// thing's size.
 pub const NEAREST: f64 = 0.25;
+/// Minimum distance of the observer from any other point, as a fraction of the viewport's size.
+pub const NEAREST_GROUND: f64 = 0.02;
 /// Maximum distance of a zoomed observer, in distances at which it sees everything.
 pub const FARTHEST: f64 = 20.0;
 /// Scroll distance, in points, that increases the loupe's magnification by one step.

@@ -223,8 +223,8 @@ pub enum CameraMove {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Steer(pub CameraMove, pub i32, pub i32);
 
-/// Moves the observer, the camera from which the world view is drawn, by key presses. The numbers count
-/// steps, as in [`Steer`].
+/// Moves the observer, the camera from which the world view is drawn. Whole numbers count steps, as in
+/// [`Steer`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Observe {
     /// Orbit the point that the observer looks at.
@@ -434,7 +434,7 @@ pub(crate) struct Available {
     pub(crate) animation: bool,
     /// True if the scene keeps an observer.
     pub(crate) kept_view: bool,
-    /// True if an object is chosen.
+    /// True if an object of the scene on the screen is chosen.
     pub(crate) object: bool,
     /// True if there is a ghost to compare with.
     pub(crate) ghost: bool,
@@ -465,6 +465,7 @@ impl Action {
             ) => there.presenting,
             // A page is closed by its browser.
             Action::Leave(Leave::Quit) => host().has_folders(),
+            Action::Leave(Leave::New) => !there.presenting,
             _ => true,
         }
     }

@@ -91,7 +91,8 @@ impl Page {
     };
 }
 
-/// Shows, in place of a page, a message that the answer is hidden, if there is room. Shows nothing while presenting, when a dot tells the lecturer.
+/// Shows, in place of a page, a message that the answer is hidden, if there is room. Shows nothing while
+/// presenting, when a dot tells the lecturer.
 pub(crate) fn hidden(ui: &mut Ui) {
     if theme::installed(ui.ctx()).presenting {
         return;

@@ -4,10 +4,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel, Sphere};
 
-use super::harness::{assert_says, choose_object, says, type_into, window};
+use super::harness::{assert_says, choose_object, says, show, type_into, window};
 
 #[test]
 fn an_edit_reaches_document_picture_and_readouts_in_the_same_frame() {
@@ -273,6 +274,21 @@ fn the_chosen_object_is_duplicated_and_deleted_by_keys_and_comes_back() {
         (copy.radius, copy.center),
         (ball.radius, ball.center + DVec3::X * 2.0 * ball.radius)
     );
+}
+
+#[test]
+fn delete_leaves_the_scene_alone_while_another_page_is_shown() {
+    let mut window = window("canonical");
+    choose_object(&mut window, "sphere 0 “ball”");
+    let before = window.state().document().clone();
+    for layout in [ViewLayout::Exercises, ViewLayout::Lines] {
+        show(&mut window, layout);
+        window.key_press(Key::Delete);
+        window.run_ok();
+        window.key_press_modifiers(Modifiers::COMMAND, Key::D);
+        window.run_ok();
+        assert_eq!(*window.state().document(), before, "{layout:?}");
+    }
 }
 
 #[test]

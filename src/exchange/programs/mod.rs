@@ -16,6 +16,7 @@ mod gltf_read;
 mod literal;
 mod writers;
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use pinhole_core::{Camera, DVec3};
@@ -75,9 +76,7 @@ impl Importer {
     /// Returns an error that lists the supported kinds if the file is of none of them, and an error for a
     /// scene of Pinhole, which needs no import.
     pub fn of_file(text: &Input) -> Result<Importer, FileError> {
-        let is_gltf =
-            text.path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb");
-        let by_name = is_gltf.then_some(Importer::Gltf);
+        let by_name = is_gltf(text.path).then_some(Importer::Gltf);
         let problem = match Importer::of(text.text).or(by_name) {
             Some(Importer::Scene) => "this is a scene of Pinhole: open it as it is",
             Some(importer) => return Ok(importer),
@@ -115,6 +114,12 @@ impl Importer {
             Err(error) => Err(FileError::of_file(text.path, format!("{}: {error}", self.label()))),
         }
     }
+}
+
+/// Returns true if a file is a glTF by its name.
+pub fn is_gltf(path: &Path) -> bool {
+    let is = |ending: &OsStr| ["gltf", "glb"].iter().any(|own| ending.eq_ignore_ascii_case(own));
+    path.extension().is_some_and(is)
 }
 
 /// Returns the text in a file's bytes: the JSON of a binary glTF, otherwise the whole file, which must

@@ -180,8 +180,8 @@ impl Observer {
         *self = self.in_range();
     }
 
-    /// Returns the observer that looks along one of the world's axes: from the side, from above, or from the
-    /// front. Its target and distance stay the same.
+    /// Returns the observer that looks along one of the world's axes: from the side, from above as steeply as it
+    /// can, or from the front. Its target and distance stay the same.
     #[must_use]
     pub fn along(&self, axis: WorldAxis) -> Observer {
         let [azimuth, elevation] = match axis {
@@ -192,10 +192,12 @@ impl Observer {
         Observer { azimuth, elevation, ..*self }
     }
 
-    /// Returns the observer that looks at a sphere from the same direction, and sees all of it.
+    /// Returns the observer that looks at a sphere from the same direction, and sees all of it in a view of this
+    /// size.
     #[must_use]
-    pub fn framing_sphere(&self, sphere: &Sphere) -> Observer {
-        let distance = MARGIN_AROUND * sphere.radius / (0.5 * FOV).sin();
+    pub fn framing_sphere(&self, sphere: &Sphere, size: ViewSize) -> Observer {
+        let half_angle = (size.aspect().min(1.0) * (0.5 * FOV).tan()).atan();
+        let distance = MARGIN_AROUND * sphere.radius / half_angle.sin();
         Observer { target: sphere.center, distance, ..*self }.in_range()
     }
 }

@@ -79,6 +79,8 @@ impl App {
     /// Applies the action. Returns a dialog if the user must answer a question or read a message.
     fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
         match action {
+            Action::Leave(Leave::New) | Action::Object(_)
+                if !action.is_possible(self.available()) => {}
             Action::Leave(leave) => return self.leave(ctx, leave),
             Action::File(action) => return self.file(ctx, action),
             Action::Lesson(action) => return self.lesson_action(ctx, action),
@@ -168,7 +170,10 @@ impl App {
         self.settle(ctx, None);
         let before = self.scene.clone();
         let opened = match leave {
-            Leave::New => Ok(self.scene.replace(OpenDocument::blank(), Selection::default())),
+            Leave::New => {
+                self.scene.session.settings.layout = ViewLayout::Both;
+                Ok(self.scene.replace(OpenDocument::blank(), Selection::default()))
+            }
             Leave::Open(source) => self.open(source),
             Leave::Follow(link) => self.scene.follow(*link),
             Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
@@ -220,13 +225,8 @@ impl App {
                 Some(Dialog::file(field, FileAction::SavePage))
             }
             FileAction::SavePage(path) => {
-                match files::save_page(&self.scene, &path) {
-                    Ok(()) => self.say_saved("Saved to", &path),
-                    Err(reason) => {
-                        return Some(Dialog::message("The page was not saved", reason));
-                    }
-                }
-                None
+                let saved = files::save_page(&self.scene, &path);
+                self.say_written(saved, "Saved to", &path, "The page was not saved")
             }
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
@@ -279,10 +279,20 @@ impl App {
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Shows a notice that something was written to a file.
-    pub(super) fn say_saved(&mut self, verb: &str, path: &Path) {
+    /// Shows a notice that something was written to a file. Returns a message if that failed.
+    pub(super) fn say_written(
+        &mut self,
+        written: Result<(), String>,
+        verb: &str,
+        path: &Path,
+        problem: &str,
+    ) -> Option<Dialog> {
         let name = path.file_name().unwrap_or(path.as_os_str()).display();
-        self.say(format!("{verb} {name}"), Vec::new());
+        match written {
+            Ok(()) => self.say(format!("{verb} {name}"), Vec::new()),
+            Err(reason) => return Some(Dialog::message(problem, reason)),
+        }
+        None
     }
 
     /// Reads the scene's file, which another program has changed, again as a step that the user can undo.
@@ -371,7 +381,10 @@ impl App {
                 self.take_camera(ctx, taken, "import a camera");
             }
             ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
-            ExchangeAction::Save(path) => return files::save_translation(&self.scene, &path),
+            ExchangeAction::Save(path) => {
+                let saved = files::save_translation(&self.scene, &path);
+                return self.say_written(saved, "Saved to", &path, "The camera was not saved");
+            }
         }
         None
     }

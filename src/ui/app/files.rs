@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use egui::{ColorImage, Context, Event, Ui};
 use pinhole_exchange::host::host;
+use pinhole_exchange::programs::is_gltf;
 use pinhole_exchange::{Document, ExportScene, Exported, SceneSource, answers, limits, link};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
@@ -74,15 +75,17 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
     Some(Dialog::file(field, ExchangeAction::Save))
 }
 
-/// Saves the translated camera. Returns a message if that fails.
-pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Option<Dialog> {
-    let text = translated(scene)?.text.text;
+/// Saves the translated camera.
+///
+/// # Errors
+/// Returns the reason if there is no translation, or if the file cannot be written.
+pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), String> {
+    let text = translated(scene).ok_or("The scene has no valid camera")?.text.text;
     let write = |()| {
         let written = host().write(path, text.as_bytes());
         written.map_err(|error| error.to_string())
     };
-    let saved = scene.open.check_output(path).and_then(write);
-    saved.err().map(|error| Dialog::message("The camera was not saved", error))
+    scene.open.check_output(path).and_then(write)
 }
 
 /// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser.
@@ -124,9 +127,7 @@ pub(super) fn dropped(path: PathBuf) -> Action {
     match host().read_start(&path, FIRST) {
         Ok(bytes) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
         Ok(bytes) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
-        _ if path.extension().is_some_and(|ending| ending == "gltf" || ending == "glb") => {
-            ExchangeAction::Import(path).into()
-        }
+        _ if is_gltf(&path) => ExchangeAction::Import(path).into(),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
@@ -208,13 +209,8 @@ impl App {
                 Some(Dialog::Export(self.export_form(ctx, &subjects)))
             }
             FigureAction::Export { order, path } => {
-                match self.export(&order, &path) {
-                    Ok(()) => self.say_saved("Exported to", &path),
-                    Err(problem) => {
-                        return Some(Dialog::message("The figure was not exported", problem));
-                    }
-                }
-                None
+                let exported = self.export(&order, &path);
+                self.say_written(exported, "Exported to", &path, "The figure was not exported")
             }
             FigureAction::AskAnimation => {
                 let player = self.playback.player.as_mut()?;

@@ -27,6 +27,7 @@ use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
+use crate::ui::stage::column::OpenStep;
 use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
@@ -188,14 +189,16 @@ impl App {
     }
 
     /// Returns which preconditions of commands hold.
-    fn available(&self) -> Available {
+    pub(super) fn available(&self) -> Available {
         Available {
             undo: self.history.steps.undo_name().is_some(),
             redo: self.history.steps.redo_name().is_some(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
             kept_view: self.scene.open.document.observer.is_some(),
-            object: self.scene.chosen_object.is_some(),
+            object: self.page().has_panel
+                && self.question.is_none()
+                && self.scene.chosen_object.is_some(),
             ghost: self.scene.session.ghost.is_some(),
             answers: self.scene.session.answers.is_some(),
             vote: self.scene.session.is_voting(),
@@ -386,6 +389,10 @@ impl App {
         self.show_views(ui, rects, stage.is_some());
         let style = NumberStyle::new(&self.scene.session.settings);
         let is_changed = self.scene.differs_from_step();
+        // Practice has its own exercise, which is not the step's.
+        let is_practice = self.scene.session.shows_exercise();
+        let has_exercise =
+            |open: &OpenStep<'_>| open.open.step().view.layout == Some(ViewLayout::Exercises);
         let mut context = PageContext {
             open: &self.scene.open,
             session: &mut self.scene.session,
@@ -401,7 +408,8 @@ impl App {
             let on_stage = rects.camera_area.filter(|_| stage.is_some() && !is_vote);
             second_picture::show(ui, &mut context, second, [area, rect], on_stage);
         }
-        match (stage, self.scene.lessons.step(is_changed)) {
+        let step = self.scene.lessons.step(is_changed);
+        match (stage, step.filter(|step| !is_practice || has_exercise(step))) {
             (Some(stage), _) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }

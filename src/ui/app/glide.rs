@@ -8,7 +8,7 @@ use crate::model::{Observer, OpenLesson};
 /// Duration of a glide, in seconds.
 const DURATION: f64 = 0.4;
 
-/// The observer that is shown while it glides from step to step.
+/// The observer that is shown while it glides from view to view.
 #[derive(Default)]
 pub(super) struct Glide {
     /// The lesson's step in the last frame.
@@ -26,7 +26,7 @@ impl Glide {
     }
 
     /// Returns the observer to show, which is on its way to `to` after a step to another view of the same
-    /// scene. A press of the mouse or another step ends the glide; with `is_still` there is none.
+    /// scene, or after [`Glide::begin`]. A press of the mouse or another step ends the glide; with `is_still` there is none.
     pub(super) fn follow(
         &mut self,
         ctx: &Context,

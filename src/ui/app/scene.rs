@@ -10,7 +10,7 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
-use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST};
+use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
 use crate::model::lessons::{self, StepId, Which, apply};
 use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
@@ -22,7 +22,7 @@ use crate::model::{
 use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
-use crate::view::overlay::{GhostCamera, drawn};
+use crate::view::overlay::{GhostCamera, Under, drawn};
 
 /// The open scene, and everything that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]
@@ -187,9 +187,15 @@ impl OpenScene {
         let Some(observer) = &mut self.session.observer else { return };
         let everything =
             self.framed.map_or(observer.distance(), |framed| framed.observer.distance());
-        let limits = |size: Option<f64>| {
-            let size = size.unwrap_or(camera.viewport.width.max(camera.viewport.height));
-            [NEAREST * size, FARTHEST * everything]
+        let viewport = camera.viewport.width.max(camera.viewport.height);
+        let limits = |of: Under| {
+            let nearest = match of {
+                Under::Camera => NEAREST * viewport,
+                // The surface of a planet is the ground of all that stands on it.
+                Under::Sphere(sphere) => NEAREST * sphere.radius.min(viewport),
+                Under::Ground => NEAREST_GROUND * viewport,
+            };
+            [nearest, FARTHEST * everything]
         };
         match observe {
             Observe::Orbit(right, up) => {
@@ -199,13 +205,13 @@ impl OpenScene {
                 observer.pan(-KEY_PAN * f64::from(right), KEY_PAN * f64::from(up));
             }
             Observe::Zoom(steps) => {
-                observer.zoom(observer.target(), KEY_ZOOM.powi(steps), limits(None));
+                observer.zoom(observer.target(), KEY_ZOOM.powi(steps), limits(Under::Ground));
             }
             Observe::ZoomTo(shown, factor) => {
-                observer.zoom(shown.point, factor, limits(shown.size));
+                observer.zoom(shown.point, factor, limits(shown.of));
             }
             Observe::Along(axis) => *observer = observer.along(axis),
-            Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere),
+            Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere, size),
             Observe::FrameCamera => *observer = observer.framing_camera(camera, size),
             // The next pass frames the whole scene, because it knows the view's aspect.
             Observe::FrameAll => self.session.observer = None,

@@ -71,7 +71,9 @@ impl App {
                 ctx.copy_text(exercises.to_code());
                 let seen =
                     if exercises.saw_solution { " and that you saw the solution" } else { "" };
-                let note = format!("For your lecturer. In it are your answers{seen}, but no name.");
+                let note = format!(
+                    "For your lecturer. It contains your answers{seen}, but not your name."
+                );
                 self.say("The code of your answer is on the clipboard".to_owned(), vec![note]);
             }
         }

@@ -137,7 +137,7 @@ impl App {
             let image = scene.open.document.camera.image;
             views::strips(ui, rects, &mut scene.session.settings, image);
             if let (Some(area), Some(frame)) =
-                (rects.world.and_then(gizmo::area), &derived.world_frame)
+                (rects.world.and_then(|world| gizmo::area(ui, world)), &derived.world_frame)
             {
                 gizmo::show(ui, area, frame.camera().basis());
             }
@@ -163,7 +163,8 @@ impl App {
         if let (Some(rect), Some(world)) = (rects.world, &derived.world_view)
             && world.is_empty()
         {
-            views::badge(ui, rect, "Nothing is in sight: F or a double click shows everything");
+            let text = "Nothing is in sight: Frame all in the menu View, or a double click, shows everything";
+            views::badge(ui, rect, text);
         }
         dragging.show_text(ui, rects, (document, session), derived);
     }

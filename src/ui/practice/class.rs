@@ -31,7 +31,7 @@ const COUNT: f32 = 48.0;
 
 /// Tells where codes come from: the lecturer and, while there are none on the stage, the class.
 const HINT: &str = "In an exercise, Copy my answer puts a code on the clipboard, which students send the \
-                    lecturer in any way. The codes are pasted into this page. Other words do no harm.";
+                    lecturer in any way. The codes are pasted into this page. Any other text is ignored.";
 
 /// Shows the page. While presenting, it hides the codes, since names may stand beside them.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {

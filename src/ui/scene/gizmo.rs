@@ -27,12 +27,14 @@ const MARGIN: f32 = 6.0;
 /// Minimum size of a world view that has a gizmo, in points.
 const LEAST: f32 = 240.0;
 
-/// Returns the rectangle of the gizmo in the upper right corner of a world view; `None` if it is too small.
-pub(crate) fn area(world: Rect) -> Option<Rect> {
+/// Returns the rectangle of the gizmo in the upper right corner of a world view; `None` if the view is too small,
+/// or if the pointer is a finger, which would miss its discs.
+pub(crate) fn area(ui: &Ui, world: Rect) -> Option<Rect> {
     let size = Vec2::splat(2.0 * (LENGTH + RADIUS));
     let corner = pos2(world.right() - MARGIN, world.top() + STRIP + MARGIN);
     let area = Rect::from_min_size(corner - vec2(size.x, 0.0), size);
-    (world.size().min_elem() >= LEAST).then_some(area)
+    let by_touch = theme::installed(ui.ctx()).by_touch;
+    (world.size().min_elem() >= LEAST && !by_touch).then_some(area)
 }
 
 /// Shows the gizmo for an observer with this basis.

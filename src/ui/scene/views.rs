@@ -11,7 +11,7 @@ use egui::{
     RichText, Sense, Ui, Vec2, pos2, vec2,
 };
 use pinhole_core::steering::Keep;
-use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection, Sphere};
+use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
@@ -30,7 +30,7 @@ use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::scene::{gizmo, readouts};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, Shown, ViewSizes};
-use crate::view::overlay::{self, PointShown};
+use crate::view::overlay::{self, PointShown, Under};
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::{labels, theme};
 
@@ -71,15 +71,16 @@ fn covered(rects: &ViewRects, world: Rect) -> [Option<Rect>; 2] {
     })
 }
 
-/// Returns what covers the world view, its title and its gizmo included, in its physical pixels: left, top, right and
-/// bottom.
+/// Returns what covers the world view, its title and its gizmo included, in its physical pixels: left, top,
+/// right and bottom.
 fn covered_dots(ui: &Ui, rects: &ViewRects) -> [Option<[f32; 4]>; 4] {
     let scale = ui.ctx().pixels_per_point();
     let [camera, rest] = rects.world.map(|world| covered(rects, world)).unwrap_or_default();
     let title = rects.world.zip(rects.world_title);
     let title = title.map(|(world, title)| title.translate(-world.min.to_vec2()));
     let gizmo = rects.world.filter(|_| title.is_some());
-    let gizmo = gizmo.and_then(|world| Some(gizmo::area(world)?.translate(-world.min.to_vec2())));
+    let gizmo =
+        gizmo.and_then(|world| Some(gizmo::area(ui, world)?.translate(-world.min.to_vec2())));
     [camera, rest, title, gizmo].map(|rect| {
         let Rect { min, max } = rect? * scale;
         Some([min.x, min.y, max.x, max.y])
@@ -254,7 +255,7 @@ fn zoom(ui: &Ui, response: &Response, observer: &Observer, shown: &Derived) {
     let factor = wheel_zoom(ui);
     if response.contains_pointer()
         && factor != 1.0
-        && let Some((under, _)) = under_pointer(ui, response, observer, shown)
+        && let Some(under) = under_pointer(ui, response, observer, shown)
     {
         request(ui.ctx(), Observe::ZoomTo(under, factor));
     }
@@ -263,27 +264,29 @@ fn zoom(ui: &Ui, response: &Response, observer: &Observer, shown: &Derived) {
 /// Frames the sphere or the camera that was double-clicked, or everything.
 fn frame_clicked(ui: &Ui, response: &Response, observer: &Observer, shown: &Derived) {
     if response.double_clicked()
-        && let Some((under, sphere)) = under_pointer(ui, response, observer, shown)
+        && let Some(under) = under_pointer(ui, response, observer, shown)
     {
-        let all = if under.size.is_some() { Observe::FrameCamera } else { Observe::FrameAll };
-        request(ui.ctx(), sphere.map_or(all, Observe::FrameSphere));
+        let framed = match under.of {
+            Under::Camera => Observe::FrameCamera,
+            Under::Sphere(sphere) => Observe::FrameSphere(sphere),
+            Under::Ground => Observe::FrameAll,
+        };
+        request(ui.ctx(), framed);
     }
 }
 
-/// Returns the point of the world under the pointer, and the sphere there.
+/// Returns the point of the world under the pointer.
 fn under_pointer(
     ui: &Ui,
     response: &Response,
     observer: &Observer,
     shown: &Derived,
-) -> Option<(PointShown, Option<Sphere>)> {
-    let (frame, scene) = (shown.world_frame.as_deref()?, shown.scene.as_deref()?);
+) -> Option<PointShown> {
+    let frame = shown.world_frame.as_deref()?;
     let at = dot_under(ui, response.rect, ui.input(|i| i.pointer.latest_pos())?);
     let reach = HANDLE_REACH as f32 * ui.ctx().pixels_per_point();
-    let (camera, reach) = (shown.resolved.as_ref(), (at.into(), reach));
-    let point = overlay::point_at(scene, camera, frame, observer.target(), reach);
-    let sphere = sphere_at(shown, at).and_then(|k| scene.spheres().get(k as usize));
-    Some((point, sphere.copied()))
+    let (scene, camera) = (shown.scene.as_deref(), shown.resolved.as_ref());
+    Some(overlay::point_at(scene, camera, frame, observer.target(), (at.into(), reach)))
 }
 
 /// Returns the factor by which wheel and pinch enlarge a view.

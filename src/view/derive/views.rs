@@ -233,10 +233,11 @@ impl WorldPictures {
         let picture =
             self.picture.get((trace_key, subsampling, good.palette), |(trace_key, ..)| {
                 let mut fresh = None;
-                let spare = self.shown.take(|_| true);
-                let spare = spare.and_then(|old| Arc::into_inner(old.frame).zip(Some(old.pixels)));
                 let frame = self.frame.get((trace_key.clone(), subsampling), |_| {
                     self.traced += 1;
+                    let old = self.shown.take(|_| true);
+                    let spare =
+                        old.and_then(|old| Arc::into_inner(old.frame).zip(Some(old.pixels)));
                     let image = observer.image();
                     let raster = subsampling.raster(image, [image.width(), image.height()]);
                     let (outputs, memory) = (Outputs::default(), (spare, watch));

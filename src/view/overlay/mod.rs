@@ -47,7 +47,7 @@ pub use world_view::compared::GhostCamera;
 pub use world_view::drawn::drawn;
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
 pub use world_view::highlighted::Highlighted;
-pub use world_view::under_pointer::{PointShown, point_at};
+pub use world_view::under_pointer::{PointShown, Under, point_at};
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
 use camera_view::CameraSketch;

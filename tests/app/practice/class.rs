@@ -34,7 +34,7 @@ fn copied_codes_are_pasted_and_counted() {
     let copy = student.get_by_role_and_label(Role::Button, "Copy my answer");
     assert!(copy.accesskit_node().is_disabled(), "nothing is typed");
     let right = copied(&mut student, "4");
-    let told = "For your lecturer. In it are your answers, but no name.";
+    let told = "For your lecturer. It contains your answers, but not your name.";
     assert_says(&student, told);
     answers(&mut student, "t", &["4 sqrt"]);
     let copy = student.get_by_role_and_label(Role::Button, "Copy my answer");

@@ -4,6 +4,7 @@ use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
@@ -499,4 +500,19 @@ fn an_answer_field_has_a_frame_that_is_seen() {
         let shapes = &window.output().shapes;
         assert!(shapes.iter().any(|clipped| frame(&clipped.shape)), "{theme:?}");
     }
+}
+
+#[test]
+fn practice_during_a_lesson_shows_its_own_exercise_alone() {
+    let mut window = window("canonical");
+    let id = StepId { lesson: Which::Builtin(6), step: 1 };
+    window.state_mut().open_lesson(id, None);
+    window.run();
+    window.key_press(egui::Key::End);
+    window.run();
+    let of_step = |window: &Harness<'_, App>| !texts_with(window, "Backwards").is_empty();
+    assert!(of_step(&window));
+    show(&mut window, ViewLayout::Exercises);
+    assert!(!of_step(&window), "{:?}", texts_with(&window, "Backwards"));
+    window.get_by_role_and_label(Role::ComboBox, "exercise");
 }

@@ -77,7 +77,8 @@ fn where_nothing_is_the_wheel_keeps_the_scene_in_sight_and_an_empty_view_says_ho
     let mut harness = window("look-at");
     let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
     turn_wheel(&mut harness, view.min + vec2(60.0, 90.0), 6, 1.0);
-    let lost = "Nothing is in sight: F or a double click shows everything";
+    let lost =
+        "Nothing is in sight: Frame all in the menu View, or a double click, shows everything";
     assert!(harness.query_by_label(lost).is_none());
     harness.get_by_role_and_label(Role::Image, "World view").focus();
     for _ in 0..60 {
@@ -88,6 +89,27 @@ fn where_nothing_is_the_wheel_keeps_the_scene_in_sight_and_an_empty_view_says_ho
     harness.key_press(Key::F);
     harness.run();
     assert!(harness.query_by_label(lost).is_none());
+}
+
+#[test]
+fn the_wheel_goes_near_the_ground_that_a_planet_is_and_to_a_tiny_ball() {
+    let mut harness = window("planet");
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    let at = view.center_bottom() - vec2(0.0, 60.0);
+    assert_eq!(object_at(&harness, at), 0, "the planet");
+    let distance =
+        |harness: &Harness<'_, App>| harness.state().session().observer.unwrap().distance();
+    let before = distance(&harness);
+    turn_wheel(&mut harness, at, 6, 1.0);
+    assert!(distance(&harness) < 0.7 * before, "{} of {before}", distance(&harness));
+    let mut harness = window("tiny-far");
+    let before = distance(&harness);
+    harness.get_by_role_and_label(Role::Image, "World view").focus();
+    for _ in 0..8 {
+        harness.key_press(Key::Plus);
+    }
+    harness.run();
+    assert!(distance(&harness) < 0.5 * before);
 }
 
 #[test]
