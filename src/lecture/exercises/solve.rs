@@ -61,7 +61,7 @@ pub(super) fn camera(given: &Given) -> Option<Camera> {
         Given::ViewUp { view, up } => camera_at(DVec3::ZERO, Orientation::View { view, up }, 1.0),
         Given::EyeAtUp { eye, at, up } => camera_at(eye, Orientation::At { at, up }, 1.0),
         Given::Pixel { image, .. } => Camera { image, ..Camera::CANONICAL },
-        Given::PointAt { eye, .. } => Camera { eye, ..Camera::CANONICAL },
+        Given::PointAt { eye, .. } => camera_at(eye, looking(DVec3::NEG_Z), 1.0),
         Given::Sphere { ray: Ray { origin, direction }, .. }
         | Given::Coefficients { ray: Ray { origin, direction }, .. } => {
             let up = if direction.x == 0.0 && direction.z == 0.0 { DVec3::Z } else { DVec3::Y };

@@ -58,6 +58,9 @@ fn typical_mistakes_about_pixels_points_and_coefficients_are_named() {
     assert!(said(&window, "point").starts_with("Wrong: 𝐩 is left out"));
     assert_eq!(drawn(&window), "drawn: d, your point (dashed)");
     click(&mut window, "Show the solution");
+    let line = "𝐩 + 6 𝐝 = (20, 4, 10) + 6 (0.2, −0.1, −1) = (21.2, 3.4, 4)";
+    window.run();
+    assert_ne!(texts_with(&window, line), [""; 0], "{:?}", texts_with(&window, "21.2"));
     assert_eq!(drawn(&window), "drawn: d, point, your point (dashed)");
     choose(&mut window, Exercise::Coefficients);
     for (part, text) in [("a", "1"), ("b", "-10"), ("c", "24"), ("D", "4")] {
