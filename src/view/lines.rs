@@ -471,18 +471,22 @@ impl PlaneView {
         // Positions along the line, as fractions. The first ones are tried first and are far from the
         // handles.
         let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
-        let anchors = |points: f64| {
+        let anchors = |points: f64, way: f64| {
             let half = 0.5 * f64::from(self.rect.height()) / self.unit();
             shares.map(|share| {
-                let on_line = middle + share * half * direction;
+                let on_line = middle + way * share * half * direction;
                 (self.to_screen(on_line + points / self.unit() * normal), Align2::CENTER_CENTER)
             })
         };
+        let at_side = |side: f64| {
+            [46.0, 80.0, 120.0].into_iter().flat_map(move |points| anchors(side * points, 1.0))
+        };
         let font = |color| Font { size: REGIONS, color, bold: true };
-        labels.write("f > 0", font(self.colors.basis[2]), anchors(46.0));
-        labels.write("f < 0", font(self.colors.basis[0]), anchors(-46.0));
+        labels.write("f > 0", font(self.colors.basis[2]), at_side(1.0));
+        labels.write("f < 0", font(self.colors.basis[0]), at_side(-1.0));
         let font = Font { size: NAMES, color: self.colors.mark, bold: true };
-        let [low, high] = [anchors(-26.0), anchors(26.0)];
+        // At the other end of the line: beside another label, the two would look like one formula.
+        let [low, high] = [anchors(-26.0, -1.0), anchors(26.0, -1.0)];
         labels.write("f = 0", font, high.into_iter().chain(low));
     }
 

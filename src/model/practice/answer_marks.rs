@@ -161,6 +161,8 @@ impl Exercises {
         let on_ray = |ray| first(&t.yours).map(|at| your(MarkShape::OnRay(ray, at), "t"));
         if !self.asks(Asked::Direction) {
             marks.push(AnswerMark::right(MarkShape::Direction(given), "d"));
+            let to_hit = first(&t.right).map(|t| MarkShape::Ray(given, Some(t)));
+            marks.extend(to_hit.map(|shape| AnswerMark::right(shape, "ray")));
             marks.extend(on_ray(given));
             return;
         }

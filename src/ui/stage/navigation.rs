@@ -18,6 +18,10 @@ use crate::ui::widgets::ResponseExt as _;
 const BUTTON: f32 = 15.0;
 const NEXT: &str = "Next →";
 const SHOW_ANSWER: &str = "Show the answer";
+/// Width below which the button that shows the answer has a short text, in points.
+const NARROW: f32 = 400.0;
+
+const ABOUT_ANSWER: &str = "The answer to the question";
 
 /// Shows the buttons from right to left.
 pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
@@ -34,7 +38,8 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     let can = is_asking || open.next().is_some();
     let (text, name, about) = match is_asking {
-        true => (SHOW_ANSWER, SHOW_ANSWER, "The answer to the question"),
+        true if ui.max_rect().width() < NARROW => ("Answer", SHOW_ANSWER, ABOUT_ANSWER),
+        true => (SHOW_ANSWER, SHOW_ANSWER, ABOUT_ANSWER),
         false => (NEXT, "Next", "The next step"),
     };
     button(ui, text, name, &hint(about, LessonAction::Next), can, LessonAction::Next.into());
