@@ -153,6 +153,14 @@ class Browser:
         time.sleep(0.3)
         return self.run("return window.downloads")
 
+    def download(self, ending):
+        """Name and text of a file that was saved: a busy machine takes its time."""
+        for _ in range(30):
+            for name, text in self.downloads().items():
+                if name.endswith(ending):
+                    return name, text
+        raise AssertionError(f"no file {ending} was saved, but {list(self.downloads())}")
+
     def close(self):
         self.driver.quit()
         if self.own:

@@ -47,6 +47,7 @@ def choose(browser, command):
         browser.cdp("Input.insertText", text=letter)
     time.sleep(0.3)
     browser.key("Enter")
+    time.sleep(0.5)
 
 
 def saved_scene(browser):
@@ -55,7 +56,7 @@ def saved_scene(browser):
     time.sleep(0.5)
     if not any(name.endswith(".toml") for name in browser.downloads()):
         browser.key("Enter")
-    return next(text for name, text in browser.downloads().items() if name.endswith(".toml"))
+    return browser.download(".toml")[1]
 
 
 def sizes(page):
@@ -230,8 +231,7 @@ def a_page_is_saved_and_opens_at_its_step(page, pictures):
     time.sleep(0.5)
     browser.shot(pictures / "name.png")
     browser.key("Enter")
-    time.sleep(1)
-    name, text = next(iter(browser.downloads().items()))
+    name, text = browser.download(".html")
     assert name == "week 3-4.html", f"not the name that is asked for, and its slash is not replaced: {name}"
     with tempfile.TemporaryDirectory() as folder:
         saved = Path(folder) / "lesson.html"
@@ -256,8 +256,7 @@ def a_scene_in_a_page_runs_no_script(page, pictures):
     browser.drop(["script.toml", scene])
     choose(browser, "Save as a page")
     browser.key("Enter")
-    time.sleep(1)
-    text = next(text for name, text in browser.downloads().items() if name.endswith(".html"))
+    _, text = browser.download(".html")
     with tempfile.TemporaryDirectory() as folder:
         saved = Path(folder) / "script.html"
         saved.write_text(text)
