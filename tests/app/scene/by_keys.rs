@@ -158,13 +158,13 @@ fn a_far_camera_has_a_body_and_a_near_one_has_handles_on_its_viewport() {
 }
 
 #[test]
-fn objects_are_added_and_removed() {
+fn objects_are_added_and_deleted() {
     let mut harness = window("canonical");
     let before = harness.state().document().clone();
     command(&mut harness, "+ sphere");
     let added = harness.state().document().spheres.len();
     assert_eq!(added, before.spheres.len() + 1);
-    command(&mut harness, "remove the chosen");
+    command(&mut harness, "delete the chosen");
     assert_eq!(harness.state().document(), &before);
     command(&mut harness, "+ plane");
     assert_eq!(harness.state().document().planes.len(), before.planes.len() + 1);
