@@ -361,7 +361,7 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nexercise = \"circle\"\n",
-        "7:12: step 1.exercise is \"circle\": it must be one of warm-up-ray, warm-up-plane, distance, turned-basis, view-up, eye-at-up, sphere, lines",
+        "7:12: step 1.exercise is \"circle\": it must be one of pixel-uv, warm-up-ray, point-at-t, warm-up-plane, distance, turned-basis, view-up, eye-at-up, coefficients, sphere, lines",
     ),
     (
         "scene = \"canonical\"\nask = \"Why?\"\n",
