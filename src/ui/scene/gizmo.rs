@@ -2,7 +2,6 @@
 
 use egui::accesskit::Role;
 use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
-
 use pinhole_core::{Basis, DVec3};
 
 use super::view_rects::STRIP;
@@ -38,8 +37,8 @@ pub(crate) fn area(ui: &Ui, world: Rect) -> Option<Rect> {
 }
 
 /// Shows the gizmo for an observer with this basis.
-pub(crate) fn show(ui: &Ui, area: Rect, Basis { u, v, w }: &Basis) {
-    let directions = DVec3::AXES.map(|axis| DVec3::new(axis.dot(*u), axis.dot(*v), axis.dot(*w)));
+pub(crate) fn show(ui: &Ui, area: Rect, basis: &Basis) {
+    let directions = DVec3::AXES.map(|axis| basis.to_camera_from_world(axis));
     let end = |axis: DVec3| area.center() + LENGTH * vec2(axis.x as f32, -axis.y as f32);
     let mut axes: Vec<_> = AXES.into_iter().zip(directions).enumerate().collect();
     // The nearest axis is drawn last.
@@ -48,16 +47,14 @@ pub(crate) fn show(ui: &Ui, area: Rect, Basis { u, v, w }: &Basis) {
     let colors = theme::style(ui).colors();
     let painter = ui.painter();
     for (place, (k, ((axis, letter, about), _))) in axes.into_iter().enumerate() {
-        let end = ends[place];
+        let (end, stroke) = (ends[place], Stroke::new(2.0, colors.axes[k]));
+        painter.line_segment([area.center(), end], stroke);
         // What a nearer axis covers cannot be clicked.
         if ends[place + 1..].iter().any(|nearer| nearer.distance(end) < 2.0 * RADIUS) {
-            painter.line_segment([area.center(), end], Stroke::new(2.0, colors.axes[k]));
             continue;
         }
         let disc = Rect::from_center_size(end, Vec2::splat(2.0 * RADIUS));
         let response = ui.interact(disc, ui.scope_id().with(("gizmo", letter)), Sense::click());
-        let stroke = Stroke::new(2.0, colors.axes[k]);
-        painter.line_segment([area.center(), end], stroke);
         let is_marked = response.hovered() || response.has_focus();
         let [fill, ink] = match is_marked {
             true => [colors.axes[k], colors.background],
