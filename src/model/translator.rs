@@ -86,7 +86,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> Taken {
         return not_taken(title.to_owned(), UNKNOWN.to_owned(), at_hand);
     };
     let text = Input { path: Path::new("pasted"), text };
-    taken(importer.read(&text, at_hand), importer, "pasted", at_hand)
+    taken(importer.read(&text, at_hand).map(|read| (importer, read)), "pasted", at_hand)
 }
 
 /// Reads the camera in a file, as [`pasted`] does in a text.
@@ -95,22 +95,15 @@ pub fn imported(path: &Path, at_hand: &Camera) -> Taken {
         let text = file_text(path, limits::read(path, limits::TEXT)?)?;
         let text = Input { path, text: &text };
         let importer = Importer::of_file(&text)?;
-        Ok((importer, importer.read(&text, at_hand)))
+        Ok((importer, importer.read(&text, at_hand)?))
     };
-    match read() {
-        Ok((importer, read)) => taken(read, importer, "imported", at_hand),
-        Err(error) => taken(Err(error), Importer::Literal, "imported", at_hand),
-    }
+    taken(read(), "imported", at_hand)
 }
 
-fn taken(
-    read: Result<Imported, FileError>,
-    importer: Importer,
-    how: &str,
-    at_hand: &Camera,
-) -> Taken {
+/// Returns the camera that was read, and says how and from what, or why it was not.
+fn taken(read: Result<(Importer, Imported), FileError>, how: &str, at_hand: &Camera) -> Taken {
     match read {
-        Ok(read) => {
+        Ok((importer, read)) => {
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
             let (title, notes) = (format!("Camera {how}: {}", importer.label()), notes.collect());

@@ -26,7 +26,8 @@ impl Glide {
     }
 
     /// Returns the observer to show, which is on its way to `to` after a step to another view of the same
-    /// scene, or after [`Glide::begin`]. A press of the mouse or another step ends the glide; with `is_still` there is none.
+    /// scene, or after [`Glide::begin`]. A press of the mouse or another step ends the glide; with `is_still`
+    /// there is none.
     pub(super) fn follow(
         &mut self,
         ctx: &Context,
