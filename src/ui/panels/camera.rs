@@ -1,5 +1,7 @@
 //! The camera as numbers (eye, orientation, viewport and image), and the fields of the selected ray.
 
+use std::cell::Cell;
+
 use egui::{Context, Grid, Rect, RichText, Ui, UiBuilder};
 use pinhole_core::{
     BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
@@ -41,7 +43,8 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     let mut unfolded = settings.unfolded.viewport || camera.viewport.check().is_err();
     section(ui, "Viewport and image", &values, &mut unfolded, |ui| {
         Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
-        let hint = "Editing width, height, W or H changes another of them to match";
+        let hint = "W and H change together, and so do width and height; 640 x 360 in the field of W or \
+                    H sets both";
         ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
         pixel_shape(ui, camera);
     });
@@ -135,7 +138,8 @@ fn is_at_fault(fault: &BasisError, field: &str) -> bool {
 
 fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     let before = *camera;
-    let (mut columns, mut rows) = (camera.image.width(), camera.image.height());
+    let mut columns_and_rows = [camera.image.width(), camera.image.height()];
+    let pair = Cell::new(None);
     let wrong = camera.viewport.check().err().map(|fault| fault.field);
     let named = |ui: &mut Ui, name: &'static str| {
         let color = if wrong == Some(name) { error_color(ui) } else { ui.visuals().text_color() };
@@ -143,13 +147,13 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     };
     named(ui, "width");
     NumberField::new("width", &mut camera.viewport.width).show(ui);
-    pixels(ui, "W", &mut columns);
+    pixels(ui, "W", &mut columns_and_rows[0], &pair);
     named(ui, "height");
     NumberField::new("height", &mut camera.viewport.height).show(ui);
-    pixels(ui, "H", &mut rows);
-    if let Ok(image) = ImageSize::new(columns, rows) {
-        camera.image = image;
-    }
+    pixels(ui, "H", &mut columns_and_rows[1], &pair);
+    let start = at_start_of_drag(ui, &before);
+    let is_of_image = resize(camera, &start, columns_and_rows, pair.get(), settings);
+    let before = if is_of_image { start } else { before };
     named(ui, "distance");
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
     ui.end_row();
@@ -169,13 +173,56 @@ pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings
     }
 }
 
-/// Shows a field for the image's width or height.
-fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
+/// Returns the camera as it was when the present drag began. An image that is made tiny by a drag and large
+/// again then has its shape again.
+fn at_start_of_drag(ui: &Ui, camera: &Camera) -> Camera {
+    let key = egui::Id::unique("camera before the drag");
+    let is_dragged = ui.ctx().dragged_id().is_some();
+    let start = ui.data(|data| data.get_temp(key)).filter(|_| is_dragged).unwrap_or(*camera);
+    ui.data_mut(|data| data.insert_temp(key, start));
+    start
+}
+
+/// Sets the image's size to a typed pair or, if one of its width and height was edited, to that. If the pixels'
+/// shape is kept, the other one then follows, so that no image is a sliver, and the viewport is that of
+/// `start` again. Returns true if the image's size changed.
+fn resize(
+    camera: &mut Camera,
+    start: &Camera,
+    [columns, rows]: [u32; 2],
+    pair: Option<[f64; 2]>,
+    settings: &Settings,
+) -> bool {
+    let before = camera.image;
+    let following = |edited: u32, was: u32, other: u32| {
+        let follows = f64::from(other) * f64::from(edited) / f64::from(was);
+        follows.round().clamp(1.0, f64::from(ImageSize::MAX)) as u32
+    };
+    let (width, height) = (start.image.width(), start.image.height());
+    let [columns, rows] = match pair {
+        Some(pair) => pair.map(|count| count as u32),
+        None if !settings.keep_pixel_shape => [columns, rows],
+        None if columns != before.width() => [columns, following(columns, width, height)],
+        None if rows != before.height() => [following(rows, height, width), rows],
+        None => [columns, rows],
+    };
+    let Ok(image) = ImageSize::new(columns, rows) else { return false };
+    if image != before {
+        (camera.image, camera.viewport) = (image, start.viewport);
+    }
+    image != before
+}
+
+/// Shows a field for the image's width or height, in which both may be typed.
+fn pixels(ui: &mut Ui, name: &str, value: &mut u32, pair: &Cell<Option<[f64; 2]>>) {
     ui.label(name);
     let mut count = f64::from(*value);
     let range = 1.0..=f64::from(ImageSize::MAX);
     let field = NumberField::new(name, &mut count);
-    if (NumberField { suffix: " px", range, is_whole: true, ..field }).show(ui).changed() {
+    if (NumberField { suffix: " px", range, is_whole: true, pair: Some(pair), ..field })
+        .show(ui)
+        .changed()
+    {
         *value = count as u32;
     }
     ui.end_row();

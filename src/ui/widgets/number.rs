@@ -1,7 +1,7 @@
 //! Number fields, which the user edits by dragging, by typing a number, or by typing arithmetic. Each has a
 //! name for screen readers and tests, and shows an error if the typed text is not a number.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::RangeInclusive;
 
 use egui::text::{CCursor, CCursorRange};
@@ -34,6 +34,8 @@ pub(crate) struct NumberField<'a> {
     pub(crate) range: RangeInclusive<f64>,
     /// True if only whole numbers are valid.
     pub(crate) is_whole: bool,
+    /// Where a typed pair such as `640 x 360` goes; `None` if the field is of a single number.
+    pub(crate) pair: Option<&'a Cell<Option<[f64; 2]>>>,
     /// True if the field is invisible until the user types into it, because it lies over a number that
     /// the caller paints.
     pub(crate) is_over: bool,
@@ -44,7 +46,7 @@ impl<'a> NumberField<'a> {
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
         let (suffix, width, range) = ("", 78.0, f64::MIN..=f64::MAX);
         let (is_whole, is_over) = (false, false);
-        NumberField { name, hint: name, value, suffix, width, range, is_whole, is_over }
+        NumberField { name, hint: name, value, suffix, width, range, is_whole, pair: None, is_over }
     }
 
     /// Shows the field in `rect`, over a number that the caller paints. Until the user types into the
@@ -120,7 +122,14 @@ impl<'a> NumberField<'a> {
                 if is_given_up {
                     return None;
                 }
-                let parsed = evaluate(text).and_then(|x| in_range(x, &self.range, self.is_whole));
+                let number = |text| in_range(evaluate(text)?, &self.range, self.is_whole);
+                let parsed = match self.pair.zip(text.split_once(['x', '×'])) {
+                    Some((pair, (first, second))) => number(first).and_then(|first| {
+                        pair.set(Some([first, number(second)?]));
+                        Ok(exact)
+                    }),
+                    None => number(text),
+                };
                 *fault.borrow_mut() = Some(parsed.clone().err().unwrap_or_default());
                 parsed.ok()
             });
