@@ -136,7 +136,7 @@ fn a_basis_is_set_by_hand() {
 #[test]
 fn the_pixels_shape_holds_until_let_go() {
     let mut window = window("canonical");
-    type_into(&mut window, "W", "800");
+    type_into(&mut window, "W", "800 x 400");
     assert_eq!(window.state().document().camera.viewport.height, 0.5);
     type_into(&mut window, "height", "2");
     assert_eq!(window.state().document().camera.viewport.width, 4.0);
@@ -154,22 +154,24 @@ fn the_pixels_shape_holds_until_let_go() {
     assert_eq!(window.state().document().camera.viewport.height, 2.0);
 }
 
-/// No field of view grows with the image, and what was typed back is as before.
+/// No field of view grows with the image, what was typed back is as before, and no image is a sliver.
 #[test]
 fn another_image_makes_no_field_of_view_larger() {
     let mut window = window("canonical");
-    let viewport = |window: &Harness<'_, App>| {
-        let viewport = window.state().document().camera.viewport;
-        [viewport.width, viewport.height]
+    let seen = |window: &Harness<'_, App>| {
+        let camera = window.state().document().camera;
+        let viewport = [camera.viewport.width, camera.viewport.height];
+        ([camera.image.width(), camera.image.height()], viewport)
     };
     for (field, text, expected) in [
-        ("W", "8", [0.02, 1.0]),
-        ("W", "400", [1.0, 1.0]),
-        ("H", "100", [1.0, 0.25]),
-        ("W", "100", [1.0, 1.0]),
+        ("W", "8", ([8, 8], [1.0, 1.0])),
+        ("H", "400", ([400, 400], [1.0, 1.0])),
+        ("W", "400 x 100", ([400, 100], [1.0, 0.25])),
+        ("H", "50", ([200, 50], [1.0, 0.25])),
+        ("H", "100×100", ([100, 100], [1.0, 1.0])),
     ] {
         type_into(&mut window, field, text);
-        assert_eq!(viewport(&window), expected, "{field} = {text}");
+        assert_eq!(seen(&window), expected, "{field} = {text}");
     }
 }
 
@@ -277,6 +279,18 @@ fn the_chosen_object_is_duplicated_and_deleted_by_keys_and_comes_back() {
 }
 
 #[test]
+fn a_key_for_the_chosen_object_says_that_none_is_chosen() {
+    let mut window = window("canonical");
+    for (modifiers, key) in [(Modifiers::NONE, Key::Delete), (Modifiers::COMMAND, Key::D)] {
+        window.key_press_modifiers(modifiers, key);
+        window.step();
+        window.step();
+        assert_says(&window, "No object is chosen");
+        window.run_ok();
+    }
+}
+
+#[test]
 fn delete_leaves_the_scene_alone_while_another_page_is_shown() {
     let mut window = window("canonical");
     choose_object(&mut window, "sphere 0 “ball”");
@@ -321,6 +335,30 @@ fn new_spheres_are_seen_and_touch_no_other() {
         let [x, y] = [direction.x / -direction.z, direction.y / -direction.z];
         assert!(direction.z < 0.0 && x.abs() < 0.5 && y.abs() < 0.5, "{sphere:?}");
     }
+}
+
+/// Rounding to whole pixels on the way does not bend the image's shape.
+#[test]
+fn an_image_that_is_dragged_small_and_large_again_has_its_shape() {
+    let mut window = window("canonical");
+    type_into(&mut window, "W", "400 x 300");
+    let field = window.get_by_role_and_label(Role::SpinButton, "W").rect().center();
+    let image = |window: &mut Harness<'_, App>, by: f32| {
+        window.hover_at(field + egui::vec2(by, 0.0));
+        window.run();
+        let image = window.state().document().camera.image;
+        [image.width(), image.height()]
+    };
+    image(&mut window, 0.0);
+    window.drag_at(field);
+    window.run();
+    let smallest = image(&mut window, -500.0);
+    assert_eq!(smallest, [1, 1]);
+    let [width, height] = image(&mut window, -4.0);
+    assert!(
+        (390..400).contains(&width) && (height * 4).abs_diff(width * 3) <= 2,
+        "{width} x {height}"
+    );
 }
 
 #[test]

@@ -79,8 +79,13 @@ impl App {
     /// Applies the action. Returns a dialog if the user must answer a question or read a message.
     fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
         match action {
-            Action::Leave(Leave::New) | Action::Object(_)
-                if !action.is_possible(self.available()) => {}
+            Action::Leave(Leave::New) if !action.is_possible(self.available()) => {}
+            Action::Object(_) if !action.is_possible(self.available()) => {
+                if self.page().has_panel && self.question.is_none() {
+                    let note = "Click a sphere in the world view, or an object in the list.";
+                    self.say("No object is chosen".to_owned(), vec![note.to_owned()]);
+                }
+            }
             Action::Leave(leave) => return self.leave(ctx, leave),
             Action::File(action) => return self.file(ctx, action),
             Action::Lesson(action) => return self.lesson_action(ctx, action),

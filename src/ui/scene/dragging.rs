@@ -14,7 +14,7 @@ use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
 use crate::view::handle_drag::HandleDrag;
 use crate::view::handles::{HandleInputs, PlacedHandle, hit, placed};
-use crate::view::overlay;
+use crate::view::overlay::{self, pick};
 
 /// The input state of the world view and the camera view that persists between egui passes: the drag in
 /// progress, and recent steps by keys and wheel.
@@ -221,7 +221,17 @@ impl Dragging {
         let Some(at) = pressed_at.or(clicked_at) else { return };
         let reach = if ctx.input(|i| i.any_touches()) { FINGER_REACH } else { HANDLE_REACH };
         let t = session.ray_point_t;
-        let Some(found) = view.hit(&all, at, t, shown, reach) else { return };
+        let Some(found) = view.hit(&all, at, t, shown, reach) else {
+            let is_on_viewport = |at| {
+                let (camera, frame) = (shown.resolved.as_ref(), shown.world_frame.as_ref());
+                camera.zip(frame).is_some_and(|(camera, frame)| pick(camera, frame, at).is_some())
+            };
+            let dots = clicked_at.map(|at| view.dots(at));
+            let dots = dots.filter(|dots| !is_on_viewport((*dots).into()));
+            let clicked = dots.and_then(|dots| sphere_at(shown, dots));
+            **chosen_object = clicked.map(|k| k as usize).or(**chosen_object);
+            return;
+        };
         **chosen_object = found.handle.object().or(**chosen_object);
         session.handles.is_busy = true;
         if pressed_at.is_none() {

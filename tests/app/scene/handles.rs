@@ -31,11 +31,15 @@ fn document(harness: &Harness<'_, App>) -> Document {
 /// Takes hold of a handle; where.
 fn take(harness: &mut Harness<'_, App>, handle: &str) -> Pos2 {
     let at = node_at(harness, handle);
+    press(harness, at);
+    at
+}
+
+fn press(harness: &mut Harness<'_, App>, at: Pos2) {
     harness.hover_at(at);
     harness.run();
     harness.drag_at(at);
     harness.run();
-    at
 }
 
 fn pull(harness: &mut Harness<'_, App>, to: Pos2) {
@@ -495,28 +499,50 @@ fn looking_up_stops_short_of_the_pole() {
     assert!(camera(&harness).up_angle().unwrap().angle.to_degrees() < 1.1);
 }
 
-#[test]
-fn a_sphere_that_is_pointed_at_has_handles_and_is_chosen_by_them() {
-    let mut harness = window("canonical");
-    let handle = "sphere 1 “marble”: radius handle";
-    assert!(harness.query_by_role_and_label(Role::Slider, handle).is_none());
+/// Returns the first point of a grid over the world view at which this handle is shown.
+fn pointed_at(harness: &mut Harness<'_, App>, handle: &str) -> Pos2 {
     let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
-    // Somewhere in the view is the marble.
     let places = (0..20).flat_map(|row| (0..20).map(move |column| (row, column)));
-    let found = places.into_iter().any(|(row, column)| {
-        let share = vec2(column as f32 + 0.5, row as f32 + 0.5) / 20.0;
-        harness.hover_at(view.min + share * view.size());
+    let mut places = places.map(|(row, column)| {
+        view.min + vec2(column as f32 + 0.5, row as f32 + 0.5) / 20.0 * view.size()
+    });
+    let found = places.find(|at| {
+        harness.hover_at(*at);
         harness.step();
         harness.step();
         harness.query_by_role_and_label(Role::Slider, handle).is_some()
     });
-    assert!(found);
+    found.expect("the sphere is in the view")
+}
+
+const MARBLE: &str = "sphere 1 “marble”: radius handle";
+
+#[test]
+fn a_sphere_that_is_pointed_at_has_handles_and_is_chosen_by_them() {
+    let mut harness = window("canonical");
+    assert!(harness.query_by_role_and_label(Role::Slider, MARBLE).is_none());
+    pointed_at(&mut harness, MARBLE);
     harness.run();
     let before = document(&harness).spheres[1].shape;
-    drag(&mut harness, handle, vec2(12.0, 0.0));
+    drag(&mut harness, MARBLE, vec2(12.0, 0.0));
     let after = document(&harness).spheres[1].shape;
     assert!(after.radius > before.radius && after.center == before.center);
     assert!(harness.query_all_by_value("marble").next().is_some(), "its fields are shown");
+}
+
+#[test]
+fn a_sphere_is_chosen_by_a_click_on_any_part_of_it() {
+    let mut harness = window("look-at");
+    let [center, radius] =
+        ["centre", "radius"].map(|part| format!("sphere 1 “left”: {part} handle"));
+    pointed_at(&mut harness, &radius);
+    harness.run();
+    let [from, to] = [center, radius].map(|handle| node_at(&harness, &handle));
+    let at = from + (from - to).normalized().rot90() * 0.6 * from.distance(to);
+    assert!(harness.query_all_by_value("left").next().is_none());
+    press(&mut harness, at);
+    drop_it(&mut harness, at);
+    assert!(harness.query_all_by_value("left").next().is_some(), "its fields are shown");
 }
 
 #[test]
