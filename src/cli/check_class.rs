@@ -1,6 +1,6 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -63,8 +63,9 @@ pub(super) fn of_folder(
         progress.add(1);
         student
     });
-    let students: Vec<Student> = graded.collect();
+    let mut students: Vec<Student> = graded.collect();
     drop(progress);
+    name_apart(&mut students);
     let mistakes = students.iter().flat_map(|student| &student.made).copied().collect();
     let outcomes = students.iter().map(|student| student.outcomes.clone());
     let tally = Tally::new(outcomes, &mistakes, |one| one.advice());
@@ -88,18 +89,29 @@ pub(super) fn of_folder(
 }
 
 /// Returns the names of a folder's hidden files and folders, and the paths of its other files, each in the
-/// order of names.
+/// order of names, in which capitals do not count.
 fn entries(folder: &Path) -> Result<(Vec<String>, Vec<PathBuf>), FileError> {
-    let names = fs::read_dir(folder).and_then(|all| {
-        all.map(|entry| Ok(entry?.file_name())).collect::<io::Result<BTreeSet<_>>>()
-    });
-    let names = names.map_err(|error| FileError::unreadable(folder, &error))?;
+    let names = fs::read_dir(folder)
+        .and_then(|all| all.map(|entry| Ok(entry?.file_name())).collect::<io::Result<Vec<_>>>());
+    let mut names = names.map_err(|error| FileError::unreadable(folder, &error))?;
+    names.sort_by_key(|name| (name.to_string_lossy().to_lowercase(), name.clone()));
     let (mut skipped, mut files) = (Vec::new(), Vec::new());
     for name in names {
         let (text, path) = (name.to_string_lossy().into_owned(), folder.join(&name));
         if text.starts_with('.') || path.is_dir() { skipped.push(text) } else { files.push(path) }
     }
     Ok((skipped, files))
+}
+
+/// Gives students with the same name, whose files differ in their endings alone, the names of their files.
+fn name_apart(students: &mut [Student]) {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for student in students.iter() {
+        *counts.entry(student.name.clone()).or_default() += 1;
+    }
+    for student in students.iter_mut().filter(|student| counts[&student.name] > 1) {
+        student.name.clone_from(&student.file);
+    }
 }
 
 /// The JSON output for a folder.
@@ -117,7 +129,7 @@ const BROKEN: &str = "broken";
 /// A student's file, and what was found in it.
 #[derive(Serialize)]
 struct Student {
-    /// The file's name without its ending.
+    /// The file's name, without its ending if no other file has the same name.
     name: String,
     file: String,
     /// [`RIGHT`], `wrong`, [`INCOMPLETE`] or [`BROKEN`].
