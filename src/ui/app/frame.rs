@@ -27,7 +27,6 @@ use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
-use crate::ui::stage::column::OpenStep;
 use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
@@ -390,9 +389,8 @@ impl App {
         let style = NumberStyle::new(&self.scene.session.settings);
         let is_changed = self.scene.differs_from_step();
         // Practice has its own exercise, which is not the step's.
-        let is_practice = self.scene.session.shows_exercise();
-        let has_exercise =
-            |open: &OpenStep<'_>| open.open.step().view.layout == Some(ViewLayout::Exercises);
+        let is_practice =
+            self.scene.session.shows_exercise() && self.scene.step_of_exercise().is_none();
         let mut context = PageContext {
             open: &self.scene.open,
             session: &mut self.scene.session,
@@ -409,7 +407,7 @@ impl App {
             second_picture::show(ui, &mut context, second, [area, rect], on_stage);
         }
         let step = self.scene.lessons.step(is_changed);
-        match (stage, step.filter(|step| !is_practice || has_exercise(step))) {
+        match (stage, step.filter(|_| !is_practice)) {
             (Some(stage), _) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }

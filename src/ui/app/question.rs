@@ -7,7 +7,9 @@ use pinhole_lecture::exercises::{Asked, Given, Question};
 
 use super::scene::OpenScene;
 use crate::model::lessons::StepView;
-use crate::model::{Concept, EquationStep, Formulas, OpenDocument, Session, Settings};
+use crate::model::{
+    Concept, EquationStep, Formulas, OpenDocument, OpenLesson, Session, Settings, ViewLayout,
+};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
 pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
@@ -15,6 +17,17 @@ pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
 }
 
 impl OpenScene {
+    /// Returns the lesson whose step asks the open exercise, be it with other numbers; `None` if no step does.
+    pub(super) fn step_of_exercise(&self) -> Option<&OpenLesson> {
+        let is_of_step = |open: &&OpenLesson| {
+            let StepView { exercise, layout, .. } = &open.step().view;
+            *layout == Some(ViewLayout::Exercises)
+                && exercise
+                    .is_some_and(|own| own.exercise == self.session.exercises.question().exercise)
+        };
+        self.lessons.open.as_ref().filter(is_of_step)
+    }
+
     /// Returns the scene of the exercise on the stage, as seen in `before`, the last frame's; `None` if there is
     /// no exercise on the stage, or if it has no camera.
     pub(super) fn question(&self, before: Option<OpenScene>) -> Option<OpenScene> {
@@ -23,13 +36,12 @@ impl OpenScene {
             return None;
         }
         let (question, document) = (exercises.question(), exercises.document()?);
-        // The observer of a lesson's step suits only the step's own question.
-        let asked = (question.exercise, exercises.seed());
-        let step = self.lessons.open.clone().filter(|open| {
+        // The observer of a lesson's step suits only the step's own numbers.
+        let step = self.step_of_exercise().cloned().filter(|open| {
             let StepView { exercise, observer, .. } = &open.step().view;
             let last = open.id().step.checked_sub(1).and_then(|k| open.lesson().steps.get(k));
             let is_inherited = last.is_some_and(|last| last.view.observer == *observer);
-            exercise.is_some_and(|own| (own.exercise, own.seed) == asked) && !is_inherited
+            exercise.is_some_and(|own| own.seed == exercises.seed()) && !is_inherited
         });
         let is_same =
             |scene: &OpenScene| scene.open.document == document && scene.lessons.open == step;

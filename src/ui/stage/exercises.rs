@@ -15,7 +15,8 @@ use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
 use crate::ui::widgets::{
-    ResponseExt as _, combo, inside, line_field, marked_text, sign, text_width, vector_color,
+    ResponseExt as _, button_width, combo, inside, line_field, marked_text, sign, text_width,
+    vector_color,
 };
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::Derived;
@@ -25,6 +26,9 @@ use crate::view::typesetting::theme::{self, error_color};
 /// Describes what the user may type.
 const HINT: &str =
     "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits.";
+
+/// The button that copies the answer's code.
+const COPY: &str = "Copy my answer";
 
 /// Height of a row of fields, as a multiple of the text's size. It is at least that of a button.
 const ROW: f32 = 2.1;
@@ -39,6 +43,8 @@ const BEFORE_VERDICTS: f32 = 4.0;
 const FIELD: f32 = 150.0;
 /// Width kept free for the sign behind the fields, in points.
 const SIGN: f32 = 18.0;
+/// Minimum width of the word *seed* and its field, in points.
+const SEED: f32 = 84.0;
 /// Space on each side of the text in a field, in points.
 const MARGIN: f32 = 4.0;
 /// Height of the substitution of one line into another, as a multiple of a line's height. Most of its steps,
@@ -111,7 +117,9 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
                 "The number that the question's numbers are drawn from: the same seed, the same \
                  question; a whole number, 0 to {LARGEST_SEED}"
             );
-            ui.label("seed").on_hover_text(&hint);
+            if ui.available_width() > SEED {
+                ui.label("seed").on_hover_text(&hint);
+            }
             let mut typed = seed;
             seed_field(ui, &mut typed, "exercise seed", &hint);
             if typed != seed {
@@ -199,12 +207,15 @@ pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
     if ui.button("Check").on_hover_text(hint).clicked() {
         exercises.check();
     }
-    let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
-    if ui.button(text).clicked() {
+    let solution = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
+    let width: f32 = [solution, COPY].iter().map(|text| button_width(ui, text)).sum();
+    let is_narrow = width > ui.available_width();
+    if ui.button(if is_narrow { "Solution" } else { solution }).named(solution).clicked() {
         exercises.toggle_solution();
     }
     if !theme::installed(ui.ctx()).presenting {
-        let copy = ui.add_enabled(exercises.is_readable(), egui::Button::new("Copy my answer"));
+        let copy = egui::Button::new(if is_narrow { "Copy" } else { COPY });
+        let copy = ui.add_enabled(exercises.is_readable(), copy).named(COPY);
         let hint = "As a code that you can send, if all that you have typed can be read";
         copy.on_hover_text(hint).on_disabled_hover_text(hint).asks(ShareAction::CopyAnswer);
     }

@@ -18,8 +18,9 @@ use crate::ui::widgets::ResponseExt as _;
 const BUTTON: f32 = 15.0;
 const NEXT: &str = "Next →";
 const SHOW_ANSWER: &str = "Show the answer";
-/// Width below which the button that shows the answer has a short text, in points.
+/// Widths below which the buttons that show the answer and that reset the step have short texts, in points.
 const NARROW: f32 = 400.0;
+const NARROWEST: f32 = 320.0;
 
 const ABOUT_ANSWER: &str = "The answer to the question";
 
@@ -32,13 +33,15 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
         response.named(name).asks(action);
     };
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
+    let width = ui.max_rect().width();
     let back = instruction(ui.ctx(), &format!("Reset ({})", shortcut(Leave::BackToStep)));
+    let back = if width < NARROWEST { "Reset".to_owned() } else { back };
     let hint = "Resets everything to the step";
     button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
     let can = is_asking || open.next().is_some();
     let (text, name, about) = match is_asking {
-        true if ui.max_rect().width() < NARROW => ("Answer", SHOW_ANSWER, ABOUT_ANSWER),
+        true if width < NARROW => ("Answer", SHOW_ANSWER, ABOUT_ANSWER),
         true => (SHOW_ANSWER, SHOW_ANSWER, ABOUT_ANSWER),
         false => (NEXT, "Next", "The next step"),
     };

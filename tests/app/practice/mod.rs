@@ -6,3 +6,4 @@ mod diagnosis;
 pub(crate) mod exercises;
 mod hands;
 mod mistakes;
+mod progress;
