@@ -22,6 +22,9 @@ use crate::template::n;
 const MATRICES: [&str; 6] =
     ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
 
+/// The names of eye, at and up.
+const POINTS: [&str; 3] = ["eye", "at", "up"];
+
 /// Variable names of OpenCV's intrinsic matrix K; below, those of its pose R and t, of its lens, and of
 /// the image's width and height.
 const K_NAMES: [&str; 7] = [
@@ -46,8 +49,8 @@ const MAKERS: [&str; 10] = [
 ];
 
 /// Words that may precede the name of a variable in an assignment.
-const DECLARATIONS: [&str; 8] =
-    ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
+const DECLARATIONS: [&str; 10] =
+    ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4", "vec3", "glm::vec3"];
 
 /// Preprocessor directives that may exclude lines, so that a text with them cannot be understood
 /// without running the preprocessor.
@@ -75,7 +78,11 @@ pub(super) fn detect(text: &str) -> bool {
     let is_list = |value: &str| value.starts_with(['[', '(', 'n', '\n']);
     let of_numbers =
         |c: char| c.is_ascii_digit() || c.is_whitespace() || "()[],.;+-eE\u{feff}".contains(c);
+    let is_point = |value: &str| {
+        is_list(value) || value.starts_with(|c: char| of_numbers(c) || c == 'g' || c == 'v')
+    };
     gives(&["gluLookAt", "lookAt"], &['('], &|_| true)
+        || POINTS.iter().all(|name| gives(&[name], &['=', ':'], &is_point))
         || gives(&K_NAMES, &['=', ':'], &is_list)
         || gives(&MATRICES, &['='], &|_| true)
         || text.chars().all(of_numbers) && text.contains(|c: char| c.is_ascii_digit())
@@ -102,6 +109,9 @@ pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileErro
             None => Ok(look_at(points, None, at_hand)),
         };
     }
+    if source.statements.iter().any(|statement| POINTS.contains(&statement.target)) {
+        return by_names(&source, at_hand);
+    }
     by_numbers(&source, at_hand)
 }
 
@@ -116,6 +126,27 @@ fn is_of_intrinsics(name: &str) -> bool {
     let lists: [&[&str]; 6] =
         [&K_NAMES, &R_NAMES, &T_NAMES, &RT_NAMES, &DISTORTION_NAMES, SIZE_NAMES.as_flattened()];
     lists.iter().any(|list| list.contains(&name))
+}
+
+/// Reads eye, at and up, each of them with its name.
+fn by_names(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
+    let mut points = [None; 3];
+    for statement in &source.statements {
+        let place = POINTS.iter().position(|name| *name == statement.target);
+        let place = place.filter(|_| statement.called.is_empty());
+        let place = place.ok_or_else(|| source.refused(statement, RIGHT))?;
+        let point = <[f64; 3]>::try_from(source.numbers(statement)?);
+        let point = point.map_err(|_| source.refused(statement, "it must have three numbers"))?;
+        if points[place].replace(point).is_some() {
+            let right = format!("{} is given twice", POINTS[place]);
+            return Err(source.refused(statement, &right));
+        }
+    }
+    let missing = |name| source.missing(name, "it must be three numbers");
+    let point = |k: usize| points[k].ok_or_else(|| missing(POINTS[k]));
+    let [eye, at, up] = [point(0)?, point(1)?, point(2)?];
+    let points = std::array::from_fn(|k| [eye, at, up][k / 3][k % 3]);
+    Ok(look_at(points, None, at_hand))
 }
 
 /// Reads numbers without names: eye, at and up, or a camera-to-world matrix.

@@ -52,6 +52,28 @@ fn one_look_at_is_taken_and_the_rest_is_as_at_hand() {
 }
 
 #[test]
+fn eye_at_and_up_are_taken_by_their_names() {
+    let camera = taken(GLU);
+    for text in [
+        "eye = 0 0 5\nat = 0 1 0\nup = 0 1 0",
+        "up: (0, 1, 0)\nat: (0, 1, 0)\neye: (0, 0, 5)\n",
+        "eye = glm::vec3(0, 0, 5); at = glm::vec3(0, 1, 0); up = glm::vec3(0, 1, 0);",
+        "eye = [0, 0, 5], at = [0, 1, 0], up = [0, 1, 0]",
+        "vec3 eye = vec3(0, 0, 5);\nvec3 at = vec3(0, 1, 0);\nvec3 up = vec3(0, 1, 0);",
+    ] {
+        assert_eq!(taken(text), camera, "{text}");
+    }
+    for (text, message) in [
+        ("eye = 0 0 5\nat = 0 1 0", "in: up is missing: it must be three numbers"),
+        ("eye = 0 0 5\nat = 0 1\nup = 0 1 0", "in:2:1: at = 0 1: it must have three numbers"),
+        ("eye = 0 0 5\neye = 0 1 0", "in:2:1: eye = 0 1 0: eye is given twice"),
+        ("eye = 0 0 5\nfov = 60", "in:2:1: fov = 60: it must be nine numbers"),
+    ] {
+        assert_refused(text, message);
+    }
+}
+
+#[test]
 fn k_r_and_t_are_taken_as_lists_arrays_and_as_numpy_prints_them() {
     let printed = "K:\n[[500.    0.  319.5]\n [  0.  510.  239.5]\n [  0.    0.    1. ]]\n\
                    R = [[ 1.  0.  0.]\n [ 0. -1. -0.]\n [ 0. -0. -1.]]\nt = [1. 2. 3.]\n";
