@@ -129,12 +129,8 @@ pub fn shortcut(action: impl Into<Action>) -> String {
 }
 
 /// Words for keys and a mouse, and what a finger does instead.
-const BY_TOUCH: [[&str; 2]; 4] = [
-    ["Press Space", "Tap Play"],
-    ["Click", "Tap"],
-    [", then use the arrow keys", ""],
-    ["Reset (R)", "Reset"],
-];
+const BY_TOUCH: [[&str; 2]; 3] =
+    [["Press Space", "Tap Play"], ["Click ", "Tap "], [", then use the arrow keys", ""]];
 
 /// Returns an instruction in the words for the last pointer, a mouse or a finger.
 pub(crate) fn instruction(ctx: &Context, text: &str) -> String {

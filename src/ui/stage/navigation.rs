@@ -11,8 +11,9 @@ use egui::{
 use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
-use crate::ui::commands_table::{instruction, keys_text, shortcut};
+use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::ResponseExt as _;
+use crate::view::typesetting::theme;
 
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
@@ -34,8 +35,10 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     };
     button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
     let width = ui.max_rect().width();
-    let back = instruction(ui.ctx(), &format!("Reset ({})", shortcut(Leave::BackToStep)));
-    let back = if width < NARROWEST { "Reset".to_owned() } else { back };
+    let back = match theme::installed(ui.ctx()).by_touch || width < NARROWEST {
+        true => "Reset".to_owned(),
+        false => format!("Reset ({})", shortcut(Leave::BackToStep)),
+    };
     let hint = "Resets everything to the step";
     button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
     let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
