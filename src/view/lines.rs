@@ -93,12 +93,12 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {
-        Ordering::Less => "< 0",
-        Ordering::Equal => ": on the line",
-        Ordering::Greater => "> 0",
+        Ordering::Less => " < 0",
+        Ordering::Equal => ", on the line",
+        Ordering::Greater => " > 0",
     };
     let (t, f) = (equated(lab.t, digits), equated(f, digits));
-    text(ui, &format!("at t {t}:  f {f} {compared}"));
+    text(ui, &format!("at t {t}:  f {f}{compared}"));
 }
 
 /// Formats a number as a factor after a multiplication sign: in parentheses if it is negative.

@@ -293,8 +293,10 @@ impl App {
         problem: &str,
     ) -> Option<Dialog> {
         let name = path.file_name().unwrap_or(path.as_os_str()).display();
+        let folder = path.parent().filter(|folder| folder.is_absolute());
+        let folder = folder.map(|folder| format!("in the folder {}", folder.display()));
         match written {
-            Ok(()) => self.say(format!("{verb} {name}"), Vec::new()),
+            Ok(()) => self.say(format!("{verb} {name}"), Vec::from_iter(folder)),
             Err(reason) => return Some(Dialog::message(problem, reason)),
         }
         None

@@ -36,7 +36,7 @@ pub const GESTURES: [(Group, &str, &str); 16] = [
     (Group::Views, "Shift+drag in the world view", "Pan the observer"),
     (Group::Views, "Wheel in the world view", "Zoom to what is under the pointer"),
     (Group::Views, "Double click", "Frame the sphere or the camera there, or everything"),
-    (Group::Views, "Click", "Select the pixel there"),
+    (Group::Views, "Click", "Select the pixel, or choose the sphere, there"),
     (Group::Hand, "Drag a handle", "Move it parallel to the screen"),
     (Group::Hand, "Ctrl", "In fixed steps"),
     (Group::Hand, "Alt", "Eye orbits at, or travels"),
