@@ -57,6 +57,16 @@ impl Feedback {
         matches!(self, Feedback::Judged(verdict) if verdict.is_right())
     }
 
+    /// Returns true if the answer is wrong, and not only missing.
+    pub(crate) fn is_wrong(&self) -> bool {
+        !self.is_good() && !matches!(self, Feedback::NotAnswered | Feedback::Missing)
+    }
+
+    /// Returns true if what was typed cannot be read.
+    pub(crate) fn is_no_number(&self) -> bool {
+        matches!(self, Feedback::NoNumber(_))
+    }
+
     /// Returns the feedback in words.
     pub(crate) fn sentence(&self, part: &QuestionPart) -> String {
         match self {

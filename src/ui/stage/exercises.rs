@@ -1,7 +1,7 @@
 //! An exercise on the stage: in the column, its answer fields with their verdicts, its buttons and its
 //! solution; as the main figure, the lines of a question in two dimensions.
 
-use egui::{Align, Color32, FontId, Key, Label, Layout, RichText, Stroke, Ui, vec2};
+use egui::{Align, Color32, FontId, Id, Key, Label, Layout, RichText, Stroke, Ui, vec2};
 use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
@@ -34,6 +34,8 @@ const COPY: &str = "Copy my answer";
 const ROW: f32 = 2.1;
 /// Number of lines of text below the fields: for verdicts or the hint.
 const VERDICT_LINES: f32 = 2.5;
+/// Number of further lines for verdicts where there is room for the solution, too.
+const MORE_LINES: f32 = 3.0;
 /// Padding of the solution at the left and right, and the radius of its corners, in points.
 const PADDING: f32 = 6.0;
 const ROUNDING: f32 = 6.0;
@@ -45,6 +47,9 @@ const FIELD: f32 = 150.0;
 const SIGN: f32 = 18.0;
 /// Minimum width of the word *seed* and its field, in points.
 const SEED: f32 = 84.0;
+/// Width kept free behind the sign for what refers to another answer, such as *as u*, as a multiple of the
+/// text's size.
+const REFERENCE: f32 = 2.8;
 /// Space on each side of the text in a field, in points.
 const MARGIN: f32 = 4.0;
 /// Height of the substitution of one line into another, as a multiple of a line's height. Most of its steps,
@@ -184,7 +189,15 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     let of_solution = SIZES.into_iter().find(|own| *own <= size && solved(*own) <= room);
     let of_solution = of_solution.unwrap_or(WRITTEN);
     let solved = solved(of_solution);
-    let height = if has_both { answers } else { most.min(answers.max(solved)) };
+    let height = match has_both {
+        // What the solution leaves over is for more to be said of the answers.
+        true => {
+            answers
+                + (most - answers - solved)
+                    .min(MORE_LINES * marked_text::row_height(ui, small(size)))
+        }
+        false => most.min(answers.max(solved)),
+    };
     let (above, below) = whole.split_top_bottom_at_y(whole.top() + height);
     inside(ui, above, |ui| match is_solved && !has_both {
         true => solution(ui, context, [solved, of_solution]),
@@ -221,7 +234,7 @@ pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
     }
 }
 
-/// Shows the fields, and below them the verdicts or, before a check, what may be typed.
+/// Shows the fields, each with what is said of it, and below them what may be typed, or is still missing.
 fn fields(ui: &mut Ui, exercises: &mut Exercises, size: f32) {
     ui.style_mut().override_font_id = Some(FontId::proportional(size));
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -229,33 +242,104 @@ fn fields(ui: &mut Ui, exercises: &mut Exercises, size: f32) {
     let names = parts.iter().map(|part| format!("{} =", part.asked.symbol()));
     let indent = names.map(|name| text_width(ui, &name, FontId::proportional(size + 1.0)));
     let indent = indent.fold(0.0, f32::max);
-    let (mut focused, mut wants_check) = (None, false);
+    let (small, height, said) = (small(size), row_of_fields(ui, size), at_fields(exercises));
+    let asked = (exercises.question().exercise, exercises.seed());
+    let kept = ui.data(|data| data.get_temp::<SaidBelow>(said_below()));
+    let mut kept = kept.filter(|kept| kept.0 == asked && kept.1.len() == parts.len());
+    let SaidBelow(_, heights) =
+        kept.get_or_insert_with(|| SaidBelow(asked, vec![0.0; parts.len()]));
+    let rows = parts.len() as f32 * height;
+    let mut room = ui.available_height() - rows - BEFORE_VERDICTS - row(ui);
+    let mut wants_check = false;
     for (k, part) in parts.iter().enumerate() {
-        let row = vec2(ui.available_width(), row_of_fields(ui, size));
+        let row = vec2(ui.available_width(), height);
+        let mut text = said[k].as_deref().map(|text| RichText::new(text).size(small));
+        if exercises.answers[k].feedback.as_ref().is_some_and(Feedback::is_wrong) {
+            text = text.map(|text| text.color(error_color(ui)));
+        }
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_size(row);
             let typed = &mut exercises.answers[k];
-            let [has_focus, entered] = answer(ui, part, typed, [indent, size]);
-            focused = focused.or(has_focus.then_some(k));
-            wants_check |= entered;
+            wants_check |= answer(ui, part, typed, [indent, size]);
             verdict(ui, part, typed);
+            let width = ui.available_width();
+            let fits = |text: &RichText| {
+                marked_text::height_within(ui, text.text(), small, width) <= height
+            };
+            if let Some(text) = text.take_if(|text| width > SIGN && fits(text)) {
+                ui.add(Label::new(text).wrap());
+            }
+        });
+        // An answer that was edited since the check has lost its sentence, but not the room, so that the
+        // fields below it stay in place.
+        if exercises.answers[k].feedback.is_some() {
+            let needs = |text: &RichText| {
+                marked_text::height_within(ui, text.text(), small, ui.available_width())
+            };
+            heights[k] = text.as_ref().map_or(0.0, needs);
+        }
+        let is_first = heights[..k].iter().all(|height| *height == 0.0);
+        if heights[k] > room + 1.0 && !is_first {
+            heights[k] = 0.0;
+        }
+        room -= heights[k];
+        let below = vec2(ui.available_width(), heights[k]);
+        ui.allocate_ui(below, |ui| {
+            ui.set_min_size(below);
+            if let Some(text) = text.filter(|_| below.y > 0.0) {
+                ui.add(Label::new(text).wrap());
+            }
         });
     }
+    let has_room = heights.iter().all(|height| *height == 0.0);
+    ui.data_mut(|data| kept.map(|kept| data.insert_temp(said_below(), kept)));
     if wants_check {
         exercises.check();
     }
     ui.add_space(BEFORE_VERDICTS);
-    verdicts(ui, exercises, focused, small(size));
+    note(ui, exercises, small, has_room);
 }
 
-/// Shows the fields for the answer to one part of the question. Returns whether one of them has the focus,
-/// and whether Enter was pressed in it.
+/// The heights of what was said below the fields of a question.
+#[derive(Clone)]
+struct SaidBelow((Exercise, Option<u64>), Vec<f32>);
+
+fn said_below() -> Id {
+    Id::unique("said below the fields")
+}
+
+/// Returns what is said at the fields of each part: a sentence that stands at an earlier one is referred to.
+fn at_fields(exercises: &Exercises) -> Vec<Option<String>> {
+    let parts = &exercises.question().parts;
+    let mut said: Vec<(&str, String)> = Vec::new();
+    let is_no_number =
+        |typed: &&TypedAnswer| typed.feedback.as_ref().is_some_and(Feedback::is_no_number);
+    let has_several = exercises.answers.iter().filter(is_no_number).count() > 1;
+    let mut text_of = |part: &QuestionPart, feedback: &Feedback| {
+        let sentence = match feedback {
+            Feedback::Judged(Verdict::Right) | Feedback::NotAnswered => return None,
+            // They are all named in one sentence.
+            Feedback::NoNumber(_) if has_several => return None,
+            Feedback::Follows(source) => return Some(format!("as {}", source.symbol())),
+            _ => feedback.sentence(part),
+        };
+        if let Some((symbol, _)) = said.iter().find(|(_, earlier)| *earlier == sentence) {
+            return Some(format!("as {symbol}"));
+        }
+        said.push((part.asked.symbol(), sentence.clone()));
+        Some(sentence)
+    };
+    let all = parts.iter().zip(&exercises.answers);
+    all.map(|(part, typed)| text_of(part, typed.feedback.as_ref()?)).collect()
+}
+
+/// Shows the fields for the answer to one part of the question. Returns whether Enter was pressed in one.
 fn answer(
     ui: &mut Ui,
     part: &QuestionPart,
     typed: &mut TypedAnswer,
     [indent, size]: [f32; 2],
-) -> [bool; 2] {
+) -> bool {
     let name = part.asked.id();
     // Without a frame, a field hardly stands out from a white or a black page.
     let frame = Stroke::new(1.0, ui.visuals().weak_text_color());
@@ -267,7 +351,7 @@ fn answer(
                 (typed.yes, typed.feedback) = (Some(yes), None);
             }
         }
-        return [false; 2];
+        return false;
     }
     let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
     let text = RichText::new(format!("{} =", part.asked.symbol())).size(size + 1.0);
@@ -277,9 +361,9 @@ fn answer(
     });
     // The fields share the row with the gaps between them.
     let between = ui.spacing().item_spacing.x;
-    let width = (ui.available_width() - SIGN) / part.count() as f32 - between;
+    let width = (ui.available_width() - SIGN - REFERENCE * size) / part.count() as f32 - between;
     let width = width.clamp(44.0, FIELD);
-    let (mut has_focus, mut left, mut entered) = (false, false, false);
+    let (mut left, mut entered) = (false, false);
     for ((axis, hint), text) in part.asked.coordinates().into_iter().zip(&mut typed.fields) {
         let (label, hint) = match part.count() {
             1 => (format!("answer {name}"), ""),
@@ -291,7 +375,6 @@ fn answer(
         if response.changed() {
             typed.feedback = None;
         }
-        has_focus |= response.has_focus();
         left |= response.lost_focus();
         entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
     }
@@ -300,7 +383,7 @@ fn answer(
     if left {
         typed.spread();
     }
-    [has_focus, entered]
+    entered
 }
 
 /// Shows the sign of the verdict on an answer behind its fields, once it has been checked.
@@ -314,45 +397,29 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
     response.on_hover_text(&sentence).spoken(format!("{}: {sentence}", part.asked.id()));
 }
 
-/// Shows the verdicts that say more than that an answer is right, as many as there is room for. Answers that are
-/// not numbers come first, all in one verdict, then the answer that has the focus, and those that are still
-/// missing last.
-fn verdicts(ui: &mut Ui, exercises: &Exercises, focused: Option<usize>, size: f32) {
-    let parts = exercises.question().parts.iter().zip(&exercises.answers).enumerate();
-    let said = parts.filter_map(|(k, (part, typed))| Some((k, part, typed.feedback.as_ref()?)));
-    let mut said: Vec<(usize, &QuestionPart, &Feedback)> = said.collect();
-    if said.is_empty() {
-        ui.add(Label::new(RichText::new(HINT).size(size).weak()).wrap());
-        return;
-    }
+/// Shows, below the fields, whether all is right or which answers are missing; before a check, what may be
+/// typed, if what was said before leaves room.
+fn note(ui: &mut Ui, exercises: &Exercises, size: f32, has_room: bool) {
+    let those = |are: fn(&Feedback) -> bool| -> Vec<&str> {
+        let parts = exercises.question().parts.iter().zip(&exercises.answers);
+        let those = parts.filter(|(_, typed)| typed.feedback.as_ref().is_some_and(are));
+        those.map(|(part, _)| part.asked.symbol()).collect()
+    };
+    let missing = those(|said| *said == Feedback::NotAnswered);
+    let no_numbers = those(Feedback::is_no_number);
     if exercises.is_right() {
         ui.horizontal(|ui| {
             sign(ui, true);
             ui.label(RichText::new("All correct.").strong());
         });
-    }
-    let no_numbers = said.iter().filter(|(.., said)| matches!(said, Feedback::NoNumber(_)));
-    let names: Vec<&str> = no_numbers.map(|(_, part, _)| part.asked.symbol()).collect();
-    if names.len() > 1 {
-        let text = format!("{} are not numbers: try 0.5, 1/3 or sqrt(2)/2.", names.join(", "));
+    } else if no_numbers.len() > 1 {
+        let text = format!("{} are not numbers: try 0.5, 1/3 or sqrt(2)/2.", no_numbers.join(", "));
         ui.add(Label::new(RichText::new(text).size(size).color(error_color(ui))).wrap());
-        said.retain(|(k, _, said)| Some(*k) == focused || !matches!(said, Feedback::NoNumber(_)));
-    }
-    said.sort_by_key(|(k, _, said)| (Some(*k) != focused, **said == Feedback::NotAnswered));
-    for (_, part, said) in said {
-        if *said == Feedback::Judged(Verdict::Right) {
-            continue;
-        }
-        let is_wrong =
-            !said.is_good() && !matches!(said, Feedback::NotAnswered | Feedback::Missing);
-        let text = format!("{}: {}", part.asked.symbol(), said.sentence(part));
-        let height = marked_text::height_within(ui, &text, size, ui.available_width());
-        if height > ui.available_height() + 1.0 && ui.cursor().top() > ui.max_rect().top() {
-            break;
-        }
-        let text = RichText::new(text).size(size);
-        let text = if is_wrong { text.color(error_color(ui)) } else { text };
-        ui.add(Label::new(text).wrap());
+    } else if !missing.is_empty() {
+        let text = format!("Not answered yet: {}", missing.join(", "));
+        ui.add(Label::new(RichText::new(text).size(size).weak()).wrap());
+    } else if has_room && exercises.answers.iter().all(|typed| typed.feedback.is_none()) {
+        ui.add(Label::new(RichText::new(HINT).size(size).weak()).wrap());
     }
 }
 

@@ -3,12 +3,12 @@
 use egui::accesskit::Role;
 use egui::{Rect, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
 
-use super::exercises::click;
+use super::exercises::{answer, answers, click, open};
 use crate::harness::{command, texts_with, window};
 
 fn button(window: &Harness<'_, App>, name: &str) -> Rect {
@@ -43,4 +43,46 @@ fn another_exercise_in_a_lesson_has_no_text_of_the_step() {
     command(&mut window, Exercise::Sphere.title());
     assert_eq!(texts_with(&window, "Another quarter turn"), [""; 0]);
     window.get_by_role_and_label(Role::ComboBox, "exercise");
+}
+
+#[test]
+fn a_wrong_answer_is_told_once_and_at_its_field() {
+    for size in [vec2(1280.0, 800.0), vec2(1024.0, 768.0), vec2(390.0, 844.0)] {
+        let mut window = open(Exercise::Turned);
+        window.set_size(size);
+        window.run();
+        let field = |window: &Harness<'_, App>, name: &str| {
+            window.get_by_role_and_label(Role::TextInput, &format!("answer {name}")).rect()
+        };
+        let still = |window: &Harness<'_, App>| {
+            let view = window.get_by_role_and_label(Role::Image, "World view").rect();
+            [view, button(window, "Check"), button(window, "Copy my answer")]
+        };
+        let before = still(&window);
+        for (part, texts) in
+            [("u", ["1", "0", "-1"]), ("w", ["1", "0", "1"]), ("d", ["-0.8", "-0.1", "-1.2"])]
+        {
+            answers(&mut window, part, &texts);
+        }
+        answer(&mut window, "t", "5");
+        click(&mut window, "Check");
+        let told = window.get_all_by_role(Role::Label).filter(|node| {
+            node.accesskit_node().value().is_some_and(|text| text.starts_with("Wrong: 𝐮 and"))
+        });
+        let told: Vec<Rect> = told.map(|node| node.rect()).collect();
+        let [told] = told[..] else { panic!("{size}: {told:?}") };
+        let between = field(&window, "u x").bottom()..field(&window, "v x").top() + 1.0;
+        assert!(between.contains(&told.top()) && between.contains(&told.bottom()), "{size}");
+        let of_others = window.get_all_by_role(Role::Label);
+        let of_others =
+            of_others.filter(|node| node.accesskit_node().value().as_deref() == Some("as 𝐮"));
+        assert_eq!(of_others.count(), 3, "{size}");
+        assert_ne!(texts_with(&window, "Not answered yet: 𝐯"), [""; 0], "{size}");
+        assert_eq!(still(&window), before, "{size}");
+        // While it is corrected, nothing moves below the hand.
+        let below = field(&window, "t");
+        answer(&mut window, "u x", "1/sqrt(2)");
+        assert_eq!(texts_with(&window, "Wrong: 𝐮 and"), [""; 0], "{size}");
+        assert_eq!(field(&window, "t"), below, "{size}");
+    }
 }
