@@ -93,7 +93,7 @@
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | panes, the floor and its drop lines | `view/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figures/spheres.rs` |
-//! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/world_view/drawn.rs`; kept in the scene: `ui/app/keep.rs` |
+//! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/world_view/drawn.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
 //! | where a label stands | `view/overlay/world_view/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |

@@ -149,6 +149,22 @@ impl Concept {
         NAMES.iter().find(|(_, known, _)| *known == name).map(|(concept, ..)| *concept)
     }
 
+    /// Returns the concept's name in files.
+    pub fn name(self) -> String {
+        match self {
+            Concept::Object(object) => format!("object {object}"),
+            Concept::Root { object, number } => format!("root {object} {number}"),
+            Concept::Equation { object, step } => {
+                let prefix = EquationStep::ALL.iter().find(|(known, _)| *known == step);
+                format!("{}{object}", prefix.map_or("", |(_, prefix)| *prefix))
+            }
+            other => {
+                let known = NAMES.iter().find(|(concept, ..)| *concept == other);
+                known.map_or("", |(_, name, _)| *name).to_owned()
+            }
+        }
+    }
+
     /// Returns the names of all concepts without an index.
     pub fn names() -> [&'static str; 19] {
         NAMES.map(|(_, name, _)| name)
@@ -188,7 +204,7 @@ mod tests {
             (Concept::Equation { object: 1, step: EquationStep::Discriminant }, "discriminant 1"),
         ];
         for (concept, name) in NAMES.iter().map(|(c, name, _)| (*c, *name)).chain(numbered) {
-            assert_eq!(Concept::from_name(name), Some(concept));
+            assert_eq!((Concept::from_name(name), &concept.name()[..]), (Some(concept), name));
             assert!(!concept.description(|k| format!("sphere {k}")).is_empty());
         }
         for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x", "discriminant"] {

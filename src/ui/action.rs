@@ -64,6 +64,10 @@ pub enum FileAction {
     AskSavePage,
     /// Save the scene, or the lesson's step, as a page for a browser.
     SavePage(PathBuf),
+    /// Ask for the lesson file to which to add a step.
+    AskSaveStep,
+    /// Add what is shown to this lesson file, as its last step.
+    SaveStep(PathBuf),
     /// Save, then leave if the scene was saved.
     SaveThen(Leave),
     /// Leave without saving.

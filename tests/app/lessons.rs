@@ -7,6 +7,7 @@ mod leaving;
 mod numbers;
 mod questions;
 mod ray_pictures;
+mod saving;
 mod stage;
 mod strip;
 mod walk;

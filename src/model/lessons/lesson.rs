@@ -70,6 +70,8 @@ pub struct AskedExercise {
 pub struct StepView {
     /// The observer of the world view.
     pub observer: Option<Observer>,
+    /// True if the observer is not fitted to the view.
+    pub keep_observer: Option<bool>,
     /// The layout of the views.
     pub layout: Option<ViewLayout>,
     /// The items of the overlay.

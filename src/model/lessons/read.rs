@@ -25,8 +25,8 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// The keys that a step may have in addition to the tables of a scene.
-const STEP: &str = "title text ask answer hide scene pixel uv observer layout show shade \
-                    count_from_one digits keep_picture teaching derivation formulas highlight mistake t \
+const STEP: &str = "title text ask answer hide scene pixel uv observer keep_observer layout show \
+                    shade count_from_one digits keep_picture teaching derivation formulas highlight mistake t \
                     play ghost lines exercise seed";
 
 /// Reads a lesson file.
@@ -215,6 +215,7 @@ fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(
         Ok(())
     }
     say(section, "observer", &mut view.observer, |field| observer(field).map(Observer::from))?;
+    say(section, "keep_observer", &mut view.keep_observer, TomlField::boolean)?;
     say(section, "layout", &mut view.layout, |field| {
         let layouts = ViewLayout::LISTED.into_iter().filter_map(|one| Some((one.name()?, one)));
         choice(field, layouts)
@@ -307,7 +308,7 @@ fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
 }
 
 /// Returns true if the concept exists in a scene with `objects` objects.
-fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
+pub(super) fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
     match concept {
         Some(
             Concept::Object(object)
@@ -351,7 +352,7 @@ fn concept(field: &TomlField, objects: usize) -> Result<Concept, FileError> {
 }
 
 /// The name that stands for no highlighted concept.
-const NOTHING: &str = "nothing";
+pub(super) const NOTHING: &str = "nothing";
 
 /// Reads the lines lab's two lines, or one of them; then only that one is drawn.
 fn lines(section: &Section) -> Result<LinesLab, FileError> {

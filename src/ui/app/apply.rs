@@ -233,6 +233,12 @@ impl App {
                 let saved = files::save_page(&self.scene, &path);
                 self.say_written(saved, "Saved to", &path, "The page was not saved")
             }
+            FileAction::AskSaveStep => {
+                // The menu in which it was chosen stays open for several clicks.
+                Popup::close_all(ctx);
+                Some(self.ask_save_step())
+            }
+            FileAction::SaveStep(path) => self.save_step(&path),
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
                 self.window.discarded = leave == Leave::Quit;

@@ -1,8 +1,24 @@
-//! The observer that a scene keeps: the one with which it opens.
+//! Keeps what is shown: the observer in the scene, which opens with it, and the whole view as a step of a
+//! lesson's file.
+
+use std::path::Path;
+
+use pinhole_exchange::host::host;
+use pinhole_exchange::limits;
 
 use super::App;
-use crate::ui::action::KeepAction;
-use crate::ui::dialogs::Dialog;
+use super::scene::OpenScene;
+use crate::model::lessons::{Lesson, with_step};
+use crate::ui::action::{FileAction, KeepAction};
+use crate::ui::dialogs::{Dialog, FileQuestion, PathField};
+
+const SAVE_STEP: FileQuestion = FileQuestion {
+    title: "Save this view at the end of a lesson, or begin one",
+    verb: "Save",
+    endings: &["toml"],
+    hint: "path of a lesson; a new file begins one",
+    writes: Some("toml"),
+};
 
 impl App {
     /// Keeps the observer in the scene, or forgets the kept one. Returns a message if that is impossible.
@@ -22,5 +38,40 @@ impl App {
         };
         self.say(title.to_owned(), Vec::new());
         None
+    }
+    /// Returns the dialog that asks for a lesson file, at first for the one that was opened or saved last.
+    pub(super) fn ask_save_step(&self) -> Dialog {
+        let known = self.scene.lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref());
+        let name = known.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
+        let place = known.or(self.scene.open.file());
+        let mut field = PathField::new(SAVE_STEP, place, &name.to_string_lossy());
+        field.adds = true;
+        Dialog::file(field, FileAction::SaveStep)
+    }
+
+    /// Adds what is shown to a lesson file, as its last step. Returns a message if that fails.
+    pub(super) fn save_step(&mut self, path: &Path) -> Option<Dialog> {
+        let lesson = self.write_step(path);
+        let count = lesson.as_ref().map_or(0, |lesson| lesson.steps.len());
+        let ghost = if self.scene.session.ghost.is_some() { ", without the ghost," } else { "" };
+        let verb = format!("Saved step {count}{ghost} to");
+        let written = lesson.map(|lesson| {
+            self.scene.lessons.is_longer(lesson);
+            self.window.remember(path);
+        });
+        self.say_written(written, &verb, path, "This view was not saved")
+    }
+
+    fn write_step(&self, path: &Path) -> Result<Lesson, String> {
+        let OpenScene { open, session, .. } = &self.scene;
+        if self.question.is_some() {
+            return Err("An exercise has a scene of its own: close it first.".to_owned());
+        }
+        open.check_output(path)?;
+        let text = host().stamp(path).map(|_| limits::read_text(path)).transpose();
+        let text = text.map_err(|error| error.to_string())?;
+        let (text, lesson) = with_step(text.as_deref(), path, open, session)?;
+        host().write(path, text.as_bytes()).map_err(|error| error.to_string())?;
+        Ok(lesson)
     }
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use pinhole_exchange::host::host;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use super::scene::{OpenScene, Opened};
@@ -17,8 +18,8 @@ use crate::view::derivation::Derivation;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lessons {
     pub(super) open: Option<OpenLesson>,
-    /// The lesson that was opened from a file.
-    file: Option<Arc<Lesson>>,
+    /// The lesson that was opened from a file, or to which a step was saved.
+    pub(super) file: Option<Arc<Lesson>>,
     /// The observer (the world view's camera) with which the step began, fitted to the world view.
     seen_from: Option<Observer>,
     /// The session before the first step.
@@ -34,6 +35,16 @@ impl Lessons {
     pub(super) fn framed(&mut self, before: Option<Observer>, observer: Observer) {
         if self.seen_from.is_none() || self.seen_from == before {
             self.seen_from = Some(observer);
+        }
+    }
+
+    /// Replaces the lesson from a file by the same one with more steps or, unless it is open, by another one.
+    pub(super) fn is_longer(&mut self, lesson: Lesson) {
+        let own = self.open.as_ref().filter(|open| open.id().lesson == Which::File);
+        let files = own.map(|open| open.lesson().file.as_ref().zip(lesson.file.as_ref()));
+        if files.is_none_or(|files| files.is_some_and(|(a, b)| host().is_same_file(a, b))) {
+            let file = self.file.insert(Arc::new(lesson));
+            self.open = self.open.take().and_then(|open| OpenLesson::at(open.id(), Some(file)));
         }
     }
 

@@ -121,7 +121,9 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
-        let of_step = self.lessons.open.as_ref().and_then(|open| open.step().view.observer);
+        let step = self.lessons.open.as_ref().map(|open| &open.step().view);
+        let fitted = step.filter(|view| view.keep_observer != Some(true));
+        let of_step = fitted.and_then(|view| view.observer);
         let named = match (own, shown) {
             // If the camera is out of sight, the observer of the lesson's step no longer suits it.
             (Some(framed), _) => framed.named.filter(|_| !lost),

@@ -137,6 +137,8 @@ fn program() -> Vec<UiCommand> {
             [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
         Views, "Keep this view in the scene", "Lets the scene open with the world view as it is now.",
             [], KeepAction::InScene;
+        Views, "Save this view as a step…", "Asks which lesson to add what is shown to, as its last step.",
+            [], FileAction::AskSaveStep;
         Views, "Forget the view kept in the scene", "Lets the scene open with everything in view.",
             [], KeepAction::Nowhere;
         Views, "Recap: from view to the ray", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",

@@ -53,6 +53,8 @@ pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     pub(crate) question: FileQuestion,
+    /// True if an existing file is not replaced: something is added to its end.
+    pub(crate) adds: bool,
     /// True if the user chooses the file in the desktop's dialog, rather than in the window's list.
     is_desktops: bool,
     /// The request to the desktop's dialog, while that dialog is open.
@@ -94,9 +96,9 @@ impl PathField {
 
     /// Lets the user choose the file in the desktop's dialog. If `at_once` is true, that dialog opens
     /// immediately; otherwise, when the button is clicked. A browser chooses the folder of a download, but not
-    /// its name.
+    /// its name; and a desktop would ask whether to replace a file to which something is added.
     pub(crate) fn leave_to_desktop(&mut self, at_once: bool) {
-        if self.question.writes.is_some() && !host().has_folders() {
+        if self.adds || self.question.writes.is_some() && !host().has_folders() {
             return;
         }
         (self.is_desktops, self.request) = (true, None);
@@ -279,7 +281,7 @@ impl PathField {
             if path.extension().is_none() {
                 path.set_extension(ending);
             }
-            if path.exists() && self.overwrite.as_ref() != Some(&path) {
+            if path.exists() && !self.adds && self.overwrite.as_ref() != Some(&path) {
                 self.ask_by_list();
                 self.text = path.display().to_string();
                 self.overwrite = Some(path);

@@ -211,6 +211,7 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Frame all", Observe::FrameAll);
     entry(ui, "Frame the camera", Observe::FrameCamera);
     entry(ui, "Keep this view in the scene", KeepAction::InScene);
+    entry(ui, "Save this view as a step…", FileAction::AskSaveStep);
     possible_entry(ui, "Forget the view kept in the scene", KeepAction::Nowhere, there);
     ui.separator();
     possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);

@@ -33,6 +33,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
     assert_eq!(session.selection, step.selection, "{now:?}");
     let StepView {
         observer,
+        keep_observer,
         layout,
         items,
         shade,
@@ -61,6 +62,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
                 })
             }),
         ),
+        ("keep_observer", keep_observer != Some(true) || session.observer == observer),
         ("layout", layout.is_none_or(|said| settings.layout == said)),
         ("formulas", session.formulas == formulas),
         ("items", items.is_none_or(|said| own_items(settings.items) == own_items(said))),
