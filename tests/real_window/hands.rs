@@ -20,7 +20,7 @@ use crate::screen::{SIZE, Screen, wait_for};
 use crate::window::{Setting, Window, built_in};
 
 /// The scene as Ctrl+S has written it over one that was other.
-fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
+pub(crate) fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
     window.key("ctrl+s");
     wait_for("the saved file", || {
         let saved = scene_file::load(scene).ok()?;

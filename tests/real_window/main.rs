@@ -19,6 +19,7 @@ mod monkey;
 #[path = "../../src/exchange/tests/common/mutants.rs"]
 #[allow(dead_code, reason = "the monkey needs its random numbers alone")]
 mod mutants;
+mod observing;
 mod pen;
 mod pointing;
 mod portal;
@@ -72,6 +73,12 @@ fn the_camera_is_taken_in_the_hand_presented_and_exported() {
 #[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
 fn a_pixel_is_pointed_at_and_pinned() {
     pointing::hover_and_pin();
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool, dbus and at-spi2-core: .ci/run installs them"]
+fn a_view_is_zoomed_turned_and_saved_as_a_step_that_plays() {
+    observing::zoom_turn_save_and_play();
 }
 
 #[test]
