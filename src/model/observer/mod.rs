@@ -181,7 +181,7 @@ impl Observer {
     }
 
     /// Returns the observer that looks along one of the world's axes: from the side, from above as steeply as it
-    /// can, or from the front. Its target and distance stay the same.
+    /// can, or from the front; if it does so already, from the other side. Its target and distance stay the same.
     #[must_use]
     pub fn along(&self, axis: WorldAxis) -> Observer {
         let [azimuth, elevation] = match axis {
@@ -189,7 +189,12 @@ impl Observer {
             WorldAxis::Y => [0.0, STEEPEST],
             WorldAxis::Z => [0.0, 0.0],
         };
-        Observer { azimuth, elevation, ..*self }
+        let along = Observer { azimuth, elevation, ..*self };
+        match axis {
+            _ if along != *self => along,
+            WorldAxis::Y => Observer { elevation: -elevation, ..along },
+            _ => Observer { azimuth: azimuth + std::f64::consts::PI, ..along },
+        }
     }
 
     /// Returns the observer that looks at a sphere from the same direction, and sees all of it in a view of this

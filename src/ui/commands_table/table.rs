@@ -369,11 +369,11 @@ fn zooms() -> Vec<UiCommand> {
             [plain(CameraView, Key::Minus)], Steer(CameraMove::Zoom, -1, 0);
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
             [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
-        Views, "Look along x", "Shows the scene from the side.",
+        Views, "Look along x", "Shows the scene from the side; again, from the other side.",
             [plain(View, Key::X)], Observe::Along(WorldAxis::X);
-        Views, "Look along y", "Shows the scene from above.",
+        Views, "Look along y", "Shows the scene from above; again, from below.",
             [plain(View, Key::Y)], Observe::Along(WorldAxis::Y);
-        Views, "Look along z", "Shows the scene from the front.",
+        Views, "Look along z", "Shows the scene from the front; again, from behind.",
             [plain(View, Key::Z)], Observe::Along(WorldAxis::Z);
         Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
             [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);

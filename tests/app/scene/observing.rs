@@ -162,6 +162,15 @@ fn the_gizmo_and_its_keys_look_along_the_axes() {
         harness.key_press(key);
         harness.run();
         assert!(looks(&harness), "{name}, by its key");
+        harness.key_press(key);
+        harness.run();
+        assert!(
+            world(&harness).camera().basis().w.dot(axis) < -0.999,
+            "again, from the other side"
+        );
+        harness.get_by_role_and_label(Role::Button, name).click();
+        harness.run();
+        assert!(looks(&harness), "{name}, once more");
     }
 }
 
