@@ -43,6 +43,7 @@ pub use play::Player;
 pub use practice::answer_marks::{AnswerMark, MarkShape};
 pub use practice::exercises::Exercises;
 pub(crate) use practice::exercises::{Feedback, TypedAnswer};
+pub use practice::progress::Progress;
 pub use practice::{AnswersFile, MistakesView, StudentAnswers};
 pub use readings::NumberStyle;
 pub use session::handles::HandleState;

@@ -11,6 +11,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::model::lessons::{StepId, Which};
+use crate::model::practice::progress::Progress;
 use crate::model::session::Settings;
 
 /// The remembered state as stored on disk.
@@ -19,6 +20,8 @@ use crate::model::session::Settings;
 pub struct Remembered {
     /// Preferences.
     pub settings: Settings,
+    /// The exercises that are done.
+    pub progress: Progress,
     /// The position and size of the window.
     pub window: WindowGeometry,
     /// The selected ray of the scene that was open.

@@ -172,7 +172,7 @@ pub enum ShareAction {
     CopyAnswer,
 }
 
-/// Opens, grades or closes a student's answers, and collects codes of a class's.
+/// Opens, grades or closes a student's answers, starts the exercises over, and collects codes of a class's.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswersAction {
     /// Ask for the path of their file.
@@ -181,6 +181,10 @@ pub enum AnswersAction {
     Check(PathBuf),
     /// Close the answers.
     PutAway,
+    /// Ask whether to start the exercises over.
+    AskStartOver,
+    /// Forget which exercises are done, and what was typed in them.
+    StartOver,
     /// Add a text with codes of a class's answers.
     AddCodes(String),
 }

@@ -1,5 +1,6 @@
 //! The open exercise, the typed answers, and the feedback on them. The questions and the right answers
-//! come from [`pinhole_lecture`]. No score is kept, and nothing is stored or sent.
+//! come from [`pinhole_lecture`]. No answer is stored or sent; which exercises are done
+//! is stored (`progress.rs`).
 
 use pinhole_exchange::document::{Document, Item, WALL_COLOR};
 use pinhole_lecture::exercises::{

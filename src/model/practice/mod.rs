@@ -11,6 +11,7 @@ pub mod answer_marks;
 pub mod class;
 pub mod code;
 pub mod exercises;
+pub mod progress;
 pub mod vote;
 
 /// Maximum seed of a question or a vote, far below 2^53, up to which the seed's `f64` number field is

@@ -9,7 +9,7 @@ use crate::model::practice::class::ClassCodes;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::{
     Concept, DerivationSections, Exercises, Formulas, HandleState, HoverSource, Hovered, LinesLab,
-    MistakesView, Observer, OverlayItems, StudentAnswers, Translator,
+    MistakesView, Observer, OverlayItems, Progress, StudentAnswers, Translator,
 };
 
 pub use choices::{
@@ -62,6 +62,8 @@ pub struct Session {
     pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
     pub exercises: Exercises,
+    /// The exercises that are done, which are kept across runs.
+    pub progress: Progress,
     /// The codes of a class's answers.
     pub class: ClassCodes,
     /// A student's answers that are graded.
@@ -278,6 +280,12 @@ impl Session {
     /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.
     pub fn shows_exercise(&self) -> bool {
         self.settings.layout == ViewLayout::Exercises && !self.is_asking
+    }
+
+    /// Checks the answers to the open exercise.
+    pub(crate) fn check_exercise(&mut self) {
+        self.exercises.check();
+        self.progress.note(&self.exercises);
     }
 
     /// Returns true if a vote (on the mistake in a picture) is open or is about to open.

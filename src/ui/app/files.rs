@@ -13,7 +13,7 @@ use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_o
 use crate::model::page_part;
 use crate::model::practice::code::codes_in;
 use crate::model::translator::with;
-use crate::model::{AnswersFile, Session, StudentAnswers, ViewLayout};
+use crate::model::{AnswersFile, Exercises, Progress, Session, StudentAnswers, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::question::in_views;
@@ -157,6 +157,18 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
             if session.settings.layout == ViewLayout::Answers {
                 session.settings.layout = ViewLayout::Both;
             }
+        }
+        AnswersAction::AskStartOver => {
+            let text = "No exercise is done then, and what was typed in them is gone.";
+            let yes = Some(AnswersAction::StartOver.into());
+            let answers = vec![("Start over", "", yes), ("Cancel", "", None)];
+            let title = "Start the exercises over?".to_owned();
+            return Some(Dialog::Question(Question::new(title, text, answers)));
+        }
+        AnswersAction::StartOver => {
+            let exercises = &session.exercises;
+            let opened = Exercises::open(exercises.question().exercise, exercises.seed());
+            (session.exercises, session.progress) = (opened, Progress::default());
         }
         AnswersAction::AddCodes(text) => {
             session.class.add(&text);

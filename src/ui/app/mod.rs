@@ -81,6 +81,7 @@ impl App {
         let session = Session {
             selection: remembered.selection.unwrap_or_default(),
             settings: remembered.settings.in_range(),
+            progress: remembered.progress,
             ..Session::default()
         };
         App {

@@ -309,8 +309,9 @@ impl OpenScene {
         };
         let now = &mut self.session;
         let (presenting, pen) = (now.presenting, now.pen.take());
+        let progress = std::mem::take(&mut now.progress);
         let handles = HandleState::default();
-        let session = Session { settings, presenting, pen, handles, ..to.session };
+        let session = Session { settings, presenting, pen, progress, handles, ..to.session };
         *self = OpenScene { session, ..to };
     }
 }

@@ -90,6 +90,7 @@ impl AppWindow {
         let argument = argument_of(scene.open.origin());
         let remembered = Remembered {
             settings: settings_to_remember(scene),
+            progress: scene.session.progress.clone(),
             window: self.geometry,
             selection: argument.is_some().then_some(scene.session.selection),
             recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),

@@ -60,7 +60,7 @@ pub(crate) fn show(
     let (choice, above) = above.split_top_bottom_at_y(above.top() + choice);
     if choice.height() > 0.0 {
         inside(ui, choice, |ui| {
-            exercises::choice(ui, &mut context.session.exercises, step.is_some());
+            exercises::choice(ui, context.session, step.is_some());
         });
     }
     let has_two_parts = stage.is_above_column()
@@ -83,7 +83,7 @@ pub(crate) fn show(
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
     inside(ui, card, |ui| {
         ui.set_clip_rect(card.intersect(ui.clip_rect()));
-        formulas(ui, context, size);
+        formulas(ui, context, size, step.is_some());
     });
     inside(ui, foot, |ui| bottom(ui, step, context));
 }
@@ -228,9 +228,9 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
 
 /// Shows the card: the lines of the derivation that the step names, the substitution of one line into the
 /// other, or the checks that catch a mistake.
-fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
+fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bool) {
     if context.session.shows_exercise() {
-        return exercises::ui(ui, context, size);
+        return exercises::ui(ui, context, size, is_lesson);
     }
     let PageContext { session, derived, open, style, tools, .. } = context;
     let is_asking = session.is_asking;
@@ -265,7 +265,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
             }
             if context.session.shows_exercise() {
                 ui.add_space(BEFORE_BUTTONS);
-                exercises::buttons(ui, &mut context.session.exercises);
+                exercises::buttons(ui, context.session);
             }
         });
         return;

@@ -1,7 +1,9 @@
 //! An exercise on the stage: in the column, its answer fields with their verdicts, its buttons and its
 //! solution; as the main figure, the lines of a question in two dimensions.
 
-use egui::{Align, Color32, FontId, Id, Key, Label, Layout, RichText, Stroke, Ui, vec2};
+use egui::{
+    Align, Color32, Context, FontId, Id, Key, Label, Layout, RichText, Sense, Stroke, Ui, vec2,
+};
 use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
@@ -10,12 +12,12 @@ use crate::model::lines::{LinesLab, Window};
 use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Feedback, Session, TypedAnswer};
-use crate::ui::action::ShareAction;
+use crate::ui::action::{AnswersAction, ShareAction};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
 use crate::ui::widgets::{
-    ResponseExt as _, button_width, combo, inside, line_field, marked_text, sign, text_width,
+    self, ResponseExt as _, button_width, combo, inside, line_field, marked_text, sign, text_width,
     vector_color,
 };
 use crate::ui::workspaces::PageContext;
@@ -45,6 +47,8 @@ const BEFORE_VERDICTS: f32 = 4.0;
 const FIELD: f32 = 150.0;
 /// Width kept free for the sign behind the fields, in points.
 const SIGN: f32 = 18.0;
+/// Side of the tick at an exercise that is done, in points.
+const TICK: f32 = 14.0;
 /// Minimum width of the word *seed* and its field, in points.
 const SEED: f32 = 84.0;
 /// Width kept free behind the sign for what refers to another answer, such as *as u*, as a multiple of the
@@ -84,25 +88,40 @@ pub(crate) fn choice_height(ui: &Ui, session: &Session, is_lesson: bool) -> f32 
 }
 
 /// Shows the choice of exercise and numbers.
-pub(crate) fn choice(ui: &mut Ui, exercises: &mut Exercises, is_lesson: bool) {
+pub(crate) fn choice(ui: &mut Ui, session: &mut Session, is_lesson: bool) {
     if !is_lesson {
         ui.horizontal(|ui| {
-            let title = exercises.question().exercise.title();
-            let width = ui.available_width().min(280.0);
-            combo(ui, "exercise", width, title, |ui| choose(ui, exercises));
+            let done = format!("{} of {} done", session.progress.count(), Exercise::ALL.len());
+            let title = session.exercises.question().exercise.title();
+            let width = ui.available_width() - button_width(ui, &done);
+            combo(ui, "exercise", width.min(280.0), title, |ui| choose(ui, session));
+            ui.weak(done);
         });
     }
-    source(ui, exercises);
+    source(ui, &mut session.exercises);
 }
 
-fn choose(ui: &mut Ui, exercises: &mut Exercises) {
+/// Shows all exercises, each that is done with a tick, and the way to start them over.
+fn choose(ui: &mut Ui, session: &mut Session) {
+    let Session { exercises, progress, .. } = session;
     let chosen = exercises.question().exercise;
     for &exercise in Exercise::ALL {
-        let response = ui.selectable_label(exercise == chosen, exercise.title());
-        if response.clicked() && exercise != chosen {
-            exercises.show(exercise, None);
-        }
+        ui.horizontal(|ui| {
+            let is_done = progress.is_done(exercise);
+            let (tick, _) = ui.allocate_exact_size(vec2(TICK, TICK), Sense::hover());
+            let mut response = ui.selectable_label(exercise == chosen, exercise.title());
+            if is_done {
+                widgets::tick(ui.painter(), tick, ui.visuals().text_color());
+                response = response.described("done");
+            }
+            if response.clicked() && exercise != chosen {
+                exercises.show(exercise, None);
+            }
+        });
     }
+    ui.separator();
+    let can = progress.count() > 0;
+    ui.add_enabled(can, egui::Button::new("Start over…")).asks(AnswersAction::AskStartOver);
 }
 
 /// Shows the choice between the lecture's question and a question generated from a seed.
@@ -177,7 +196,7 @@ pub(crate) fn height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32
 }
 
 /// Shows the answer fields with their verdicts, the buttons, and the solution if the user has asked for it.
-pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bool) {
     let whole = ui.available_rect_before_wrap();
     let PageContext { session, derived, .. } = context;
     let answers = answers_height(ui, &session.exercises, [whole.width(), size]);
@@ -201,12 +220,12 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     let (above, below) = whole.split_top_bottom_at_y(whole.top() + height);
     inside(ui, above, |ui| match is_solved && !has_both {
         true => solution(ui, context, [solved, of_solution]),
-        false => fields(ui, &mut context.session.exercises, size),
+        false => fields(ui, context.session, size, is_lesson),
     });
     let (buttons_area, rest) = below.split_top_bottom_at_y(below.top() + bar(ui));
     if buttons_area.height() > 0.0 {
         inside(ui, buttons_area, |ui| {
-            ui.horizontal_centered(|ui| buttons(ui, &mut context.session.exercises));
+            ui.horizontal_centered(|ui| buttons(ui, context.session));
         });
     }
     if is_solved && has_both {
@@ -215,11 +234,12 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
 }
 
 /// Shows the exercise's buttons.
-pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
+pub(crate) fn buttons(ui: &mut Ui, session: &mut Session) {
     let hint = "Or Enter in a field. Nothing is sent anywhere.";
     if ui.button("Check").on_hover_text(hint).clicked() {
-        exercises.check();
+        session.check_exercise();
     }
+    let exercises = &mut session.exercises;
     let solution = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
     let width: f32 = [solution, COPY].iter().map(|text| button_width(ui, text)).sum();
     let is_narrow = width > ui.available_width();
@@ -235,7 +255,8 @@ pub(crate) fn buttons(ui: &mut Ui, exercises: &mut Exercises) {
 }
 
 /// Shows the fields, each with what is said of it, and below them what may be typed, or is still missing.
-fn fields(ui: &mut Ui, exercises: &mut Exercises, size: f32) {
+fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
+    let exercises = &mut session.exercises;
     ui.style_mut().override_font_id = Some(FontId::proportional(size));
     ui.spacing_mut().item_spacing.y = 0.0;
     let parts = exercises.question().parts.clone();
@@ -294,10 +315,28 @@ fn fields(ui: &mut Ui, exercises: &mut Exercises, size: f32) {
     let has_room = heights.iter().all(|height| *height == 0.0);
     ui.data_mut(|data| kept.map(|kept| data.insert_temp(said_below(), kept)));
     if wants_check {
-        exercises.check();
+        session.check_exercise();
+        let wrong = |typed: &TypedAnswer| !typed.feedback.as_ref().is_some_and(Feedback::is_good);
+        if let Some(k) = session.exercises.answers.iter().position(wrong) {
+            focus(ui.ctx(), &parts[k]);
+        }
     }
     ui.add_space(BEFORE_VERDICTS);
-    note(ui, exercises, small, has_room);
+    note(ui, session, small, [has_room, is_lesson, wants_check]);
+}
+
+/// Returns the id of an answer's field.
+fn field_id(part: &QuestionPart, axis: &str) -> Id {
+    Id::unique(("answer", part.asked.id(), axis))
+}
+
+/// Sets the keyboard focus to the first field of an answer, unless a finger types: its keyboard hides half of
+/// the window.
+fn focus(ctx: &Context, part: &QuestionPart) {
+    if part.count() > 0 && !theme::installed(ctx).by_touch {
+        let [(axis, _), ..] = part.asked.coordinates();
+        ctx.memory_mut(|memory| memory.request_focus(field_id(part, axis)));
+    }
 }
 
 /// The heights of what was said below the fields of a question.
@@ -370,7 +409,7 @@ fn answer(
             _ => (format!("answer {name} {axis}"), hint),
         };
         let field = line_field(text).hint_text(hint).desired_width(width);
-        let field = field.margin(egui::Margin::symmetric(MARGIN as i8, 2));
+        let field = field.id(field_id(part, axis)).margin(egui::Margin::symmetric(MARGIN as i8, 2));
         let response = ui.add(field.font(FontId::proportional(size))).named(label);
         if response.changed() {
             typed.feedback = None;
@@ -398,8 +437,10 @@ fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &TypedAnswer) {
 }
 
 /// Shows, below the fields, whether all is right or which answers are missing; before a check, what may be
-/// typed, if what was said before leaves room.
-fn note(ui: &mut Ui, exercises: &Exercises, size: f32, has_room: bool) {
+/// typed, if what was said before leaves room. Outside a lesson, *Next* leads on; it has the focus after a
+/// check by Enter.
+fn note(ui: &mut Ui, session: &mut Session, size: f32, [has_room, is_lesson, by_enter]: [bool; 3]) {
+    let Session { exercises, progress, .. } = session;
     let those = |are: fn(&Feedback) -> bool| -> Vec<&str> {
         let parts = exercises.question().parts.iter().zip(&exercises.answers);
         let those = parts.filter(|(_, typed)| typed.feedback.as_ref().is_some_and(are));
@@ -411,6 +452,16 @@ fn note(ui: &mut Ui, exercises: &Exercises, size: f32, has_room: bool) {
         ui.horizontal(|ui| {
             sign(ui, true);
             ui.label(RichText::new("All correct.").strong());
+            let next = progress.next_after(exercises.question().exercise);
+            let Some(next) = next.filter(|_| !is_lesson) else { return };
+            let response = ui.button("Next →").named("Next exercise").on_hover_text(next.title());
+            if by_enter {
+                response.request_focus();
+            }
+            if response.clicked() {
+                exercises.show(next, None);
+                focus(ui.ctx(), &exercises.question().parts[0]);
+            }
         });
     } else if no_numbers.len() > 1 {
         let text = format!("{} are not numbers: try 0.5, 1/3 or sqrt(2)/2.", no_numbers.join(", "));

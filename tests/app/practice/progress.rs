@@ -1,15 +1,17 @@
 //! The way through the exercises: narrow columns, the sentence at its field, hints, ticks and what comes next.
 
 use egui::accesskit::Role;
-use egui::{Rect, vec2};
+use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
 
-use super::exercises::{answer, answers, click, open};
-use crate::harness::{command, texts_with, window};
+use super::exercises::{answer, answers, choose, click, open};
+use crate::harness::{assert_says, command, show, texts_with, window, window_with};
 
 fn button(window: &Harness<'_, App>, name: &str) -> Rect {
     window.get_by_role_and_label(Role::Button, name).rect()
@@ -84,5 +86,105 @@ fn a_wrong_answer_is_told_once_and_at_its_field() {
         answer(&mut window, "u x", "1/sqrt(2)");
         assert_eq!(texts_with(&window, "Wrong: 𝐮 and"), [""; 0], "{size}");
         assert_eq!(field(&window, "t"), below, "{size}");
+    }
+}
+
+/// Returns true if the exercise has a tick in the menu.
+fn has_tick(window: &mut Harness<'_, App>, exercise: Exercise) -> bool {
+    window.get_by_label("exercise").click();
+    window.run();
+    let entry = window.get_all_by_role_and_label(Role::Button, exercise.title()).last().unwrap();
+    let is_done = entry.accesskit_node().description().as_deref() == Some("done");
+    window.key_press(Key::Escape);
+    window.run();
+    is_done
+}
+
+fn exercise(window: &Harness<'_, App>) -> Exercise {
+    window.state().session().exercises.question().exercise
+}
+
+#[test]
+fn what_is_done_has_a_tick_and_next_leads_to_what_is_not() {
+    let mut window = open(Exercise::WarmUpPlane);
+    assert_says(&window, "0 of 11 done");
+    answer(&mut window, "t", "-6");
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(window.get_by_role_and_label(Role::TextInput, "answer t").is_focused());
+    assert!(!has_tick(&mut window, Exercise::WarmUpPlane));
+    answers(&mut window, "point", &["1.2", "-0.6", "-6"]);
+    answer(&mut window, "t", "6");
+    window.key_press(Key::Enter);
+    window.run();
+    assert_says(&window, "1 of 11 done");
+    assert!(window.get_by_role_and_label(Role::Button, "New numbers").rect().is_positive());
+    // Enter goes on, into the first field.
+    window.key_press(Key::Enter);
+    window.run();
+    assert_eq!(exercise(&window), Exercise::Distance);
+    assert!(window.get_by_role_and_label(Role::TextInput, "answer d x").is_focused());
+    assert!(has_tick(&mut window, Exercise::WarmUpPlane));
+    // Behind the last exercise comes the first that is not done, and a seen solution makes none done.
+    choose(&mut window, Exercise::Lines);
+    click(&mut window, "Show the solution");
+    answer(&mut window, "t", "1");
+    answers(&mut window, "point", &["1", "1"]);
+    window.get_by_role_and_label(Role::RadioButton, "yes").click();
+    window.run();
+    click(&mut window, "Hide the solution");
+    click(&mut window, "Check");
+    assert_says(&window, "All correct.");
+    assert_says(&window, "1 of 11 done");
+    click(&mut window, "Next exercise");
+    assert_eq!(exercise(&window), Exercise::PixelUv);
+}
+
+#[test]
+fn what_is_done_is_kept_until_it_is_started_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    let store = || Store::at(&path);
+    let start = || {
+        let mut window = window_with("canonical", store().load(), Some(store()));
+        show(&mut window, ViewLayout::Exercises);
+        choose(&mut window, Exercise::PointAt);
+        window
+    };
+    let mut window = start();
+    answers(&mut window, "point", &["21.2", "3.4", "4"]);
+    click(&mut window, "Check");
+    // Another scene, undone, and an end without a farewell.
+    crate::harness::open_scene(&mut window, "look-at");
+    window.key_press_modifiers(egui::Modifiers::COMMAND, Key::Z);
+    window.run();
+    drop(window);
+    let mut window = start();
+    assert_says(&window, "1 of 11 done");
+    let start_over = |window: &mut Harness<'_, App>, answer: &str| {
+        window.get_by_label("exercise").click();
+        window.run();
+        click(window, "Start over…");
+        click(window, answer);
+    };
+    start_over(&mut window, "Cancel");
+    assert_says(&window, "1 of 11 done");
+    start_over(&mut window, "Start over");
+    assert_says(&window, "0 of 11 done");
+    drop(window);
+    assert_says(&start(), "0 of 11 done");
+    // What cannot be read is ignored, and nothing else is lost.
+    let settings = Settings { digits: 7, ..Settings::default() };
+    let state = Remembered { settings, ..Remembered::default() };
+    for (foreign, count) in [
+        (serde_json::json!(["sphere", 7, "of-tomorrow", null, "sphere"]), 1),
+        (serde_json::json!({"sphere": true}), 0),
+        (serde_json::json!("\u{0}"), 0),
+    ] {
+        let mut state = serde_json::to_value(&state).unwrap();
+        state["progress"] = foreign;
+        std::fs::write(&path, state.to_string()).unwrap();
+        assert_eq!(store().load().settings, settings);
+        assert_says(&start(), &format!("{count} of 11 done"));
     }
 }
