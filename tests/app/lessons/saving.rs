@@ -26,13 +26,15 @@ fn assert_plays(path: &Path, from: &Window) {
     (1..load(path).unwrap().steps.len()).for_each(|_| key(&mut window, Key::PageDown));
     let [a, b] = [&window, from].map(|window| {
         let (document, session) = (window.state().document(), window.state().session());
-        let settings = session.settings;
+        let (settings, lines) = (session.settings, &session.lines);
         (
             (document.camera, document.spheres.clone(), document.planes.clone()),
             (session.observer.unwrap().stored(), session.selection, session.ray_point_t),
             (session.formulas.clone(), session.sections, session.highlighted),
             (settings.layout, settings.items, settings.shade, settings.digits),
             settings.count_from_one,
+            (settings.layout == ViewLayout::Lines).then(|| (lines.line(), lines.ray, lines.t)),
+            (settings.layout == ViewLayout::Mistakes).then_some(session.mistakes_view.chosen),
         )
     });
     assert_eq!(a, b);
@@ -88,7 +90,7 @@ fn views_become_the_steps_of_a_lesson_and_play_as_they_were() {
 fn a_scene_without_a_file_is_saved_whole() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("class.toml");
-    for (lesson, step) in [(1, 2), (7, 3), (8, 2), (11, 2), (12, 3)] {
+    for (lesson, step) in [(1, 2), (7, 3), (8, 2), (10, 2), (11, 2), (12, 3)] {
         let mut open = at_step(lesson, step);
         command(&mut open, "Views: Observer nearer");
         save(&mut open, &path);
