@@ -264,56 +264,50 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
     let indent = names.map(|name| text_width(ui, &name, FontId::proportional(size + 1.0)));
     let indent = indent.fold(0.0, f32::max);
     let (small, height, said) = (small(size), row_of_fields(ui, size), at_fields(exercises));
-    let asked = (exercises.question().exercise, exercises.seed());
-    let kept = ui.data(|data| data.get_temp::<SaidBelow>(said_below()));
-    let mut kept = kept.filter(|kept| kept.0 == asked && kept.1.len() == parts.len());
-    let SaidBelow(_, heights) =
-        kept.get_or_insert_with(|| SaidBelow(asked, vec![0.0; parts.len()]));
-    let rows = parts.len() as f32 * height;
-    let mut room = ui.available_height() - rows - BEFORE_VERDICTS - row(ui);
-    let mut wants_check = false;
-    for (k, part) in parts.iter().enumerate() {
-        let row = vec2(ui.available_width(), height);
-        let mut text = said[k].as_deref().map(|text| RichText::new(text).size(small));
-        if exercises.answers[k].feedback.as_ref().is_some_and(Feedback::is_wrong) {
-            text = text.map(|text| text.color(error_color(ui)));
-        }
-        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
-            ui.set_min_size(row);
-            let typed = &mut exercises.answers[k];
-            wants_check |= answer(ui, part, typed, [indent, size]);
-            verdict(ui, part, typed);
-            let width = ui.available_width();
-            let fits = |text: &RichText| {
-                marked_text::height_within(ui, text.text(), small, width) <= height
-            };
-            if let Some(text) = text.take_if(|text| width > SIGN && fits(text)) {
-                ui.add(Label::new(text).wrap());
-            }
-        });
+    let slot = Id::unique(("said below", exercises.question().exercise, exercises.seed()));
+    let kept: Option<Vec<f32>> = ui.data(|data| data.get_temp(slot));
+    let mut heights = kept.unwrap_or_else(|| vec![0.0; parts.len()]);
+    let rows = parts.len() as f32 * height + BEFORE_VERDICTS + row(ui);
+    let (mut room, mut wants_check) = (ui.available_height() - rows, false);
+    for ((k, part), mut text) in parts.iter().enumerate().zip(said) {
+        let whole = ui.available_width();
+        let needs = |ui: &Ui, text: &RichText, width| {
+            marked_text::height_within(ui, text.text(), small, width)
+        };
+        ui.allocate_ui_with_layout(
+            vec2(whole, height),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                ui.set_min_size(vec2(whole, height));
+                let typed = &mut exercises.answers[k];
+                wants_check |= answer(ui, part, typed, [indent, size]);
+                verdict(ui, part, typed);
+                let is_wrong = typed.feedback.as_ref().is_some_and(Feedback::is_wrong);
+                let color = if is_wrong { error_color(ui) } else { ui.visuals().text_color() };
+                text = text.take().map(|text| text.size(small).color(color));
+                let width = ui.available_width();
+                let fits = |text: &mut RichText| width > SIGN && needs(ui, text, width) <= height;
+                if let Some(text) = text.take_if(fits) {
+                    ui.add(Label::new(text).wrap());
+                }
+            },
+        );
         // An answer that was edited since the check has lost its sentence, but not the room, so that the
         // fields below it stay in place.
         if exercises.answers[k].feedback.is_some() {
-            let needs = |text: &RichText| {
-                marked_text::height_within(ui, text.text(), small, ui.available_width())
-            };
-            heights[k] = text.as_ref().map_or(0.0, needs);
-        }
-        let is_first = heights[..k].iter().all(|height| *height == 0.0);
-        if heights[k] > room + 1.0 && !is_first {
-            heights[k] = 0.0;
+            let needed = text.as_ref().map_or(0.0, |text| needs(ui, text, whole));
+            let is_first = heights[..k].iter().all(|height| *height == 0.0);
+            heights[k] = if needed <= room + 1.0 || is_first { needed } else { 0.0 };
         }
         room -= heights[k];
-        let below = vec2(ui.available_width(), heights[k]);
-        ui.allocate_ui(below, |ui| {
-            ui.set_min_size(below);
-            if let Some(text) = text.filter(|_| below.y > 0.0) {
-                ui.add(Label::new(text).wrap());
-            }
-        });
+        let end = ui.cursor().top() + heights[k];
+        if let Some(text) = text.filter(|_| heights[k] > 0.0) {
+            ui.add(Label::new(text).wrap());
+        }
+        ui.add_space(end - ui.cursor().top());
     }
     let has_room = heights.iter().all(|height| *height == 0.0);
-    ui.data_mut(|data| kept.map(|kept| data.insert_temp(said_below(), kept)));
+    ui.data_mut(|data| data.insert_temp(slot, heights));
     if wants_check {
         session.check_exercise();
         let wrong = |typed: &TypedAnswer| !typed.feedback.as_ref().is_some_and(Feedback::is_good);
@@ -339,16 +333,8 @@ fn focus(ctx: &Context, part: &QuestionPart) {
     }
 }
 
-/// The heights of what was said below the fields of a question.
-#[derive(Clone)]
-struct SaidBelow((Exercise, Option<u64>), Vec<f32>);
-
-fn said_below() -> Id {
-    Id::unique("said below the fields")
-}
-
 /// Returns what is said at the fields of each part: a sentence that stands at an earlier one is referred to.
-fn at_fields(exercises: &Exercises) -> Vec<Option<String>> {
+fn at_fields(exercises: &Exercises) -> Vec<Option<RichText>> {
     let parts = &exercises.question().parts;
     let mut said: Vec<(&str, String)> = Vec::new();
     let is_no_number =
@@ -369,7 +355,7 @@ fn at_fields(exercises: &Exercises) -> Vec<Option<String>> {
         Some(sentence)
     };
     let all = parts.iter().zip(&exercises.answers);
-    all.map(|(part, typed)| text_of(part, typed.feedback.as_ref()?)).collect()
+    all.map(|(part, typed)| text_of(part, typed.feedback.as_ref()?).map(RichText::new)).collect()
 }
 
 /// Shows the fields for the answer to one part of the question. Returns whether Enter was pressed in one.
