@@ -85,7 +85,7 @@
 //! | how a hit gets its colour | `core/render/shade/shade_rows.rs`, for single hits `core/render/shade/mod.rs`; the kinds of shading in `core/render/shade/paint.rs` |
 //! | the error bound of the `f32` row kernel | `core/render/rows/span.rs`; kept by `core/render/outline/mod.rs` |
 //! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
-//! | a mistake, its name and its texts | `lecture/mistakes/table.rs` |
+//! | a mistake, its name and its texts | `lecture/mistakes/table.rs`; its thumbnail in the gallery: `ui/practice/gallery.rs` |
 //! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` in the same folder |
 //! | a line of the derivation | `view/derivation/camera.rs` and `view/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |

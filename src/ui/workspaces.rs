@@ -8,6 +8,7 @@ use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::{Session, Split, ViewLayout};
 use crate::model::{Hovered, NumberStyle};
 use crate::ui::derivation::{self, DerivationPanel};
+use crate::ui::practice::gallery::Gallery;
 use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
@@ -62,6 +63,7 @@ pub(crate) struct Page {
 pub(crate) struct Tools {
     pub(crate) derivation: DerivationPanel,
     pub(crate) measuring: Measuring,
+    pub(crate) gallery: Gallery,
     /// The second picture.
     pub(crate) second: ViewTexture,
 }
@@ -282,7 +284,8 @@ const MISTAKES: Page = Page {
     areas: |divider| divider.three_above(Split::Mistakes),
     second: Some(SecondPicture::WrongCamera),
     rest: |ui, context| {
-        mistakes::ui(ui, context.derived, &context.open.document, context.session);
+        let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
+        mistakes::ui(ui, context.derived, document, context.session, gallery);
     },
     figure: FigureSubject::Camera,
     ..Page::VIEWS

@@ -7,11 +7,12 @@ use egui::{
     UiBuilder, pos2,
 };
 use pinhole_exchange::document::Document;
-use pinhole_lecture::mistakes::{Checked, ComparedCamera, Mistake, Value, Wanted, WrongCamera};
+use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
 use crate::model::readings::ReadingValue;
 use crate::model::{Concept, MistakesView, NumberStyle, Session};
+use crate::ui::practice::gallery::{CELL, Gallery};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -22,8 +23,15 @@ use crate::view::typesetting::theme::{STACKED, error_color};
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// Width of the gallery, in points.
-const GALLERY: f32 = 200.0;
+/// Minimum and maximum number of columns of the gallery beside the explanation, and maximum number in a menu.
+const COLUMNS: [f32; 3] = [2.0, 5.0, 3.0];
+
+/// Minimum width of the explanation beside the gallery, in points.
+const EXPLANATION: f32 = 300.0;
+
+/// Width of the button that opens the menu of mistakes, and minimum width of the window beside the menu's
+/// thumbnails, in points.
+const MENU: [f32; 2] = [200.0, 40.0];
 
 /// Width of the table of checks, in points.
 const CHECKS: f32 = 440.0;
@@ -130,8 +138,14 @@ fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
 }
 
 /// Shows the gallery, the explanation and the checks side by side, or the vote instead of them. In a narrow
-/// area, a menu replaces the gallery.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &mut Session) {
+/// area, the gallery is in a menu.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    derived: &Derived,
+    document: &Document,
+    session: &mut Session,
+    gallery: &mut Gallery,
+) {
     let style = NumberStyle::new(&session.settings);
     let mistakes_view = &mut session.mistakes_view;
     let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
@@ -145,6 +159,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     if mistakes_view.open_vote.is_some() {
         return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs);
     }
+    if derived.fault.is_none() {
+        gallery.step(ui, document, session.settings.shade);
+    }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
     let part = |from: f32, to: f32| {
@@ -153,12 +170,14 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let is_narrow = whole.width() < NARROW;
     let is_stacked = whole.width() < STACKED;
     let checks_width = if is_narrow { 0.0 } else { CHECKS.min(0.46 * whole.width()) };
-    let gallery = if is_stacked { 0.0 } else { GALLERY };
-    let (left, right) = (whole.left() + gallery, whole.right() - checks_width);
+    let columns = (whole.width() - checks_width - EXPLANATION) / CELL.x;
+    let columns = columns.floor().clamp(COLUMNS[0], COLUMNS[1]);
+    let thumbnails = if is_stacked { 0.0 } else { columns * CELL.x + 20.0 };
+    let (left, right) = (whole.left() + thumbnails, whole.right() - checks_width);
     if !is_stacked {
         column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
             vote::button(ui, mistakes_view, inputs);
-            list(ui, mistakes_view);
+            gallery.grid(ui, &mut mistakes_view.chosen);
         });
     }
     let Some(wrong) = derived.wrong_camera.as_deref() else { return };
@@ -166,13 +185,19 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
         if is_stacked {
             ui.horizontal_wrapped(|ui| {
                 let name = mistakes_view.chosen.name();
-                combo(ui, "mistake", GALLERY, name, |ui| list(ui, mistakes_view));
+                let chosen = &mut mistakes_view.chosen;
+                combo(ui, "mistake", MENU[0], name, |ui| {
+                    let most = ui.ctx().content_rect().width() - MENU[1];
+                    ui.set_min_width(most.min(COLUMNS[2] * CELL.x));
+                    gallery.grid(ui, chosen);
+                });
                 vote::button(ui, mistakes_view, inputs);
             });
         }
         if is_narrow {
             ui.spacing_mut().item_spacing.y = 1.0;
         }
+        gallery.elsewhere(ui, wrong.mistake);
         explanation(ui, wrong, style);
         if is_narrow {
             ui.add_space(4.0);
@@ -242,15 +267,6 @@ fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
         ScrollArea::vertical().id_salt(name).auto_shrink(false).show(ui, content);
     });
-}
-
-/// Shows one button per mistake, which chooses it.
-fn list(ui: &mut Ui, mistakes_view: &mut MistakesView) {
-    ui.spacing_mut().item_spacing.y = 1.0;
-    for &mistake in Mistake::GALLERY {
-        let text = RichText::new(mistake.name()).size(TEXT);
-        ui.selectable_value(&mut mistakes_view.chosen, mistake, text);
-    }
 }
 
 /// Shows the mistake, its effect, and the right and the wrong basis.

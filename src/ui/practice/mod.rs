@@ -3,6 +3,7 @@
 
 pub mod answers;
 pub mod class;
+pub mod gallery;
 pub mod mistakes;
 pub mod vote;
 

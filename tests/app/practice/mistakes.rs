@@ -1,6 +1,6 @@
 //! The mistakes view: the gallery, its checks, and guessing which.
 
-use egui::accesskit::Role;
+use egui::accesskit::{Role, Toggled};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -80,6 +80,88 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
                 assert!(why.contains(mistake.hint()));
             }
         }
+    }
+}
+
+/// Lets the scene rest until all thumbnails are traced.
+fn rest(window: &mut Harness<'_, App>) {
+    window.run_steps(60);
+}
+
+/// In which scene a thumbnail shows its mistake.
+fn shown_in(window: &Harness<'_, App>, mistake: Mistake) -> String {
+    let thumbnail = window.get_by_role_and_label(Role::Button, mistake.name());
+    thumbnail.accesskit_node().description().unwrap()
+}
+
+#[test]
+fn a_mistake_that_the_open_scene_does_not_show_is_shown_in_one_that_can_be_opened() {
+    let mut window = open("canonical");
+    rest(&mut window);
+    assert_eq!(shown_in(&window, Mistake::LeftHanded), "In the open scene");
+    assert_eq!(shown_in(&window, Mistake::WAsPrinted), "In the scene “roll”", "no empty sky");
+    assert_eq!(shown_in(&window, Mistake::AspectDropped), "In the scene “non-square”");
+    assert_says(&window, "The open scene is a poor example of this mistake.");
+    click(&mut window, Mistake::AspectDropped.name());
+    type_into(&mut window, "W", "300");
+    click(&mut window, "Open the scene “non-square”");
+    assert_says(&window, "Save the changes to canonical?");
+    click(&mut window, "Discard");
+    rest(&mut window);
+    assert_says(&window, &format!("Wrong camera: {}", Mistake::AspectDropped.name()));
+    assert_eq!(shown_in(&window, Mistake::AspectDropped), "In the open scene");
+    assert_eq!(texts_with(&window, "poor example"), Vec::<String>::new());
+}
+
+#[test]
+fn thumbnails_follow_the_scene_once_it_rests() {
+    let mut window = open("canonical");
+    rest(&mut window);
+    let field = window.get_by_role_and_label(Role::SpinButton, "distance").rect().center();
+    window.hover_at(field);
+    window.drag_at(field);
+    window.hover_at(field + vec2(80.0, 0.0));
+    rest(&mut window);
+    assert_ne!(window.state().document().camera.viewport.distance, 1.0);
+    assert_eq!(shown_in(&window, Mistake::DistanceDropped), "In the scene “distance-two”");
+    window.drop_at(field + vec2(80.0, 0.0));
+    rest(&mut window);
+    assert_eq!(shown_in(&window, Mistake::DistanceDropped), "In the open scene");
+    let idle = window.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
+    assert!(idle.as_secs() > 1, "{idle:?}");
+}
+
+#[test]
+fn thumbnails_are_chosen_by_keys_in_every_window() {
+    for (size, chosen) in [
+        ([1280.0, 800.0], Mistake::NotNormalized),
+        ([1920.0, 1080.0], Mistake::PixelCorner),
+        // In a menu, only the keys up and down move.
+        ([737.0, 900.0], Mistake::WIsAtMinusEye),
+        ([390.0, 844.0], Mistake::WIsAtMinusEye),
+    ] {
+        let mut window = open("canonical");
+        window.set_size(size.into());
+        window.run();
+        if let Some(menu) = window.query_by_label("mistake") {
+            menu.click();
+            window.run();
+        }
+        let first = window.get_by_role_and_label(Role::Button, Mistake::WAsPrinted.name());
+        assert_eq!(first.accesskit_node().toggled(), Some(Toggled::True));
+        first.focus();
+        window.run();
+        for key in [egui::Key::ArrowRight, egui::Key::ArrowDown] {
+            window.key_press(key);
+            window.run();
+        }
+        let thumbnail = window.get_by_role_and_label(Role::Button, chosen.name());
+        assert!(thumbnail.accesskit_node().is_focused(), "{chosen} at {size:?}");
+        assert_eq!(thumbnail.accesskit_node().toggled(), Some(Toggled::False));
+        assert!(window.ctx.content_rect().contains_rect(thumbnail.rect()), "{size:?}");
+        window.key_press(egui::Key::Enter);
+        window.run();
+        assert_eq!(window.state().session().mistakes_view.chosen, chosen);
     }
 }
 
@@ -232,6 +314,9 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
         checks && told && !wrong_says(window).contains(mistake.name())
     };
     assert!(is_secret(&window));
+    for mistake in Mistake::GALLERY {
+        assert!(window.query_by_role_and_label(Role::Button, mistake.name()).is_none());
+    }
     let buttons = |window: &Harness<'_, App>| -> Vec<egui::Rect> {
         let rect = |name: &str| window.get_by_role_and_label(Role::Button, name).rect();
         let options = (0..4).map(|index| rect(&option(&open, index)));
