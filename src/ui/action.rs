@@ -302,6 +302,8 @@ pub enum LookAction {
     Exercise(Exercise),
     /// Show the camera with this mistake.
     Mistake(Mistake),
+    /// Show the camera with this mistake as a ghost in the exercise's figure; again to hide it.
+    ShowMe(Mistake),
     /// Show a wrong picture and ask which mistake caused it.
     Vote,
     /// Start or end presenter mode.

@@ -95,7 +95,8 @@ impl Exercises {
         self.is_solved || typed.feedback.as_ref().is_some_and(Feedback::is_good)
     }
 
-    fn asks(&self, asked: Asked) -> bool {
+    /// Returns true if the question asks for this quantity.
+    pub(crate) fn asks(&self, asked: Asked) -> bool {
         self.question().parts.iter().any(|part| part.asked == asked)
     }
 

@@ -3,6 +3,7 @@
 //! is stored (`progress.rs`).
 
 use pinhole_exchange::document::{Document, Item, WALL_COLOR};
+use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{
     Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows,
 };
@@ -22,6 +23,8 @@ pub struct Exercises {
     pub(crate) is_solved: bool,
     /// True if the solution was shown since the question was opened or cleared.
     pub(crate) saw_solution: bool,
+    /// The mistake whose camera the user has asked to see.
+    pub(crate) shown_mistake: Option<Mistake>,
     /// The other questions for which the user has typed answers. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
@@ -99,6 +102,7 @@ impl Exercises {
             answers,
             is_solved: false,
             saw_solution: false,
+            shown_mistake: None,
             kept: Vec::new(),
         }
     }
@@ -109,6 +113,7 @@ impl Exercises {
         if (self.question.exercise, self.seed) == (exercise, seed) {
             return;
         }
+        self.shown_mistake = None;
         let mut kept = std::mem::take(&mut self.kept);
         let known =
             kept.iter().position(|kept| (kept.question.exercise, kept.seed) == (exercise, seed));
@@ -154,6 +159,8 @@ impl Exercises {
 
     /// Checks all typed answers.
     pub(crate) fn check(&mut self) {
+        // What went with a changed answer does not come back by itself.
+        self.shown_mistake = self.shown_mistake.filter(|_| self.ghost().is_some());
         self.answers.iter_mut().for_each(TypedAnswer::spread);
         let answers: Vec<Result<Answer, Feedback>> =
             self.answers.iter().map(TypedAnswer::answer).collect();

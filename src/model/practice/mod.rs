@@ -12,6 +12,7 @@ pub mod class;
 pub mod code;
 pub mod exercises;
 pub mod progress;
+mod show_me;
 pub mod vote;
 
 /// Maximum seed of a question or a vote, far below 2^53, up to which the seed's `f64` number field is

@@ -457,6 +457,7 @@ pub(super) fn change_look(session: &mut Session, action: LookAction) {
             session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
             settings.layout = ViewLayout::Mistakes;
         }
+        LookAction::ShowMe(mistake) => session.exercises.toggle_shown(mistake),
         LookAction::Vote => {
             session.mistakes_view.wants_vote = true;
             settings.layout = ViewLayout::Mistakes;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use egui::Context;
 use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::{FileError, SceneSource};
-use pinhole_lecture::mistakes::WrongCamera;
+use pinhole_lecture::exercises::Asked;
+use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
@@ -165,7 +166,12 @@ impl OpenScene {
     /// Returns what the world view draws with these items, including what is hidden while a question is open.
     fn drawn(&self, scene: &Scene, items: OverlayItems) -> Drawn {
         let (session, camera) = (&self.session, &self.open.document.camera);
-        let ghost = if session.settings.layout == ViewLayout::Mistakes {
+        let ghost = if session.shows_exercise() {
+            // *Show me* must not move the observer: most wrong cameras look the other way.
+            let wrong = WrongCamera::new(camera, Mistake::WAsPrinted).ok();
+            let is_asked = session.exercises.asks(Asked::W);
+            wrong.filter(|_| is_asked).as_ref().map(GhostCamera::of_answer)
+        } else if session.settings.layout == ViewLayout::Mistakes {
             let wrong = WrongCamera::new(camera, session.mistakes_view.shown()).ok();
             wrong.as_ref().map(GhostCamera::of_mistake)
         } else {

@@ -95,7 +95,11 @@ impl App {
     /// Returns what the views tell a screen reader.
     fn spoken_in_views(&self) -> String {
         match (&self.question, self.scene.session.is_asking) {
-            (Some(_), _) => answer_marks::spoken(&self.views.derived.answer_marks),
+            (Some(asked), _) => {
+                let marks = answer_marks::spoken(&self.views.derived.answer_marks);
+                let has_ghost = asked.session.exercises.ghost().is_some();
+                if has_ghost { format!("{marks}, wrong camera (dashed)") } else { marks }
+            }
             (None, true) => String::new(),
             (None, false) => self.hit(),
         }

@@ -158,8 +158,8 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection) {
     for mistake in &grade.diagnosis.mistakes {
         ui.label(typeset_message(graded.advice_on(*mistake)));
         if mistake.is_in_gallery() {
-            let see = ui.button(format!("See it: {}", mistake.name()));
-            see.asks(LookAction::Mistake(*mistake));
+            let show = ui.button(format!("Show me: {}", mistake.name()));
+            show.asks(LookAction::Mistake(*mistake));
         }
     }
     for remark in graded.remarks() {

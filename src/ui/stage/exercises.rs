@@ -4,6 +4,7 @@
 use egui::{
     Align, Color32, Context, FontId, Id, Key, Label, Layout, RichText, Sense, Stroke, Ui, vec2,
 };
+use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
@@ -12,7 +13,7 @@ use crate::model::lines::{LinesLab, Window};
 use crate::model::practice::{LARGEST_SEED, next_seed};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Feedback, Session, TypedAnswer};
-use crate::ui::action::{AnswersAction, ShareAction};
+use crate::ui::action::{AnswersAction, LookAction, ShareAction};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
@@ -32,10 +33,13 @@ const HINT: &str =
 /// The button that copies the answer's code.
 const COPY: &str = "Copy my answer";
 
+/// Text of the button that shows a mistake as a ghost. The spaces are as wide as its padding.
+const SHOW_ME: &str = "  Show me  ";
+
 /// Height of a row of fields, as a multiple of the text's size. It is at least that of a button.
 const ROW: f32 = 2.1;
 /// Number of lines of text below the fields: for verdicts or the hint.
-const VERDICT_LINES: f32 = 2.5;
+const VERDICT_LINES: f32 = 3.5;
 /// Number of further lines for verdicts where there is room for the solution, too.
 const MORE_LINES: f32 = 3.0;
 /// Padding of the solution at the left and right, and the radius of its corners, in points.
@@ -271,8 +275,11 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
     let (mut room, mut wants_check) = (ui.available_height() - rows, false);
     for ((k, part), mut text) in parts.iter().enumerate().zip(said) {
         let whole = ui.available_width();
+        let feedback = exercises.answers[k].feedback.as_ref();
+        let shown = feedback.and_then(|said| exercises.may_show(said));
         let needs = |ui: &Ui, text: &RichText, width| {
-            marked_text::height_within(ui, text.text(), small, width)
+            let whole = format!("{}{}", text.text(), shown.map_or("", |_| SHOW_ME));
+            marked_text::height_within(ui, &whole, small, width)
         };
         ui.allocate_ui_with_layout(
             vec2(whole, height),
@@ -288,7 +295,7 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
                 let width = ui.available_width();
                 let fits = |text: &mut RichText| width > SIGN && needs(ui, text, width) <= height;
                 if let Some(text) = text.take_if(fits) {
-                    ui.add(Label::new(text).wrap());
+                    sentence(ui, exercises, text, small, shown);
                 }
             },
         );
@@ -302,7 +309,7 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
         room -= heights[k];
         let end = ui.cursor().top() + heights[k];
         if let Some(text) = text.filter(|_| heights[k] > 0.0) {
-            ui.add(Label::new(text).wrap());
+            sentence(ui, exercises, text, small, shown);
         }
         ui.add_space(end - ui.cursor().top());
     }
@@ -317,6 +324,21 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
     }
     ui.add_space(BEFORE_VERDICTS);
     note(ui, session, small, [has_room, is_lesson, wants_check]);
+}
+
+/// Shows the sentence on an answer and, if it names a mistake of a camera, the button that shows the camera as a
+/// ghost in the figure.
+fn sentence(ui: &mut Ui, exercises: &Exercises, text: RichText, size: f32, shown: Option<Mistake>) {
+    let label = Label::new(text).wrap();
+    let Some(mistake) = shown else { return drop(ui.add(label)) };
+    ui.horizontal_wrapped(|ui| {
+        ui.add(label);
+        let is_shown = exercises.shown_mistake == shown;
+        let text = RichText::new(SHOW_ME.trim()).size(size).underline();
+        let hint = "Draws the camera with this mistake, from the question's numbers, in the figure";
+        let button = ui.add(egui::Button::selectable(is_shown, text).small()).on_hover_text(hint);
+        button.asks(LookAction::ShowMe(mistake));
+    });
 }
 
 /// Returns the id of an answer's field.

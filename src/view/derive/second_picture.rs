@@ -330,6 +330,9 @@ pub(super) fn ghost_camera(
     Inputs { document, session, .. }: Inputs<'_>,
     derived: &Derived,
 ) -> Option<GhostCamera> {
+    if session.shows_exercise() {
+        return session.exercises.ghost().as_ref().map(GhostCamera::of_answer);
+    }
     if session.settings.layout == ViewLayout::Mistakes {
         // Before the reveal, the wrong camera would give away the answer to the class.
         let is_secret = session.is_asking || !session.mistakes_view.is_revealed();

@@ -121,7 +121,7 @@ fn the_grade_follows_the_camera() {
     click(&mut window, "Practice");
     click(&mut window, "Answers");
     assert_says(&window, "Mistake: w-as-printed");
-    click(&mut window, "See it: 𝐰 without the minus");
+    click(&mut window, "Show me: 𝐰 without the minus");
     assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
     click(&mut window, "Answers");
     click(&mut window, "Close the answers");

@@ -7,3 +7,4 @@ pub(crate) mod exercises;
 mod hands;
 mod mistakes;
 mod progress;
+mod show_me;

@@ -30,6 +30,8 @@ pub struct GhostCamera {
     corners: [DVec3; 4],
     /// True if this is a camera with a mistake rather than a frozen camera.
     is_wrong: bool,
+    /// True if this is a student's camera, which is drawn whatever else is hidden.
+    is_answer: bool,
     /// True if the corner of pixel (0, 0) lies at another place than that of the edited camera.
     is_turned: bool,
 }
@@ -43,6 +45,7 @@ impl GhostCamera {
             basis: [basis.u, basis.v, basis.w].map(Some),
             corners: corners(camera).map(|uv| camera.ray(uv).direction),
             is_wrong: false,
+            is_answer: false,
             is_turned: false,
         }
     }
@@ -59,8 +62,14 @@ impl GhostCamera {
             basis: [u.then(|| wrong.u()), v.then(|| wrong.v()), w.then(|| wrong.w())],
             corners,
             is_wrong: true,
+            is_answer: false,
             is_turned: (corners[0] - first).length() > 0.25 * first.length(),
         }
+    }
+
+    /// Creates the ghost of a student's camera with a mistake. The vectors of its basis have marks of their own.
+    pub fn of_answer(wrong: &WrongCamera) -> GhostCamera {
+        GhostCamera { basis: [None; 3], is_answer: true, ..GhostCamera::of_mistake(wrong) }
     }
 
     /// Returns the eye, and the ends of the frustum's edges or else the viewport's corners.
@@ -84,8 +93,9 @@ impl Sketch<'_> {
     pub(crate) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
         let ink = self.colors.ink;
-        let edge = LineStyle::new(Item::Frustum, ink, THIN).dashed();
-        let outline = LineStyle::new(Item::Viewport, ink, MEDIUM).dashed();
+        let item = |item| if ghost.is_answer { ITEM } else { item };
+        let edge = LineStyle::new(item(Item::Frustum), ink, THIN).dashed();
+        let outline = LineStyle::new(item(Item::Viewport), ink, MEDIUM).dashed();
         for corner in corners {
             self.line(eye, eye + FRUSTUM * corner, edge);
         }
@@ -110,7 +120,7 @@ impl Sketch<'_> {
         if eye != self.view.camera.eye {
             self.named_point(eye, 4.5, pen, "eye′", [0.6, 1.0]);
         }
-        let pen = LineStyle::new(Item::Marks, self.colors.mark, 2.0);
+        let pen = LineStyle::new(item(Item::Marks), self.colors.mark, 2.0);
         if ghost.is_turned
             && let Some(spot) = self.point(eye + corners[0], 3.6, pen)
         {
