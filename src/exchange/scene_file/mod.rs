@@ -163,8 +163,9 @@ pub fn prepare(
     Ok(Saved { document: written, text })
 }
 
-/// Returns the path by which a file in `folder` refers to `file`: `written`, the path up to now, if it still refers to that file, otherwise the relative path or, if there is none, the absolute
-/// path. Returns `None` if the path is not UTF-8.
+/// Returns the path by which a file in `folder` refers to `file`: `written`, the path up to now, if it
+/// still refers to that file, otherwise the relative path or, if there is none, the absolute path.
+/// Returns `None` if the path is not UTF-8.
 pub fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let file = host().resolved(file)?;

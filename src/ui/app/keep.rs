@@ -39,6 +39,7 @@ impl App {
         self.say(title.to_owned(), Vec::new());
         None
     }
+
     /// Returns the dialog that asks for a lesson file, at first for the one that was opened or saved last.
     pub(super) fn ask_save_step(&self) -> Dialog {
         let known = self.scene.lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref());
