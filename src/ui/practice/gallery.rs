@@ -206,7 +206,8 @@ impl Candidate {
         let to_pixel = |[r, g, b]: Rgb| Color32::from_rgb(r, g, b);
         let paint = Paint { shade, color_of, to_pixel };
         let (_, compared) = ComparedCamera::new(camera, &resolved, &scene, mistake, &raster, paint);
-        let ComparedPicture { pixels, wrong, right } = compared?;
+        let ComparedPicture { mut pixels, wrong, right } = compared?;
+        style.finish(&mut pixels);
         let is_shown = |(wrong, right): &(&u32, &u32)| wrong != right && **wrong != NO_OBJECT;
         let shown = wrong.iter().zip(&right).filter(is_shown).count();
         let is_uniform = wrong.iter().all(|object| *object == wrong[0]);
