@@ -190,7 +190,7 @@ _pinhole() {
                     return 0
                     ;;
                 --theme)
-                    COMPREPLY=($(compgen -W "light dark colour-blind colour-blind-dark" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "light dark colour-blind colour-blind-dark grey grey-dark" -- "${cur}"))
                     return 0
                     ;;
                 --pixel)

@@ -90,7 +90,9 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Ro
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, light on dark, or one of the window\'s colour schemes on either' -r -f -a "light\t''
 dark\t''
 colour-blind\t''
-colour-blind-dark\t''"
+colour-blind-dark\t''
+grey\t''
+grey-dark\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'

@@ -181,6 +181,40 @@ fn strokes_are_strokes_and_text_is_text() {
 }
 
 #[test]
+fn in_greys_u_v_w_have_dashes_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    for style in [Style::GreyLight, Style::GreyDark, Style::Light] {
+        let line = format!("look-at --view world -o out.svg --width 900 --theme {}", style.name());
+        figure(folder.path(), &line).done();
+        let svg = fs::read_to_string(folder.path().join("out.svg")).unwrap();
+        // The widest lines of this colour: the arrow's shaft, with its dashes, if it has any.
+        let dashes = style.colors().basis.map(|color| {
+            let [r, g, b, _] = color.to_array();
+            let ink = format!("stroke=\"#{r:02x}{g:02x}{b:02x}\"");
+            let lines =
+                svg.lines().filter(|line| line.starts_with("<polyline") && line.contains(&ink));
+            let after = |line: &str, key: &str| {
+                let (_, rest) = line.split_once(key)?;
+                Some(rest.split('"').next()?.to_owned())
+            };
+            let width =
+                |line: &&str| after(line, "stroke-width=\"").unwrap().parse::<f64>().unwrap();
+            let lines: Vec<&str> = lines.collect();
+            let widest = lines.iter().map(width).fold(0.0, f64::max);
+            // Heads may be lines, too, but none with dashes.
+            let wide = lines.iter().filter(|line| width(line) == widest);
+            wide.filter_map(|line| after(line, "stroke-dasharray=\"")).next().unwrap_or_default()
+        });
+        if style == Style::Light {
+            assert_eq!(dashes, ["", "", ""], "told apart by hue");
+        } else {
+            let [u, v, w] = &dashes;
+            assert!(u.is_empty() && !v.is_empty() && !w.is_empty() && v != w, "{dashes:?}");
+        }
+    }
+}
+
+#[test]
 fn hidden_lines_are_dashed() {
     let folder = tempfile::tempdir().unwrap();
     figure(folder.path(), "canonical --view world -o out.svg --uv 0,0").done();
@@ -305,7 +339,7 @@ fn what_does_not_fit_is_refused() {
     at("canonical --view side -o out.svg").refused("world, camera, derivation, lines");
     at("canonical --view world").refused("--output <OUT.svg|pdf|png>");
     at("canonical --view world -o a.svg --theme sepia")
-        .refused("light, dark, colour-blind, colour-blind-dark");
+        .refused("light, dark, colour-blind, colour-blind-dark, grey, grey-dark");
     at("canonical --view world -o a.svg --width 0")
         .refused("it must be a whole number of pixels, 1 to 16384");
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");

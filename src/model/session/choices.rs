@@ -296,6 +296,9 @@ impl From<Splits> for BTreeMap<Split, f32> {
     }
 }
 
+/// The greys in which the objects are drawn in turn. Successive greys differ clearly.
+const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
+
 /// A colour scheme that distinguishes objects and vectors, with its label and its description.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Scheme {
@@ -305,11 +308,13 @@ pub enum Scheme {
     /// Colours that viewers with any kind of colour blindness can distinguish, by hue and by
     /// lightness.
     ColourBlind,
+    /// Greys only, for print: u, v, w differ in their dashes, arrowheads and names.
+    Grey,
 }
 
 impl Scheme {
     /// All colour schemes, in order.
-    pub const ALL: [Scheme; 2] = [Scheme::Standard, Scheme::ColourBlind];
+    pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
     fn texts(self) -> [&'static str; 2] {
         match self {
@@ -320,6 +325,9 @@ impl Scheme {
                 "Colour-blind safe",
                 "Colours that colour-blind viewers can tell apart; objects take them in turn",
             ],
+            Scheme::Grey => {
+                ["Greys for print", "Only greys; vectors differ by dashes, heads and names"]
+            }
         }
     }
 
@@ -341,6 +349,7 @@ impl Scheme {
             Scheme::Standard => own,
             _ if hue < 0x18 => own,
             Scheme::ColourBlind => default_color(index as usize),
+            Scheme::Grey => [GREYS[index as usize % GREYS.len()]; 3],
         }
     }
 }

@@ -7,8 +7,10 @@ use std::sync::Arc;
 use std::sync::Weak;
 
 use egui::accesskit::Role;
+use egui::epaint::shape_transform::adjust_colors;
+use egui::layers::ShapeIdx;
 use egui::{
-    Color32, Context, Grid, ProgressBar, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2,
+    Color32, Context, Grid, Painter, ProgressBar, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2,
 };
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
@@ -26,7 +28,7 @@ use crate::ui::scene::views::MAP;
 use crate::ui::widgets::{ResponseExt as _, clipped, combo, inside};
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived};
-use crate::view::typesetting::theme::error_color;
+use crate::view::typesetting::theme::{self, error_color};
 
 #[cfg(feature = "report")]
 use crate::report::measure::Measurement;
@@ -66,7 +68,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     clipped(ui, below, |ui| {
         ui.horizontal(|ui| {
             let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
-            let wrong = accuracy::WRONG;
+            let wrong = theme::finished(ui, accuracy::WRONG);
             ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
             ui.painter().rect_filled(mark.shrink(1.5), 0.0, wrong);
             ui.strong(summary(compared));
@@ -89,7 +91,7 @@ fn color_bar(ui: &mut Ui) {
         let area = Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
         let share = (slice as f64 + 0.5) / slices as f64;
         let color = accuracy::color_of_ulps(10_f64.powf(accuracy::DECADES * share));
-        ui.painter().rect_filled(area, 0.0, color);
+        ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
     }
 }
 
@@ -215,13 +217,26 @@ fn plot(ui: &mut Ui, case: &Case) {
     let response = ui.allocate_rect(rect, Sense::CLICK).with_role(Role::Image);
     response.named("Every method's error against its time");
     let summary = Summary::new(vec![case]);
-    paper(ui, rect);
-    panels(ui.painter(), rect.shrink(4.0), &summary, false);
+    on_paper(ui, rect, |painter| panels(painter, rect.shrink(4.0), &summary, false));
 }
 
-/// Fills an area with white paper, in a dark window, too: the report's colours are made for it.
-fn paper(ui: &Ui, rect: Rect) {
-    ui.painter().rect_filled(rect, 2.0, Color32::WHITE);
+/// Runs a function that draws on white paper, which fills `rect`, and converts the colours of what it has
+/// drawn to the window's scheme.
+fn on_paper(ui: &Ui, rect: Rect, draw: impl FnOnce(&Painter)) {
+    let (painter, style) = (ui.painter(), theme::style(ui));
+    let next_shape =
+        || ui.ctx().graphics_mut(|graphics| graphics.entry(painter.layer_id()).next_idx().0);
+    painter.rect_filled(rect, 2.0, Color32::WHITE);
+    let first = next_shape();
+    draw(painter);
+    let drawn = first..next_shape();
+    let recolor = move |color: &mut Color32| style.finish(std::slice::from_mut(color));
+    ui.ctx().graphics_mut(|graphics| {
+        let list = graphics.entry(painter.layer_id());
+        for k in drawn {
+            list.mutate_shape(ShapeIdx(k), |clipped| adjust_colors(&mut clipped.shape, recolor));
+        }
+    });
 }
 
 /// Shows one row per method. Clicking a row shows its method in the error map.
@@ -252,8 +267,9 @@ fn table(ui: &mut Ui, case: &Case, compared: &mut Method) {
 fn line(ui: &mut Ui, row: &MethodRow, compared: &mut Method) {
     ui.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(vec2(20.0, 12.0), Sense::hover());
-        paper(ui, mark);
-        marker_of(row.formula()).draw(ui.painter(), mark.center(), row.digits());
+        on_paper(ui, mark, |painter| {
+            marker_of(row.formula()).draw(painter, mark.center(), row.digits());
+        });
         match Method::from_name(&row.name) {
             Some(method) => {
                 let name = ui.selectable_value(compared, method, &row.name);

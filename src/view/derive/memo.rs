@@ -6,7 +6,7 @@ use egui::{Color32, ColorImage};
 
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{OnWork, Shown, WorkKind, watched};
-use crate::view::overlay::Drawing;
+use crate::view::overlay::{Drawing, Style};
 
 /// A cache of the last value that was computed, and of the key (the inputs) from which it was computed.
 #[derive(Debug)]
@@ -98,12 +98,14 @@ impl SpareImages {
     pub(super) fn draw(
         &mut self,
         size: [u32; 2],
+        style: Style,
         watch: OnWork<'_>,
         draw: impl FnOnce(&mut [Color32]) -> Drawing,
     ) -> Shown {
         watched(watch, WorkKind::Overlay, || {
             let mut pixels = self.take(size);
             let drawing = draw(&mut pixels);
+            style.finish(&mut pixels);
             let shown = Shown {
                 image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
                 labels: Arc::new(drawing.labels),
@@ -124,7 +126,7 @@ mod tests {
     fn memory_is_used_again_once_nobody_shows_it() {
         let mut buffers = SpareImages::default();
         let mark = Color32::from_rgb(1, 2, 3);
-        let shown = buffers.draw([4, 3], &|_| (), |pixels| {
+        let shown = buffers.draw([4, 3], Style::Light, &|_| (), |pixels| {
             pixels.fill(mark);
             Drawing::default()
         });

@@ -122,7 +122,7 @@ impl SecondPictures {
         view.picture = Same(picture);
         let (scene, compared) = (world.map(|world| &*world.scene), derived.compared.as_ref());
         derived.second_view = Some(self.view.get(view, |view| {
-            self.buffers.draw(size, watch, |pixels| {
+            self.buffers.draw(size, view.style, watch, |pixels| {
                 let drawing = overlay::camera(view, scene, pixels);
                 if let Some(compared) = compared {
                     let (raster, width) = (&view.picture.raster, size[0] as usize);

@@ -64,7 +64,7 @@ impl WorldViews {
         let view = view.get(shown, |view| {
             let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            buffers.draw(size, watch, |pixels| {
+            buffers.draw(size, view.style, watch, |pixels| {
                 let WorldPicture { pixels: traced, edges, .. } = &*world;
                 let below = Below { traced, painted: &painted, edges };
                 overlay::world(view, scene, &backdrop, below, pixels)
@@ -152,7 +152,7 @@ impl CameraViews {
         let scene = derived.scene.as_deref();
         let draw = |view: &CameraView| {
             let draw = |pixels: &mut [Color32]| overlay::camera(view, scene, pixels);
-            self.buffers.draw(size, inputs.watch, draw)
+            self.buffers.draw(size, view.style, inputs.watch, draw)
         };
         Some(self.view.get(shown, draw))
     }

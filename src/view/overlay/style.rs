@@ -43,6 +43,10 @@ pub enum Style {
     ColourBlindLight,
     /// [`Style::Dark`] in [`Scheme::ColourBlind`].
     ColourBlindDark,
+    /// [`Style::Light`] in [`Scheme::Grey`].
+    GreyLight,
+    /// [`Style::Dark`] in [`Scheme::Grey`].
+    GreyDark,
 }
 
 /// The colours of one [`Style`].
@@ -57,6 +61,9 @@ pub struct Colors {
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
+    /// Dash and gap of the u, v, w arrows, in points. Only set in styles whose greys alone do not
+    /// distinguish the arrows well enough.
+    pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],
     /// The at point, the view direction and up.
@@ -78,6 +85,7 @@ const LIGHT: Colors = Colors {
     halo: rgb(0xf4f6f9),
     ink: rgb(0x2b3038),
     basis: [rgb(0xc04509), rgb(0x00805c), rgb(0x0062a8)],
+    patterns: [None; 3],
     axes: [rgb(0x8a675a), rgb(0x57746b), rgb(0x5c6e86)],
     given: rgb(0x95407a),
     ray: rgb(0xb8004e),
@@ -90,6 +98,7 @@ const DARK: Colors = Colors {
     halo: rgb(0x171a20),
     ink: rgb(0xd9dee6),
     basis: [rgb(0xff8a4c), rgb(0x2fd3a0), rgb(0x6cbcf5)],
+    patterns: [None; 3],
     axes: [rgb(0xb89a8e), rgb(0x8fb0a5), rgb(0x93a7c2)],
     given: rgb(0xe59cc8),
     ray: rgb(0xff5c98),
@@ -115,6 +124,36 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ray: rgb(0xef2c83),
     mark: rgb(0xc9b3ff),
     ..DARK
+};
+
+/// Dash patterns of the arrows: u solid, v with long dashes, w with short ones. Hidden lines are dashed,
+/// too, but thin.
+const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
+
+const GREY_LIGHT: Colors = Colors {
+    background: rgb(0xffffff),
+    halo: rgb(0xffffff),
+    ink: rgb(0x2e2e2e),
+    basis: [rgb(0x000000), rgb(0x454545), rgb(0x717171)],
+    patterns: PATTERNS,
+    axes: [rgb(0x767676), rgb(0x767676), rgb(0x767676)],
+    given: rgb(0x5a5a5a),
+    ray: rgb(0x000000),
+    hit: rgb(0x000000),
+    mark: rgb(0x3a3a3a),
+};
+
+const GREY_DARK: Colors = Colors {
+    background: rgb(0x121212),
+    halo: rgb(0x121212),
+    ink: rgb(0xdddddd),
+    basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
+    patterns: PATTERNS,
+    axes: [rgb(0x9a9a9a), rgb(0x9a9a9a), rgb(0x9a9a9a)],
+    given: rgb(0xb0b0b0),
+    ray: rgb(0xffffff),
+    hit: rgb(0xffffff),
+    mark: rgb(0xd0d0d0),
 };
 
 /// Least contrast of a dimmed label with the background (WCAG 2.2, *Contrast (Minimum)*).
@@ -159,9 +198,9 @@ pub fn contrast_ratio(a: Color32, b: Color32) -> f64 {
 
 impl Style {
     /// All styles, in order.
-    pub const ALL: [Style; 4] = {
+    pub const ALL: [Style; 6] = {
         use Style::*;
-        [Light, Dark, ColourBlindLight, ColourBlindDark]
+        [Light, Dark, ColourBlindLight, ColourBlindDark, GreyLight, GreyDark]
     };
 
     /// Returns the light or the dark style of a scheme.
@@ -171,7 +210,8 @@ impl Style {
 
     /// Returns the style's name on the command line.
     pub fn name(self) -> &'static str {
-        const NAMES: [&str; 4] = ["light", "dark", "colour-blind", "colour-blind-dark"];
+        const NAMES: [&str; 6] =
+            ["light", "dark", "colour-blind", "colour-blind-dark", "grey", "grey-dark"];
         NAMES[self as usize]
     }
 
@@ -187,9 +227,27 @@ impl Style {
 
     /// Returns the style's colours.
     pub fn colors(self) -> &'static Colors {
-        const ALL: [&Colors; 4] = [&LIGHT, &DARK, &COLOUR_BLIND_LIGHT, &COLOUR_BLIND_DARK];
+        const ALL: [&Colors; 6] =
+            [&LIGHT, &DARK, &COLOUR_BLIND_LIGHT, &COLOUR_BLIND_DARK, &GREY_LIGHT, &GREY_DARK];
         ALL[self as usize]
     }
+
+    /// Applies the style to a finished picture: a grey style removes the hue of every pixel.
+    pub fn finish(self, dots: &mut [Color32]) {
+        if self.scheme() == Scheme::Grey {
+            for dot in dots {
+                *dot = grey(*dot);
+            }
+        }
+    }
+}
+
+/// Returns the grey that is as bright as a colour (by the luma of ITU-R BT.709).
+fn grey(color: Color32) -> Color32 {
+    let [r, g, b, a] = color.to_array();
+    let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);
+    let luma = ((luma + 5000) / 10_000) as u8;
+    Color32::from_rgba_premultiplied(luma, luma, luma, a)
 }
 
 #[cfg(test)]

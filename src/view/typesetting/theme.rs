@@ -69,6 +69,13 @@ pub(crate) fn style(ui: &Ui) -> Style {
     Style::new(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
+/// Converts a colour to this window's style; in a grey style, it loses its hue.
+pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
+    let mut dots = [color];
+    style(ui).finish(&mut dots);
+    dots[0]
+}
+
 /// Returns the colour in which the window shows an object.
 pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
@@ -140,15 +147,23 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     }
     visuals.widgets.noninteractive.fg_stroke.color = text;
     visuals.widgets.inactive.fg_stroke.color = text;
+    if look.scheme == Scheme::Grey {
+        let (fill, edge) = if is_dark { (0x50, 0xff) } else { (0xc8, 0x00) };
+        visuals.selection.bg_fill = Color32::from_gray(fill);
+        visuals.selection.stroke.color = Color32::from_gray(edge);
+        visuals.hyperlink_color = Color32::from_gray(edge);
+    }
     visuals
 }
 
 /// Returns the colours of the focus ring and of its casing (a wider ring below it). On any background, at
 /// least one of the two has enough contrast.
-fn ring(visuals: &Visuals) -> (Color32, Color32) {
-    match visuals.dark_mode {
-        true => (Color32::from_rgb(0xff, 0xd5, 0x4a), Color32::BLACK),
-        false => (Color32::from_rgb(0x0b, 0x57, 0xd0), Color32::WHITE),
+fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
+    match (visuals.dark_mode, scheme) {
+        (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
+        (false, Scheme::Grey) => (Color32::BLACK, Color32::WHITE),
+        (true, _) => (Color32::from_rgb(0xff, 0xd5, 0x4a), Color32::BLACK),
+        (false, _) => (Color32::from_rgb(0x0b, 0x57, 0xd0), Color32::WHITE),
     }
 }
 
@@ -157,7 +172,7 @@ pub(crate) fn focus_ring(ui: &Ui) {
     let ctx = ui.ctx();
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
-    let (color, casing) = ring(ui.visuals());
+    let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
     // A widget that is scrolled out of sight gets no ring. At the edge of the window, the ring is moved
     // inwards.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
@@ -171,7 +186,10 @@ pub(crate) fn focus_ring(ui: &Ui) {
 
 /// Returns the colour of errors, legible on the theme's background.
 pub(crate) fn error_color(ui: &Ui) -> Color32 {
-    if ui.visuals().dark_mode {
+    if style(ui).scheme() == Scheme::Grey {
+        // Without hues, only the wording marks an error.
+        ui.visuals().strong_text_color()
+    } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
     } else {
         Color32::from_rgb(0xb0, 0x20, 0x00)

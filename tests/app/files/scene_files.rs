@@ -198,7 +198,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let path = folder.path().join("state.json");
     let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
     right.settings.digits = 9;
-    right.settings.scheme = pinhole::model::session::Scheme::ColourBlind;
+    right.settings.scheme = pinhole::model::session::Scheme::Grey;
     right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
     right.selection =
         Some(pinhole_core::Selection::Pixel(pinhole_core::Pixel { row: 3, column: 4 }));
@@ -206,7 +206,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let text = fs::read_to_string(&path).unwrap();
     let wrong = [
         ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.digits),
-        ("\"ColourBlind\"", "\"Purple\"", 9),
+        ("\"Grey\"", "\"Purple\"", 9),
         ("\"zoom\": 1.0", "\"zoom\": null", 9),
     ];
     for (value, by, digits) in wrong {
@@ -215,7 +215,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
         let read = Store::at(&path).load();
         let mut expected = right.clone();
         expected.settings.digits = digits;
-        if value == "\"ColourBlind\"" {
+        if value == "\"Grey\"" {
             expected.settings.scheme = pinhole::model::session::Scheme::Standard;
         }
         assert_eq!(read, expected, "{by}");

@@ -104,7 +104,7 @@ impl CameraSketch<'_> {
     fn highlight_camera(&mut self, highlighted: Highlighted, pen: LineStyle) {
         let (resolved, extent) = (self.view.resolved, self.view.extent());
         let (middle, below) = (0.5 * extent, DVec2::new(0.6, 1.0));
-        let Colors { basis: [u, v, w], given, ink, .. } = *self.colors;
+        let Colors { basis: [u, v, w], patterns, given, ink, .. } = *self.colors;
         let basis = resolved.basis();
         let pen = |color| LineStyle { color, ..pen };
         match (highlighted.concept, highlighted.camera.orientation) {
@@ -120,8 +120,14 @@ impl CameraSketch<'_> {
                 let along = self.arrow_of(unit(up).unwrap_or_default());
                 self.arrow(middle, along, pen(given), "up", POINT);
             }
-            (Concept::U, _) => self.arrow(middle, self.arrow_of(basis.u), pen(u), "u", VECTOR),
-            (Concept::V, _) => self.arrow(middle, self.arrow_of(basis.v), pen(v), "v", VECTOR),
+            (Concept::U, _) => {
+                let pen = pen(u).patterned(patterns[0]);
+                self.arrow(middle, self.arrow_of(basis.u), pen, "u", VECTOR);
+            }
+            (Concept::V, _) => {
+                let pen = pen(v).patterned(patterns[1]);
+                self.arrow(middle, self.arrow_of(basis.v), pen, "v", VECTOR);
+            }
             (Concept::W, _) => self.end_on(false, pen(w), "w", below, VECTOR),
             (Concept::UpCrossW | Concept::WCrossU, _) => {
                 if let Some((cross, names, colors)) = cross_of(highlighted, self.colors) {

@@ -40,9 +40,18 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
+const ALL: [Style; 6] = [
+    Style::Light,
+    Style::Dark,
+    Style::ColourBlindLight,
+    Style::ColourBlindDark,
+    Style::GreyLight,
+    Style::GreyDark,
+];
+
 #[test]
 fn every_colour_stands_out_from_the_background() {
-    for style in Style::ALL {
+    for style in ALL {
         let c = style.colors();
         let [u, v, w] = c.basis;
         for color in [c.ink, u, v, w, c.given, c.ray, c.hit, c.mark] {
@@ -54,7 +63,7 @@ fn every_colour_stands_out_from_the_background() {
 
 #[test]
 fn dimmed_labels_are_legible_and_haloes_are_not_seen() {
-    for style in Style::ALL {
+    for style in ALL {
         let c = style.colors();
         assert_eq!(c.halo, c.background, "{style:?}");
         let named = [c.ink, c.given, c.ray, c.hit, c.mark].into_iter().chain(c.basis).chain(c.axes);
@@ -86,11 +95,30 @@ fn colour_blind_viewers_tell_the_safe_colours_apart() {
 }
 
 #[test]
-fn neighbouring_objects_differ_for_colour_blind_viewers() {
-    for index in 0..12 {
-        let [here, next] =
-            [index, index + 1].map(|k| Scheme::ColourBlind.object(k, [0x11, 0x22, 0x93]));
-        assert_ne!(here, next);
+fn greys_have_no_hue_and_their_vectors_differ_in_lightness() {
+    for style in [Style::GreyLight, Style::GreyDark] {
+        let c = style.colors();
+        let [u, v, w] = c.basis;
+        for color in [c.background, c.halo, c.ink, u, v, w, c.given, c.ray, c.hit, c.mark] {
+            assert!(color.r() == color.g() && color.g() == color.b(), "{style:?}: {color:?}");
+        }
+        for (a, b) in [(u, v), (v, w), (u, w)] {
+            let [a, b] = [a, b].map(|color| lab(color, &VIEWERS[0])[0]);
+            assert!((a - b).abs() > 15.0, "{style:?}: {a:.1} and {b:.1}");
+        }
+    }
+    let mut dots = [rgb(0xff8a4c), rgb(0x123456)];
+    Style::GreyDark.finish(&mut dots);
+    assert!(dots.iter().all(|dot| dot.r() == dot.g() && dot.g() == dot.b() && dot.a() == 255));
+}
+
+#[test]
+fn neighbouring_objects_differ_in_every_scheme() {
+    for scheme in [Scheme::ColourBlind, Scheme::Grey] {
+        for index in 0..12 {
+            let own = [0x11, 0x22, 0x93];
+            assert_ne!(scheme.object(index, own), scheme.object(index + 1, own));
+        }
     }
     assert_eq!(Scheme::Standard.object(3, [1, 200, 3]), [1, 200, 3]);
     assert_eq!(Scheme::ColourBlind.object(3, [0x80, 0x80, 0x88]), [0x80, 0x80, 0x88]);

@@ -322,11 +322,13 @@ impl Sketch<'_> {
 
     fn basis(&mut self, resolved: &ResolvedCamera, arrow: f64) {
         let (eye, basis) = (resolved.eye(), resolved.basis());
+        let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
         let items = self.items.of_basis();
-        let colors = self.colors.basis;
-        for (((vector, (concept, name, head)), color), item) in vectors.zip(colors).zip(items) {
-            let pen = LineStyle::new(item, color, THICK).about(concept);
+        for (((vector, (concept, name, head)), (color, pattern)), item) in
+            vectors.zip(inks).zip(items)
+        {
+            let pen = LineStyle::new(item, color, THICK).about(concept).patterned(pattern);
             self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
         }
     }

@@ -233,11 +233,12 @@ impl Sketch<'_> {
     fn highlight_camera(&mut self, resolved: &ResolvedCamera, shown: Highlighted, pen: LineStyle) {
         let eye = resolved.eye();
         let arrow = self.screen.arrow_length(eye);
+        let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
         let basis = resolved.basis();
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
-        for ((vector, (concept, name, head)), color) in vectors.zip(self.colors.basis) {
+        for ((vector, (concept, name, head)), (color, pattern)) in vectors.zip(inks) {
             if concept == shown.concept {
-                let pen = LineStyle { color, ..pen };
+                let pen = LineStyle { color, pattern, ..pen };
                 self.named_arrow([eye, eye + arrow * vector], head, pen, name, VECTOR);
             }
         }
