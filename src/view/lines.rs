@@ -3,6 +3,7 @@
 //! implicit one.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 use egui::{
     Align2, Color32, FontId, FontSelection, Painter, Pos2, Rect, RichText, Shape, Stroke,
@@ -75,15 +76,7 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
         ShownLines::Implicit => &steps[..1],
         ShownLines::Parametric => &steps[1..2],
     };
-    theme::rows_of_text(ui);
-    for (what, formula) in shown {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 6.0;
-            ui.weak(format!("{what}:"));
-            // A formula that does not fit into a row is broken between its parts.
-            formula.split("  ").for_each(|part| text(ui, part));
-        });
-    }
+    show_steps(ui, shown);
     if lab.shown != ShownLines::Both {
         return;
     }
@@ -99,6 +92,25 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     };
     let (t, f) = (equated(lab.t, digits), equated(f, digits));
     text(ui, &format!("at t {t}:  f {f}{compared}"));
+}
+
+/// Shows these steps of the substitution.
+pub(crate) fn hint(ui: &mut Ui, lab: &LinesLab, digits: usize, which: Range<usize>) {
+    if let Ok(substitution) = Substitution::new(lab.line(), lab.ray) {
+        show_steps(ui, &steps(&substitution, lab.shown, digits)[which]);
+    }
+}
+
+fn show_steps(ui: &mut Ui, steps: &[(&str, String)]) {
+    theme::rows_of_text(ui);
+    for (what, formula) in steps {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.weak(format!("{what}:"));
+            // A formula that does not fit into a row is broken between its parts.
+            formula.split("  ").for_each(|part| text(ui, part));
+        });
+    }
 }
 
 /// Formats a number as a factor after a multiplication sign: in parentheses if it is negative.

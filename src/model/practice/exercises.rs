@@ -8,6 +8,7 @@ use pinhole_lecture::exercises::{
     Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows,
 };
 
+use super::hints::Hint;
 use crate::model::expression::evaluate;
 
 /// The open exercise. A lesson's step sets it with [`Exercises::show`].
@@ -25,6 +26,8 @@ pub struct Exercises {
     pub(crate) saw_solution: bool,
     /// The mistake whose camera the user has asked to see.
     pub(crate) shown_mistake: Option<Mistake>,
+    /// The hints that were given.
+    pub(crate) hint: Option<Hint>,
     /// The other questions for which the user has typed answers. Their own `kept` lists are empty.
     kept: Vec<Exercises>,
 }
@@ -103,6 +106,7 @@ impl Exercises {
             is_solved: false,
             saw_solution: false,
             shown_mistake: None,
+            hint: None,
             kept: Vec::new(),
         }
     }
@@ -162,6 +166,7 @@ impl Exercises {
         // What went with a changed answer does not come back by itself.
         self.shown_mistake = self.shown_mistake.filter(|_| self.ghost().is_some());
         self.answers.iter_mut().for_each(TypedAnswer::spread);
+        self.hint.iter_mut().for_each(|hint| hint.is_new = false);
         let answers: Vec<Result<Answer, Feedback>> =
             self.answers.iter().map(TypedAnswer::answer).collect();
         let known: Vec<Option<Answer>> =

@@ -11,6 +11,7 @@ pub mod answer_marks;
 pub mod class;
 pub mod code;
 pub mod exercises;
+pub mod hints;
 pub mod progress;
 mod show_me;
 pub mod vote;

@@ -1,15 +1,10 @@
 //! The scene of the open exercise, which the views show in place of the open scene.
 
-use std::sync::Arc;
-
 use pinhole_core::Selection;
-use pinhole_lecture::exercises::{Asked, Given, Question};
 
 use super::scene::OpenScene;
 use crate::model::lessons::StepView;
-use crate::model::{
-    Concept, EquationStep, Formulas, OpenDocument, OpenLesson, Session, Settings, ViewLayout,
-};
+use crate::model::{Formulas, OpenDocument, OpenLesson, Session, Settings, ViewLayout};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
 pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
@@ -53,6 +48,7 @@ impl OpenScene {
             scene
         });
         let Session { observer, hovered, .. } = scene.session;
+        let concepts = exercises.concepts().into_iter().map(|(_, concept)| concept);
         scene.session = Session {
             selection: match question.pixel() {
                 Some((pixel, _)) => Selection::Pixel(pixel),
@@ -61,7 +57,7 @@ impl OpenScene {
             observer,
             hovered,
             presenting: self.session.presenting,
-            formulas: Some(solution(question)),
+            formulas: Some(Formulas::Solution(concepts.collect())),
             settings: Settings {
                 items: exercises.items(settings.items),
                 count_from_one: question.pixel().is_some_and(|(_, from_one)| from_one),
@@ -74,32 +70,4 @@ impl OpenScene {
         };
         Some(scene)
     }
-}
-
-/// Returns the lines of the derivation that lead to the answers.
-fn solution(question: &Question) -> Formulas {
-    use Concept::{Direction, Normal, Pixel, Ray, U, UpCrossW, V, View, W, WCrossU};
-    let (root, is_sphere) = (Concept::Root { object: 0, number: 0 }, question.sphere().is_some());
-    let equation = |step| Concept::Equation { object: 0, step };
-    let discriminant = equation(EquationStep::Discriminant);
-    let has_t = question.parts.iter().any(|part| part.asked == Asked::T);
-    let is_view_asked = matches!(question.given, Given::EyeAtUp { .. });
-    let concepts = question.parts.iter().flat_map(|part| match part.asked {
-        Asked::W if is_view_asked => vec![View, W],
-        Asked::W => vec![W],
-        Asked::U => vec![UpCrossW, U],
-        Asked::V => vec![V, WCrossU],
-        Asked::Origin => vec![Ray],
-        Asked::Direction => vec![Direction],
-        Asked::T if is_sphere => vec![discriminant, root],
-        Asked::Point if !has_t => vec![Ray, Ray],
-        Asked::T | Asked::Point => vec![root],
-        Asked::Normal => vec![Normal],
-        Asked::Hits => Vec::new(),
-        // The pixel, u and v.
-        Asked::Uv => vec![Pixel; 3],
-        Asked::A | Asked::B | Asked::C => vec![equation(EquationStep::Coefficients)],
-        Asked::Discriminant => vec![discriminant],
-    });
-    Formulas::Solution(Arc::from(Vec::from_iter(concepts)))
 }

@@ -265,7 +265,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
             }
             if context.session.shows_exercise() {
                 ui.add_space(BEFORE_BUTTONS);
-                exercises::buttons(ui, context.session);
+                exercises::buttons(ui, context);
             }
         });
         return;

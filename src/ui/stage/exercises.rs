@@ -1,11 +1,13 @@
 //! An exercise on the stage: in the column, its answer fields with their verdicts, its buttons and its
 //! solution; as the main figure, the lines of a question in two dimensions.
 
+use std::sync::Arc;
+
 use egui::{
     Align, Color32, Context, FontId, Id, Key, Label, Layout, RichText, Sense, Stroke, Ui, vec2,
 };
 use pinhole_lecture::Mistake;
-use pinhole_lecture::exercises::{self, Exercise, Given, QuestionPart, Verdict};
+use pinhole_lecture::exercises::{self, Asked, Exercise, Given, QuestionPart, Verdict};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
 use super::column::SIZES;
@@ -22,14 +24,17 @@ use crate::ui::widgets::{
     vector_color,
 };
 use crate::ui::workspaces::PageContext;
+use crate::view::derivation::Derivation;
 use crate::view::derive::Derived;
-use crate::view::lines::{draw_exercise, substitution};
+use crate::view::lines::{self, draw_exercise, substitution};
 use crate::view::typesetting::theme::{self, error_color};
 
 /// Describes what the user may type.
 const HINT: &str =
     "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits.";
 
+/// The button for a hint.
+const GIVE_HINT: &str = "Hint";
 /// The button that copies the answer's code.
 const COPY: &str = "Copy my answer";
 
@@ -40,6 +45,10 @@ const SHOW_ME: &str = "  Show me  ";
 const ROW: f32 = 2.1;
 /// Number of lines of text below the fields: for verdicts or the hint.
 const VERDICT_LINES: f32 = 3.5;
+/// Height of a step of a substitution, as a multiple of a line's height.
+const BETWEEN_STEPS: f32 = 1.7;
+/// Least height of a hint below the buttons, as a multiple of a line's height.
+const HINT_LINES: f32 = 2.6;
 /// Number of further lines for verdicts where there is room for the solution, too.
 const MORE_LINES: f32 = 3.0;
 /// Padding of the solution at the left and right, and the radius of its corners, in points.
@@ -222,15 +231,24 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesso
         false => most.min(answers.max(solved)),
     };
     let (above, below) = whole.split_top_bottom_at_y(whole.top() + height);
+    // Where there is no room below the buttons, a new hint has that of what is said of the answers.
+    let hint_room = HINT_LINES * marked_text::row_height(ui, of_solution);
+    let hint_below = below.height() - bar(ui) >= hint_room;
+    let hides_said = !hint_below && context.session.exercises.has_new_hint();
     inside(ui, above, |ui| match is_solved && !has_both {
         true => solution(ui, context, [solved, of_solution]),
-        false => fields(ui, context.session, size, is_lesson),
+        false => fields(ui, context.session, size, [is_lesson, hides_said]),
     });
     let (buttons_area, rest) = below.split_top_bottom_at_y(below.top() + bar(ui));
     if buttons_area.height() > 0.0 {
         inside(ui, buttons_area, |ui| {
-            ui.horizontal_centered(|ui| buttons(ui, context.session));
+            ui.horizontal_centered(|ui| buttons(ui, context));
         });
+    }
+    let has_hint = context.session.exercises.hints() > 0 && (hint_below || hides_said);
+    if !is_solved && has_hint {
+        let area = if hint_below { rest } else { above.with_min_y(above.bottom() - hint_room) };
+        inside(ui, area, |ui| hint(ui, context, of_solution));
     }
     if is_solved && has_both {
         inside(ui, rest, |ui| solution(ui, context, [solved, of_solution]));
@@ -238,20 +256,31 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesso
 }
 
 /// Shows the exercise's buttons.
-pub(crate) fn buttons(ui: &mut Ui, session: &mut Session) {
+pub(crate) fn buttons(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { session, derived, .. } = context;
     let hint = "Or Enter in a field. Nothing is sent anywhere.";
     if ui.button("Check").on_hover_text(hint).clicked() {
         session.check_exercise();
     }
     let exercises = &mut session.exercises;
     let solution = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
-    let width: f32 = [solution, COPY].iter().map(|text| button_width(ui, text)).sum();
-    let is_narrow = width > ui.available_width();
-    if ui.button(if is_narrow { "Solution" } else { solution }).named(solution).clicked() {
+    let room = ui.available_width();
+    let fits = |ui: &Ui, of: &str| {
+        [GIVE_HINT, of, COPY].map(|text| button_width(ui, text)).iter().sum::<f32>() <= room
+    };
+    let [is_whole, is_copy_whole] = [solution, "Solution"].map(|of| fits(ui, of));
+    let can = !exercises.is_solved && !exercises.is_right();
+    let about =
+        "The next line that leads to what is not right yet; after the last one, the solution";
+    let hint = ui.add_enabled(can, egui::Button::new(GIVE_HINT)).on_hover_text(about);
+    if hint.clicked() {
+        exercises.give_hint(hint_lines(exercises, derived));
+    }
+    if ui.button(if is_whole { solution } else { "Solution" }).named(solution).clicked() {
         exercises.toggle_solution();
     }
     if !theme::installed(ui.ctx()).presenting {
-        let copy = egui::Button::new(if is_narrow { "Copy" } else { COPY });
+        let copy = egui::Button::new(if is_copy_whole { COPY } else { "Copy" });
         let copy = ui.add_enabled(exercises.is_readable(), copy).named(COPY);
         let hint = "As a code that you can send, if all that you have typed can be read";
         copy.on_hover_text(hint).on_disabled_hover_text(hint).asks(ShareAction::CopyAnswer);
@@ -259,7 +288,7 @@ pub(crate) fn buttons(ui: &mut Ui, session: &mut Session) {
 }
 
 /// Shows the fields, each with what is said of it, and below them what may be typed, or is still missing.
-fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
+fn fields(ui: &mut Ui, session: &mut Session, size: f32, [is_lesson, hides_said]: [bool; 2]) {
     let exercises = &mut session.exercises;
     ui.style_mut().override_font_id = Some(FontId::proportional(size));
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -274,6 +303,7 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
     let rows = parts.len() as f32 * height + BEFORE_VERDICTS + row(ui);
     let (mut room, mut wants_check) = (ui.available_height() - rows, false);
     for ((k, part), mut text) in parts.iter().enumerate().zip(said) {
+        text = text.filter(|_| !hides_said);
         let whole = ui.available_width();
         let feedback = exercises.answers[k].feedback.as_ref();
         let shown = feedback.and_then(|said| exercises.may_show(said));
@@ -323,7 +353,9 @@ fn fields(ui: &mut Ui, session: &mut Session, size: f32, is_lesson: bool) {
         }
     }
     ui.add_space(BEFORE_VERDICTS);
-    note(ui, session, small, [has_room, is_lesson, wants_check]);
+    if !hides_said {
+        note(ui, session, small, [has_room, is_lesson, wants_check]);
+    }
 }
 
 /// Shows the sentence on an answer and, if it names a mistake of a camera, the button that shows the camera as a
@@ -479,6 +511,35 @@ fn note(ui: &mut Ui, session: &mut Session, size: f32, [has_room, is_lesson, by_
         ui.add(Label::new(RichText::new(text).size(size).weak()).wrap());
     } else if has_room && exercises.answers.iter().all(|typed| typed.feedback.is_none()) {
         ui.add(Label::new(RichText::new(HINT).size(size).weak()).wrap());
+    }
+}
+
+/// Returns the lines that lead to what is not right yet; `None` for a question in two dimensions.
+fn lines_left(exercises: &Exercises, derived: &Derived) -> Option<Derivation> {
+    let lines = derived.derivation.as_ref().filter(|_| lab(exercises).is_none())?;
+    Some(Derivation::clone(lines).left(exercises.concepts()))
+}
+
+/// Returns the number of hints before the solution.
+fn hint_lines(exercises: &Exercises, derived: &Derived) -> usize {
+    // From the substitution to t, or with t known.
+    let of_plane = if exercises.is_left(Asked::T) { 4 } else { 1 };
+    lines_left(exercises, derived).map_or(of_plane, |lines| lines.line_count())
+}
+
+/// Shows the hints that were given or, where there is little room, the newest ones.
+fn hint(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
+    let PageContext { open, session, derived, tools, style } = context;
+    let count = session.exercises.hints();
+    if let Some(lab) = lab(&session.exercises) {
+        let last = 6 - hint_lines(&session.exercises, derived) + count;
+        ui.style_mut().override_font_id = Some(FontId::proportional(size));
+        // The last ones for which there is room.
+        let fit =
+            (ui.available_height() / (BETWEEN_STEPS * marked_text::row_height(ui, size))) as usize;
+        lines::hint(ui, &lab, style.digits, last - fit.clamp(1, last)..last);
+    } else if let Some(lines) = lines_left(&session.exercises, derived) {
+        tools.derivation.card(ui, &Arc::new(lines.hint(count)), &open.document, session, size);
     }
 }
 

@@ -18,7 +18,7 @@ use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use crate::model::{Concept, DerivationSection, DerivationSections, Fault, Inspection, symbols};
 use crate::view::derivation::numbers::equation;
-use crate::view::formula::{Formula, latex, row, word};
+use crate::view::formula::{Formula, latex, norm, number, row, word};
 
 pub use numbers::NumberFormat;
 
@@ -109,6 +109,20 @@ impl DerivedLine {
         }
     }
 
+    /// Leaves out the result. A vector of the basis that is given without symbols has its length instead.
+    fn without_result(self) -> DerivedLine {
+        let mut sides = self.formula.sides();
+        let _ = sides.pop();
+        let name = sides[0].clone();
+        let is_of_basis = matches!(self.concept, Some(Concept::U | Concept::V | Concept::W));
+        let formula = match sides.len() {
+            1 if is_of_basis => equation(norm(name), number("1")),
+            _ => sides.into_iter().reduce(equation).unwrap_or(name),
+        };
+        let note = if self.concept == Some(Concept::Ray) { "𝐩 = eye" } else { "" };
+        DerivedLine { formula, note: note.to_owned(), ..self }
+    }
+
     /// Returns true if the line is highlighted together with this concept.
     pub fn is_about(&self, concept: Concept) -> bool {
         let own = [self.concept, self.concept.map(Concept::in_views)];
@@ -168,6 +182,34 @@ impl Derivation {
             section.lines = lines.map(shortened).collect();
         }
         self.reduced_to(concepts)
+    }
+
+    /// Keeps, of a solution, the lines that lead to what is left, each concept with whether it is.
+    #[must_use]
+    pub fn left(mut self, mut concepts: Vec<(bool, Concept)>) -> Derivation {
+        for section in &mut self.sections {
+            section.lines.retain(|line| {
+                let found = concepts.iter().position(|(_, of)| line.concept == Some(*of));
+                let is_left = found.is_some_and(|found| concepts.remove(found).0);
+                // The question gives the pixel.
+                is_left && !(line.is_given && line.concept == Some(Concept::Pixel))
+            });
+        }
+        self
+    }
+
+    /// Keeps only the first lines, and of the last of them not its result.
+    #[must_use]
+    pub fn hint(mut self, count: usize) -> Derivation {
+        let mut left = count;
+        for section in &mut self.sections {
+            section.lines.truncate(left);
+            left -= section.lines.len();
+            if let Some(last) = section.lines.pop_if(|_| left == 0) {
+                section.lines.push(last.without_result());
+            }
+        }
+        self
     }
 
     /// Keeps only the lines that compute view, w, u, v, d and the ray, each as its symbols and its result. If one

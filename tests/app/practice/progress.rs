@@ -1,4 +1,4 @@
-//! The way through the exercises: narrow columns, the sentence at its field, ticks and what comes next.
+//! The way through the exercises: narrow columns, the sentence at its field, hints, ticks and what comes next.
 
 use egui::accesskit::Role;
 use egui::{Key, Rect, vec2};
@@ -175,5 +175,48 @@ fn what_is_done_is_kept_until_it_is_started_over() {
         std::fs::write(&path, state.to_string()).unwrap();
         assert_eq!(store().load().settings, settings);
         assert_says(&start(), &format!("{count} of 11 done"));
+    }
+}
+
+#[test]
+fn a_hint_is_the_next_line_that_leads_to_what_is_not_right_yet() {
+    for size in [vec2(1280.0, 800.0), vec2(1024.0, 768.0), vec2(390.0, 844.0)] {
+        let mut window = open(Exercise::ViewUp);
+        window.set_size(size);
+        window.run();
+        let check = button(&window, "Check");
+        click(&mut window, "Hint");
+        let line = |window: &Harness<'_, App>, of: &str| texts_with(window, of).pop();
+        assert!(line(&window, "𝐰 = normalize").is_some_and(|line| !line.contains("(0, 1, 0)")));
+        answers(&mut window, "w", &["0", "1", "0"]);
+        click(&mut window, "Check");
+        // It begins with what is asked next.
+        click(&mut window, "Hint");
+        assert_eq!(line(&window, "up × 𝐰").as_deref(), Some("up × 𝐰 = (2, 2, 0) × (0, 1, 0)"));
+        assert_eq!(line(&window, "𝐰 = normalize"), None);
+        for _ in 0..2 {
+            click(&mut window, "Hint");
+            assert!(!window.state().session().exercises.to_code().contains("/seen/"));
+        }
+        let fields = window.get_all_by_role(Role::TextInput).map(|field| field.rect());
+        let others: Vec<Rect> = fields.chain([check, button(&window, "Hint")]).collect();
+        let shown = window.get_all_by_role(Role::Label).filter(|node| {
+            node.accesskit_node().value().is_some_and(|text| text.starts_with("𝐯 = 𝐰 × 𝐮"))
+        });
+        let shown: Vec<Rect> = shown.map(|node| node.rect()).collect();
+        assert!(!shown.is_empty(), "{size}");
+        let covers = |rect: &Rect| others.iter().any(|other| other.shrink(1.0).intersects(*rect));
+        assert!(!shown.iter().any(covers), "{size}: {shown:?}, {others:?}");
+        assert_eq!(button(&window, "Check"), check, "{size}");
+        click(&mut window, "Hint");
+        assert!(window.state().session().exercises.to_code().contains("/seen/"));
+        window.get_by_role_and_label(Role::Button, "Hide the solution");
+        choose(&mut window, Exercise::Lines);
+        click(&mut window, "Hint");
+        assert!(line(&window, "substituted").is_some() && line(&window, "added up").is_none());
+        answer(&mut window, "t", "1");
+        click(&mut window, "Check");
+        click(&mut window, "Hint");
+        assert!(line(&window, "zero where").is_some() && line(&window, "They meet").is_none());
     }
 }
