@@ -34,12 +34,12 @@ const SHOWN: f64 = 0.02;
 /// Weight of the pixels of a picture in which everything is the same object.
 const UNIFORM: f64 = 0.1;
 /// Maximum number of pictures that are traced in one pass.
-const TRACES: usize = 8;
+const TRACES: usize = 4;
 /// Maximum number of objects of an open scene whose thumbnails are traced.
 const MOST_OBJECTS: usize = 10_000;
 
 /// The shading and the colours of the pictures.
-type Look = (Shade, Style);
+type Appearance = (Shade, Style);
 
 /// The thumbnails, and for what they were traced.
 #[derive(Default)]
@@ -50,7 +50,7 @@ pub(crate) struct Gallery {
     scene: Document,
     /// The time since which the scene has been the same, in seconds.
     since: f64,
-    look: Option<Look>,
+    appearance: Option<Appearance>,
     /// Number of thumbnails with a picture of the open scene as it is now.
     current: usize,
     /// Number of pictures of built-in scenes that were traced.
@@ -83,9 +83,9 @@ impl Gallery {
     /// built-in one.
     pub(super) fn step(&mut self, ui: &Ui, document: &Document, shade: Shade) {
         let (time, is_held) = ui.input(|i| (i.time, i.pointer.any_down()));
-        let look = (shade, theme::style(ui));
-        if self.look != Some(look) {
-            *self = Gallery { look: Some(look), ..Gallery::default() };
+        let appearance = (shade, theme::style(ui));
+        if self.appearance != Some(appearance) {
+            *self = Gallery { appearance: Some(appearance), ..Gallery::default() };
         }
         let scene = Document { note: String::new(), observer: None, ..document.clone() };
         if scene != self.scene {
@@ -93,7 +93,7 @@ impl Gallery {
         }
         let left = REST - (time - self.since);
         for _ in 0..if is_held || left > 0.0 { 0 } else { TRACES } {
-            self.trace_next(look);
+            self.trace_next(appearance);
         }
         let count = Mistake::GALLERY.len();
         let is_missing =
@@ -103,19 +103,20 @@ impl Gallery {
         }
     }
 
-    fn trace_next(&mut self, look: Look) {
+    fn trace_next(&mut self, appearance: Appearance) {
         let count = Mistake::GALLERY.len();
         if self.current < count {
             let open = Some(&self.scene).filter(|open| open.object_count() <= MOST_OBJECTS);
             let mistake = Mistake::GALLERY[self.current];
-            let picture = open.and_then(|open| Candidate::trace(open, mistake, look));
+            let picture = open.and_then(|open| Candidate::trace(open, mistake, appearance));
             self.thumbnails[self.current].open = picture.unwrap_or_default();
             self.current += 1;
         } else if let Some(scene) = BuiltinScene::all().get(self.of_builtin / count) {
             let k = self.of_builtin % count;
             self.of_builtin += 1;
             let document = scene.load().ok();
-            let picture = document.and_then(|it| Candidate::trace(&it, Mistake::GALLERY[k], look));
+            let picture =
+                document.and_then(|it| Candidate::trace(&it, Mistake::GALLERY[k], appearance));
             let best = &mut self.thumbnails[k].builtin;
             if let Some(picture) = picture.filter(|picture| picture.share > best.share) {
                 *best = Candidate { scene: Some(scene), ..picture };
@@ -196,7 +197,11 @@ impl Thumbnail {
 
 impl Candidate {
     /// Traces a scene with the camera that has this mistake; returns `None` if there is no such picture.
-    fn trace(document: &Document, mistake: Mistake, (shade, style): Look) -> Option<Candidate> {
+    fn trace(
+        document: &Document,
+        mistake: Mistake,
+        (shade, style): Appearance,
+    ) -> Option<Candidate> {
         let (camera, scene) = (&document.camera, document.scene().ok()?);
         let resolved = camera.resolve().ok()?;
         let image = vec2(camera.image.width() as f32, camera.image.height() as f32);

@@ -123,6 +123,9 @@ fn the_grade_follows_the_camera() {
     assert_says(&window, "Mistake: w-as-printed");
     click(&mut window, "Show me: 𝐰 without the minus");
     assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    let world = window.state().derived().world_view.as_ref().unwrap();
+    let labels: Vec<&str> = world.labels.iter().map(|label| &*label.text).collect();
+    assert!(["wrong camera", "u′", "w′"].iter().all(|ghost| labels.contains(ghost)), "{labels:?}");
     click(&mut window, "Answers");
     click(&mut window, "Close the answers");
     assert_eq!(window.state().session().settings.layout, ViewLayout::Both);

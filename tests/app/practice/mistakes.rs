@@ -85,7 +85,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
 
 /// Lets the scene rest until all thumbnails are traced.
 fn rest(window: &mut Harness<'_, App>) {
-    window.run_steps(60);
+    window.run_steps(80);
 }
 
 /// In which scene a thumbnail shows its mistake.
