@@ -1,7 +1,7 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::ffi::OsStr;
+use std::collections::BTreeSet;
+use std::ffi::{OsStr, OsString};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -94,7 +94,10 @@ fn entries(folder: &Path) -> Result<(Vec<String>, Vec<PathBuf>), FileError> {
     let names = fs::read_dir(folder)
         .and_then(|all| all.map(|entry| Ok(entry?.file_name())).collect::<io::Result<Vec<_>>>());
     let mut names = names.map_err(|error| FileError::unreadable(folder, &error))?;
-    names.sort_by_key(|name| (name.to_string_lossy().to_lowercase(), name.clone()));
+    let stem = |name: &OsString| {
+        Path::new(name).file_stem().unwrap_or_default().to_string_lossy().to_lowercase()
+    };
+    names.sort_by_key(|name| (stem(name), name.clone()));
     let (mut skipped, mut files) = (Vec::new(), Vec::new());
     for name in names {
         let (text, path) = (name.to_string_lossy().into_owned(), folder.join(&name));
@@ -103,14 +106,11 @@ fn entries(folder: &Path) -> Result<(Vec<String>, Vec<PathBuf>), FileError> {
     Ok((skipped, files))
 }
 
-/// Gives students with the same name, whose files differ in their endings alone, the names of their files.
+/// Names all students by their files with the endings if names without them are not all different.
 fn name_apart(students: &mut [Student]) {
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for student in students.iter() {
-        *counts.entry(student.name.clone()).or_default() += 1;
-    }
-    for student in students.iter_mut().filter(|student| counts[&student.name] > 1) {
-        student.name.clone_from(&student.file);
+    let names: BTreeSet<&String> = students.iter().map(|student| &student.name).collect();
+    if names.len() < students.len() {
+        students.iter_mut().for_each(|student| student.name.clone_from(&student.file));
     }
 }
 
@@ -129,7 +129,7 @@ const BROKEN: &str = "broken";
 /// A student's file, and what was found in it.
 #[derive(Serialize)]
 struct Student {
-    /// The file's name, without its ending if no other file has the same name.
+    /// The file's name, without its ending if such names are all different.
     name: String,
     file: String,
     /// [`RIGHT`], `wrong`, [`INCOMPLETE`] or [`BROKEN`].

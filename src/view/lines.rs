@@ -94,6 +94,10 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     text(ui, &format!("at t {t}:  f {f}{compared}"));
 }
 
+/// The steps of the substitution that lead to t, without t itself, and to the point.
+pub(crate) const TO_T: Range<usize> = 2..5;
+pub(crate) const TO_POINT: Range<usize> = 1..2;
+
 /// Shows these steps of the substitution.
 pub(crate) fn hint(ui: &mut Ui, lab: &LinesLab, digits: usize, which: Range<usize>) {
     if let Ok(substitution) = Substitution::new(lab.line(), lab.ray) {

@@ -134,7 +134,8 @@ fn by_names(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError
     for statement in &source.statements {
         let place = POINTS.iter().position(|name| *name == statement.target);
         let place = place.filter(|_| statement.called.is_empty());
-        let place = place.ok_or_else(|| source.refused(statement, RIGHT))?;
+        let right = "only eye, at and up may be given, each by three numbers";
+        let place = place.ok_or_else(|| source.refused(statement, right))?;
         let point = <[f64; 3]>::try_from(source.numbers(statement)?);
         let point = point.map_err(|_| source.refused(statement, "it must have three numbers"))?;
         if points[place].replace(point).is_some() {

@@ -11,6 +11,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item as TomlItem, Table, Valu
 use super::lesson::Lesson;
 use super::read::{NOTHING, VERSION, is_in_scene, parse};
 use crate::model::files::{OpenDocument, Origin};
+use crate::model::lines::{LinesLab, ShownLines};
 use crate::model::{Concept, DerivationSection, Formulas, Item, Session, ViewLayout};
 
 /// Returns the text of a lesson file to whose end a step is added that shows what the window shows, and the
@@ -24,6 +25,9 @@ pub fn with_step(
     open: &OpenDocument,
     session: &Session,
 ) -> Result<(String, Lesson), String> {
+    if layout_of_step(session).name().is_none() {
+        return Err("A step cannot show this page: open another one first.".to_owned());
+    }
     let read = |text: &str| parse(text, path, path.parent());
     let before = text.map(read).transpose().map_err(|error| error.to_string())?;
     let steps = before.map_or(Vec::new(), |lesson| lesson.steps);
@@ -52,7 +56,7 @@ pub fn with_step(
     );
     let whole = format!("{text}{missing}{end}{}", step.replace('\n', end));
     let lesson =
-        read(&whole).map_err(|error| format!("No step can show this scene: {}.", error.problem))?;
+        read(&whole).map_err(|error| format!("No step can be added: {}.", error.problem))?;
     if lesson.steps.last().map(|step| plain(&step.document)) != Some(plain(&open.document)) {
         return Err("Save the scene first: only its file can name its table of spheres.".into());
     }
@@ -75,15 +79,20 @@ fn scene_of(open: &OpenDocument, folder: &Path) -> (String, Document) {
     named.unwrap_or_else(|| (first.name.to_owned(), first.load().unwrap_or_default()))
 }
 
-/// Returns the keys of a step that set the view, a line each.
-fn view(document: &Document, session: &Session) -> String {
-    let settings = &session.settings;
-    let layout = match settings.layout {
+/// Returns the layout with which a step shows what is shown now.
+fn layout_of_step(session: &Session) -> ViewLayout {
+    match session.settings.layout {
         ViewLayout::DerivationAlone => ViewLayout::Derivation,
         // A step's ghost is a scene.
         ViewLayout::Compare => ViewLayout::Both,
-        other => other.name().map_or(ViewLayout::Both, |_| other),
-    };
+        other => other,
+    }
+}
+
+/// Returns the keys of a step that set the view, a line each.
+fn view(document: &Document, session: &Session) -> String {
+    let settings = &session.settings;
+    let layout = layout_of_step(session);
     let key = |name: &str, value: Option<String>| {
         value.map_or(String::new(), |value| format!("{name} = {value}\n"))
     };
@@ -101,9 +110,18 @@ fn view(document: &Document, session: &Session) -> String {
         some => format!("{:?}", Vec::from_iter(some.concepts().iter().map(|one| one.name()))),
     });
     let lines = (layout == ViewLayout::Lines).then(|| {
-        let (ImplicitLine { a, b, c }, t) = (session.lines.line(), session.lines.t);
-        let [p, d] = [session.lines.ray.p, session.lines.ray.d].map(|pair| pair.to_array());
-        format!("{{ implicit = [{a:?}, {b:?}, {c:?}], p = {p:?}, d = {d:?}, t = {t:?} }}")
+        let LinesLab { ray, t, trail, shown, .. } = &session.lines;
+        let ImplicitLine { a, b, c } = session.lines.line();
+        let implicit = format!("implicit = [{a:?}, {b:?}, {c:?}]");
+        let [p, d] = [ray.p, ray.d].map(|pair| pair.to_array());
+        let parametric = format!("p = {p:?}, d = {d:?}, t = {t:?}");
+        let trail_text = format!(", trail = [{:?}, {:?}]", trail.first, trail.last);
+        let trail = if trail.first < trail.last { trail_text } else { String::new() };
+        match shown {
+            ShownLines::Both => format!("{{ {implicit}, {parametric}{trail} }}"),
+            ShownLines::Implicit => format!("{{ {implicit} }}"),
+            ShownLines::Parametric => format!("{{ {parametric}{trail} }}"),
+        }
     });
     let mistake = (layout == ViewLayout::Mistakes).then_some(session.mistakes_view.chosen);
     [
@@ -115,6 +133,7 @@ fn view(document: &Document, session: &Session) -> String {
         key("formulas", formulas),
         format!("highlight = {highlighted:?}\nshade = {:?}\n", settings.shade.name()),
         format!("count_from_one = {}\ndigits = {}\n", settings.count_from_one, settings.digits),
+        format!("keep_picture = {}\nteaching = {}\n", settings.keep_picture, settings.teaching),
         key("t", session.ray_point_t.map(|t| format!("{t:?}"))),
         key("mistake", mistake.map(|mistake| format!("{:?}", mistake.id()))),
         key("lines", lines),

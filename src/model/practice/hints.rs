@@ -10,7 +10,7 @@ use crate::model::{Concept, EquationStep};
 pub(crate) struct Hint {
     /// The parts of the question that were not right when the first of them was given.
     left: Vec<Asked>,
-    /// How many lines are shown, the last of them without its result.
+    /// How many lines are shown, without their results.
     pub(crate) count: usize,
     /// True if no answer was checked since.
     pub(crate) is_new: bool,

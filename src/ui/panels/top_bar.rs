@@ -150,6 +150,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], there: Available) {
     entry(ui, "Save", FileAction::Save);
     entry(ui, "Save as…", FileAction::AskSaveAs { then: None });
     entry(ui, "Save as a page…", FileAction::AskSavePage);
+    entry(ui, "Save this view as a step…", FileAction::AskSaveStep);
     entry(ui, "Share…", ShareAction::Show);
     ui.separator();
     entry(ui, "Check answers…", AnswersAction::Ask);
@@ -211,7 +212,6 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Frame all", Observe::FrameAll);
     entry(ui, "Frame the camera", Observe::FrameCamera);
     entry(ui, "Keep this view in the scene", KeepAction::InScene);
-    entry(ui, "Save this view as a step…", FileAction::AskSaveStep);
     possible_entry(ui, "Forget the view kept in the scene", KeepAction::Nowhere, there);
     ui.separator();
     possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);

@@ -16,6 +16,7 @@ use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{PageContext, foot, hidden, page};
 use crate::view::typesetting::theme;
 
+mod answer_fields;
 pub(crate) mod column;
 mod exercises;
 pub(crate) mod navigation;

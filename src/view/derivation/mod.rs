@@ -113,7 +113,7 @@ impl DerivedLine {
     fn without_result(self) -> DerivedLine {
         let mut sides = self.formula.sides();
         let _ = sides.pop();
-        let name = sides[0].clone();
+        let Some(name) = sides.first().cloned() else { return self };
         let is_of_basis = matches!(self.concept, Some(Concept::U | Concept::V | Concept::W));
         let formula = match sides.len() {
             1 if is_of_basis => equation(norm(name), number("1")),
@@ -198,16 +198,15 @@ impl Derivation {
         self
     }
 
-    /// Keeps only the first lines, and of the last of them not its result.
+    /// Keeps only the first lines, without their results, which are for the reader to compute.
     #[must_use]
     pub fn hint(mut self, count: usize) -> Derivation {
         let mut left = count;
         for section in &mut self.sections {
             section.lines.truncate(left);
             left -= section.lines.len();
-            if let Some(last) = section.lines.pop_if(|_| left == 0) {
-                section.lines.push(last.without_result());
-            }
+            let lines = std::mem::take(&mut section.lines).into_iter();
+            section.lines = lines.map(DerivedLine::without_result).collect();
         }
         self
     }

@@ -33,7 +33,9 @@ fn assert_plays(path: &Path, from: &Window) {
             (session.formulas.clone(), session.sections, session.highlighted),
             (settings.layout, settings.items, settings.shade, settings.digits),
             settings.count_from_one,
-            (settings.layout == ViewLayout::Lines).then(|| (lines.line(), lines.ray, lines.t)),
+            (settings.keep_picture, settings.teaching),
+            (settings.layout == ViewLayout::Lines)
+                .then(|| (lines.line(), lines.ray, lines.t, lines.shown, lines.trail)),
             (settings.layout == ViewLayout::Mistakes).then_some(session.mistakes_view.chosen),
         )
     });
@@ -90,7 +92,7 @@ fn views_become_the_steps_of_a_lesson_and_play_as_they_were() {
 fn a_scene_without_a_file_is_saved_whole() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("class.toml");
-    for (lesson, step) in [(1, 2), (7, 3), (8, 2), (10, 2), (11, 2), (12, 3)] {
+    for (lesson, step) in [(1, 2), (7, 3), (8, 2), (10, 2), (11, 1), (11, 2), (11, 3), (12, 3)] {
         let mut open = at_step(lesson, step);
         command(&mut open, "Views: Observer nearer");
         save(&mut open, &path);
@@ -117,6 +119,11 @@ fn what_is_no_lesson_stays_as_it_is_and_says_why() {
         assert!(told.iter().any(|told| told.contains(why)), "{why}: {told:?}");
         assert_eq!(fs::read_to_string(&path).unwrap(), text);
     }
+    let mut class = window("look-at");
+    show(&mut class, ViewLayout::Class);
+    save(&mut class, &path);
+    assert_says(&class, "This view was not saved");
+    assert_eq!(fs::read_to_string(&path).unwrap(), scene);
     let mut itself = window(&path);
     save(&mut itself, &path);
     assert_says(&itself, "This view was not saved");

@@ -217,6 +217,25 @@ fn a_hint_is_the_next_line_that_leads_to_what_is_not_right_yet() {
         answer(&mut window, "t", "1");
         click(&mut window, "Check");
         click(&mut window, "Hint");
-        assert!(line(&window, "zero where").is_some() && line(&window, "They meet").is_none());
+        assert!(line(&window, "parametric").is_some() && line(&window, "They meet").is_none());
+    }
+}
+
+#[test]
+fn hints_leave_the_results_to_the_student_and_end_in_the_solution() {
+    for &exercise in Exercise::ALL {
+        let mut window = open(exercise);
+        let hides =
+            |window: &Harness<'_, App>| window.query_by_label("Hide the solution").is_some();
+        let mut hints = 0;
+        while !hides(&window) {
+            assert!(!window.state().session().exercises.to_code().contains("/seen/"));
+            assert_eq!(texts_with(&window, "zero where"), [""; 0], "it says t");
+            click(&mut window, "Hint");
+            hints += 1;
+            assert!(hints < 12, "{exercise:?}");
+        }
+        assert!(hints > 1, "{exercise:?}");
+        assert!(window.state().session().exercises.to_code().contains("/seen/"));
     }
 }

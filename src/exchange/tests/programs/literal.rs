@@ -67,7 +67,7 @@ fn eye_at_and_up_are_taken_by_their_names() {
         ("eye = 0 0 5\nat = 0 1 0", "in: up is missing: it must be three numbers"),
         ("eye = 0 0 5\nat = 0 1\nup = 0 1 0", "in:2:1: at = 0 1: it must have three numbers"),
         ("eye = 0 0 5\neye = 0 1 0", "in:2:1: eye = 0 1 0: eye is given twice"),
-        ("eye = 0 0 5\nfov = 60", "in:2:1: fov = 60: it must be nine numbers"),
+        ("eye = 0 0 5\nfov = 60", "in:2:1: fov = 60: only eye, at and up may"),
     ] {
         assert_refused(text, message);
     }
