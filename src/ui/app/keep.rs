@@ -20,14 +20,16 @@ const SAVE_STEP: FileQuestion = FileQuestion {
     writes: Some("toml"),
 };
 
+/// Why the view of an exercise is not kept.
+const OF_EXERCISE: &str = "An exercise has a scene of its own: close it first.";
+
 impl App {
     /// Keeps the observer in the scene, or forgets the kept one. Returns a message if that is impossible.
     pub(super) fn keep(&mut self, action: KeepAction) -> Option<Dialog> {
         let stored = match action {
             KeepAction::Nowhere => None,
             KeepAction::InScene if self.question.is_some() => {
-                let problem = "An exercise has a scene of its own: close it first.";
-                return Some(Dialog::message("This view was not kept", problem));
+                return Some(Dialog::message("This view was not kept", OF_EXERCISE));
             }
             KeepAction::InScene => Some(self.scene.session.observer?.stored()),
         };
@@ -66,7 +68,7 @@ impl App {
     fn write_step(&self, path: &Path) -> Result<Lesson, String> {
         let OpenScene { open, session, .. } = &self.scene;
         if self.question.is_some() {
-            return Err("An exercise has a scene of its own: close it first.".to_owned());
+            return Err(OF_EXERCISE.to_owned());
         }
         open.check_output(path)?;
         let text = host().stamp(path).map(|_| limits::read_text(path)).transpose();

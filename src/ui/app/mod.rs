@@ -238,13 +238,13 @@ impl App {
 
     /// Saves the settings, window, recent files and open scene for the next run.
     pub fn remember(&mut self) {
-        self.window.end(&self.scene);
+        self.window.remember_state(&self.scene);
     }
 
     /// Saves the settings, window, recent files and open scene for the next run, and writes unsaved changes to
     /// the recovery file unless the user discarded them.
     pub fn on_exit(&mut self) {
         self.recovery.end(&self.scene.open, self.window.discarded);
-        self.window.end(&self.scene);
+        self.window.remember_state(&self.scene);
     }
 }

@@ -85,7 +85,7 @@ impl AppWindow {
     }
 
     /// Saves the settings, window, recent files and open scene for the next run.
-    pub(super) fn end(&mut self, scene: &OpenScene) {
+    pub(super) fn remember_state(&mut self, scene: &OpenScene) {
         let Some(store) = &self.store else { return };
         let argument = argument_of(scene.open.origin());
         let remembered = Remembered {

@@ -273,8 +273,8 @@ impl PathField {
     }
 
     /// Returns a chosen path once it may be used. A file to read may be used at once. A file to write gets
-    /// its extension, if it has none, and may be used if it does not exist yet or if the user has confirmed
-    /// that it is to be overwritten; until then, shows a warning and returns `None`.
+    /// its extension, if it has none, and may be used if it does not exist yet, if something is
+    /// added to its end, or if the user has confirmed that it is to be overwritten; until then, shows a warning and returns `None`.
     fn check_overwriting(&mut self, ui: &mut Ui, chosen: Option<PathBuf>) -> Option<PathBuf> {
         let Some(ending) = self.question.writes else { return chosen };
         let chosen = chosen.and_then(|mut path| {

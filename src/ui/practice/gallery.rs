@@ -145,7 +145,9 @@ impl Gallery {
         let index = Mistake::GALLERY.iter().position(|one| *one == mistake);
         let picture = index.map(|index| self.thumbnails[index].picture());
         let Some(Candidate { scene: Some(scene), share, .. }) = picture else { return };
-        if self.scene.object_count() > MOST_OBJECTS {
+        // Of a scene that was just opened, it is not known yet.
+        let is_known = self.current == Mistake::GALLERY.len();
+        if !is_known || self.scene.object_count() > MOST_OBJECTS {
             return;
         }
         ui.horizontal_wrapped(|ui| {

@@ -65,6 +65,7 @@ pub(crate) fn show(ui: &Ui, area: Rect, basis: &Basis) {
         response
             .with_role(Role::Button)
             .named(about)
+            .described("A second click looks from the other side.")
             .on_hover_text(format!("{about}; again, from the other side"))
             .asks(Observe::Along(axis));
     }
