@@ -1,7 +1,7 @@
 //! The camera panel's experiments: edits that change a single property of the camera, and its conditioning,
 //! that is, by how many degrees it rolls for each degree that up is tipped sideways.
 
-use egui::{CollapsingHeader, Context, Id, Label, RichText, Slider, Ui};
+use egui::{CollapsingHeader, Context, Id, RichText, Slider, Ui};
 use pinhole_core::{Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
@@ -20,7 +20,6 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
             let hint = "On: up stays fixed while eye or at is dragged, so the view can become parallel to it. \
                         Off: up turns with the camera when the view comes close to it";
             ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
-            swing(ui, camera);
             tilt(ui, camera);
             if let Ok(UpAngle { conditioning, .. }) = camera.up_angle() {
                 sensitivity(ui, conditioning);
@@ -61,7 +60,6 @@ struct Kept {
     from: Camera,
     /// The camera that the control made last.
     made: Camera,
-    degrees: f64,
 }
 
 impl Kept {
@@ -69,33 +67,13 @@ impl Kept {
     /// made. Otherwise the camera has been changed elsewhere, and the returned state starts at `now`.
     fn resume(ctx: &Context, name: &str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ctx.data(|data| data.get_temp::<Kept>(Id::unique(name)));
-        let itself = Kept { from: *now, made: *now, degrees: 0.0 };
+        let itself = Kept { from: *now, made: *now };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
     }
 
     fn keep(self, ctx: &Context, name: &str) {
         ctx.data_mut(|data| data.insert_temp(Id::unique(name), self));
     }
-}
-
-/// Shows the control that turns *up* about the view direction. Its angle is in degrees, counted from the
-/// direction that up had before the user touched the control.
-fn swing(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::resume(ui.ctx(), "swung camera", |made| made == camera, camera);
-    let mut degrees = kept.degrees;
-    let hint = "Turns up around view: the camera rolls, and looks along the same line";
-    row(ui, "roll", hint, camera.basis().is_ok(), |ui| {
-        let slider = Slider::new(&mut degrees, -180.0..=180.0).show_value(false);
-        let slider = ui.add(slider).named("roll slider");
-        let field = NumberField::new("roll", &mut degrees);
-        let field = NumberField { suffix: "°", width: FIELD, ..field }.show(ui);
-        if (slider.changed() || field.changed())
-            && let Ok(swung) = kept.from.swung(degrees)
-        {
-            *camera = swung;
-            Kept { made: swung, degrees, ..kept }.keep(ui.ctx(), "swung camera");
-        }
-    });
 }
 
 /// Shows the control that turns *up* towards the view direction or away from it, in the plane that contains
@@ -106,23 +84,27 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint =
         "The angle between up and view: u, v and w stay, but get very sensitive near 0° and 180°";
-    row(ui, "up from view", hint, angle.is_ok(), |ui| {
-        // The scale is logarithmic, and so fine near both ends, where it matters.
-        let mut exponent = (0.5 * degrees.to_radians()).tan().log10();
-        let slider = Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false);
-        let slider = ui.add(slider).named("up from view slider");
-        if slider.changed() {
-            degrees = (2.0 * 10f64.powf(exponent).atan()).to_degrees();
-        }
-        let field = NumberField::new("up from view", &mut degrees);
-        let range = SMALLEST..=180.0 - SMALLEST;
-        let field = NumberField { suffix: "°", width: FIELD, range, ..field }.show(ui);
-        if (slider.changed() || field.changed())
-            && let Ok(tilted) = kept.from.up_tilted(degrees)
-        {
-            *camera = tilted;
-            Kept { made: tilted, ..kept }.keep(ui.ctx(), "tilted camera");
-        }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().slider_width = SLIDER;
+        ui.label("up from view").on_hover_text(hint);
+        ui.add_enabled_ui(angle.is_ok(), |ui| {
+            // The scale is logarithmic, and so fine near both ends, where it matters.
+            let mut exponent = (0.5 * degrees.to_radians()).tan().log10();
+            let slider = Slider::new(&mut exponent, -ENDS..=ENDS).show_value(false);
+            let slider = ui.add(slider).named("up from view slider");
+            if slider.changed() {
+                degrees = (2.0 * 10f64.powf(exponent).atan()).to_degrees();
+            }
+            let field = NumberField::new("up from view", &mut degrees);
+            let range = SMALLEST..=180.0 - SMALLEST;
+            let field = NumberField { suffix: "°", width: FIELD, range, ..field }.show(ui);
+            if (slider.changed() || field.changed())
+                && let Ok(tilted) = kept.from.up_tilted(degrees)
+            {
+                *camera = tilted;
+                Kept { made: tilted, ..kept }.keep(ui.ctx(), "tilted camera");
+            }
+        });
     });
 }
 
@@ -133,15 +115,6 @@ const ENDS: f64 = 5.0;
 const SMALLEST: f64 = 1e-9;
 const SLIDER: f32 = 110.0;
 const FIELD: f32 = 70.0;
-
-/// Shows a name and its controls, which are disabled if the camera is invalid.
-fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnce(&mut Ui)) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().slider_width = SLIDER;
-        ui.add_sized([88.0, ui.spacing().interact_size.y], Label::new(name)).on_hover_text(hint);
-        ui.add_enabled_ui(possible, |ui| ui.horizontal(controls));
-    });
-}
 
 /// Size of the sensitivity, in points; it is legible from the back row of a classroom.
 const NUMBER: f32 = 20.0;
