@@ -14,7 +14,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::check::{Check, CheckOutcome, Task, status};
-use super::console::{CommandError, read, to_json, warn};
+use super::console::{CommandError, columns, read, to_json, warn};
 use super::progress::Progress;
 use crate::cli::arguments::CheckArguments;
 use crate::model::practice::class::{ClassAnswers, INCOMPLETE, RIGHT, Tally, outcomes_of_grade};
@@ -83,7 +83,8 @@ pub(super) fn of_folder(
     } else {
         let plural = if students.len() == 1 { "file" } else { "files" };
         let title = format!("{}: {} {plural}", folder.display(), students.len());
-        lines(&students) + "\n" + &table(&legible(&title), students.len(), &tally)
+        let rows: Vec<[String; 4]> = students.iter().map(Student::cells).collect();
+        columns(&rows).join("\n") + "\n\n" + &table(&legible(&title), students.len(), &tally)
     };
     Ok((text, status))
 }
@@ -174,18 +175,6 @@ impl Student {
         let [name, found] = [&self.name, &found.join(", ")].map(|text| legible(text));
         [name, self.verdict.to_owned(), agreement.unwrap_or_default(), found]
     }
-}
-
-/// Returns a line for each student.
-fn lines(students: &[Student]) -> String {
-    let rows: Vec<[String; 4]> = students.iter().map(Student::cells).collect();
-    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).max().unwrap_or_default();
-    let (name, verdict, agreement) = (width(0), width(1), width(2));
-    let line = |[a, b, c, d]: &[String; 4]| {
-        let line = format!("{a:name$}  {b:verdict$}  {c:agreement$}  {d}");
-        line.trim_end().to_owned() + "\n"
-    };
-    rows.iter().map(line).collect()
 }
 
 /// Returns a row for each student, with these fields of the JSON output.

@@ -25,6 +25,17 @@ pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError
     Ok((path, limits::read(path, most)?))
 }
 
+/// Returns the rows of a table as lines, in columns that are as wide as their widest cells.
+pub(super) fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
+    let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let line = |row: &[String; N]| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    };
+    table.iter().map(line).collect()
+}
+
 /// Returns a value as one JSON object with a line break. Numbers read back to the same `f64`.
 pub(super) fn to_json(value: &impl Serialize) -> Result<String, CommandError> {
     let text = serde_json::to_string_pretty(value);

@@ -9,7 +9,7 @@ use pinhole_exchange::document::{Document, StoredObserver};
 use pinhole_lecture::numbers::grouped;
 use serde::Serialize;
 
-use super::console::{CommandError, scene_fault, to_json, to_stdout};
+use super::console::{CommandError, columns, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::readings::{Reading, ReadingValue, of_basis};
@@ -196,16 +196,6 @@ fn number_text(x: f64) -> String {
 
 fn row(name: &str, value: impl std::fmt::Display) -> String {
     format!("{name:22}{value}")
-}
-
-fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
-    let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..N).map(width).collect();
-    let line = |row: &[String; N]| {
-        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
-        cells.collect::<Vec<_>>().join("  ")
-    };
-    table.iter().map(line).collect()
 }
 
 /// The JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such as the
