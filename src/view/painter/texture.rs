@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use egui::epaint::{ImageData, ImageDelta};
-use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
+use egui::{Color32, ColorImage, TextureFilter, TextureOptions};
 
 /// A texture.
 #[derive(Debug)]
@@ -62,20 +62,11 @@ impl Texture {
         }
     }
 
-    /// Returns the index of a texel after the wrap mode is applied at the texture's edges. `axis` is 0 for
-    /// columns and 1 for rows.
+    /// Returns the index of the texel, or of the nearest one at the texture's edge: egui repeats no texture.
+    /// `axis` is 0 for columns and 1 for rows.
     #[inline(always)]
-    pub(super) fn wrap(&self, index: i64, axis: usize) -> usize {
-        let size = self.size[axis] as i64;
-        let wrapped = match self.options.wrap_mode {
-            TextureWrapMode::ClampToEdge => index.clamp(0, size - 1),
-            TextureWrapMode::Repeat => index.rem_euclid(size),
-            TextureWrapMode::MirroredRepeat => {
-                let phase = index.rem_euclid(2 * size);
-                phase.min(2 * size - 1 - phase)
-            }
-        };
-        wrapped as usize
+    pub(super) fn clamped(&self, index: i64, axis: usize) -> usize {
+        index.clamp(0, self.size[axis] as i64 - 1) as usize
     }
 
     #[inline(always)]
@@ -88,12 +79,12 @@ impl Texture {
     pub(super) fn sample(&self, u: Coordinate, v: Coordinate, filter: TextureFilter) -> Rgba {
         match filter {
             TextureFilter::Nearest => {
-                self.texel(self.wrap(u.nearest(), 0), self.wrap(v.nearest(), 1))
+                self.texel(self.clamped(u.nearest(), 0), self.clamped(v.nearest(), 1))
             }
             TextureFilter::Linear => {
                 let ((u, across), (v, down)) = (u.linear(), v.linear());
-                let (left, right) = (self.wrap(u, 0), self.wrap(u + 1, 0));
-                let (above, below) = (self.wrap(v, 1), self.wrap(v + 1, 1));
+                let (left, right) = (self.clamped(u, 0), self.clamped(u + 1, 0));
+                let (above, below) = (self.clamped(v, 1), self.clamped(v + 1, 1));
                 let top = mix(self.texel(left, above), self.texel(right, above), across);
                 if down == 0.0 {
                     return top;
@@ -246,14 +237,6 @@ mod tests {
         assert_eq!(at(0.5), 100.0);
         assert_eq!(at(0.75), 200.0);
         assert_eq!((at(-1.0), at(2.0)), (0.0, 200.0));
-    }
-
-    #[test]
-    fn wrapping() {
-        let indices = |options| [-2, -1, 0, 1, 2, 3].map(|i| texture(options).wrap(i, 0));
-        assert_eq!(indices(TextureOptions::NEAREST), [0, 0, 0, 1, 1, 1]);
-        assert_eq!(indices(TextureOptions::NEAREST_REPEAT), [0, 1, 0, 1, 0, 1]);
-        assert_eq!(indices(TextureOptions::NEAREST_MIRRORED_REPEAT), [1, 0, 0, 1, 1, 0]);
     }
 
     #[test]

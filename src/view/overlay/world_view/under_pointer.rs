@@ -1,6 +1,6 @@
 //! The point of the world under the pointer in the world view, which stays there while the view is zoomed.
 
-use pinhole_core::{DVec3, Frame, Plane, Ray, ResolvedCamera, Scene, Sphere};
+use pinhole_core::{DVec3, Frame, ResolvedCamera, Scene, Sphere};
 
 use super::{pick, world_position_of};
 use crate::view::overlay::{camera_uv_at, wide};
@@ -63,15 +63,9 @@ pub fn point_at(
     let farthest = FAR * target.distance(observer.eye());
     let on_ground = || {
         let planes = scene.map_or(&[][..], |scene| scene.planes()).iter();
-        let t = planes.filter_map(|plane| plane_hit(plane, &sight)).reduce(f64::min);
+        let t = planes.filter_map(|plane| plane.roots(&sight).first_positive()).reduce(f64::min);
         let point = t.map(|t| sight.at(t)).filter(|point| point.distance(target) < farthest);
         PointShown { point: point.unwrap_or(target), of: Under::Ground }
     };
     of_camera.or_else(of_sphere).unwrap_or_else(on_ground)
-}
-
-/// Returns the t at which the line of sight meets a plane in front of the observer.
-fn plane_hit(plane: &Plane, sight: &Ray) -> Option<f64> {
-    let t = (plane.point - sight.origin).dot(plane.normal) / sight.direction.dot(plane.normal);
-    (t > 0.0).then_some(t)
 }
