@@ -64,6 +64,8 @@ pub enum FileAction {
     AskSavePage,
     /// Save the scene, or the lesson's step, as a page for a browser.
     SavePage(PathBuf),
+    /// Let the scene open with the observer that is shown. Moving the observer alone never changes a scene.
+    KeepView,
     /// Ask for the lesson file to which to add a step.
     AskSaveStep,
     /// Add what is shown to this lesson file, as its last step.
@@ -261,15 +263,6 @@ impl Observe {
     }
 }
 
-/// Keeps the world view's observer in the scene. Moving the observer alone never changes a scene.
-#[derive(Clone, Debug, PartialEq)]
-pub enum KeepAction {
-    /// Let the scene open with the observer that is shown.
-    InScene,
-    /// Let the scene open with an observer that is fitted to it.
-    Nowhere,
-}
-
 /// Adds or deletes one of the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {
@@ -400,8 +393,6 @@ actions! {
     Steer(Steer),
     /// Move the observer of the world view.
     Observe(Observe),
-    /// Keep the observer in the scene.
-    Keep(KeepAction),
     /// Add or delete an object.
     Object(ObjectAction),
     /// Change how the scene is shown.
@@ -442,8 +433,6 @@ pub(crate) struct Available {
     pub(crate) lesson: bool,
     /// True if an animation is open.
     pub(crate) animation: bool,
-    /// True if the scene keeps an observer.
-    pub(crate) kept_view: bool,
     /// True if an object of the scene on the screen is chosen.
     pub(crate) object: bool,
     /// True if there is a ghost to compare with.
@@ -463,7 +452,6 @@ impl Action {
             Action::History(HistoryAction::Undo) => there.undo,
             Action::History(HistoryAction::Redo) => there.redo,
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
-            Action::Keep(KeepAction::Nowhere) => there.kept_view,
             Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
             Action::Ghost(GhostAction::Drop) => there.ghost,
             Action::Play(PlayAction::Open(_)) => true,

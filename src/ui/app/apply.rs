@@ -108,7 +108,6 @@ impl App {
                 }
                 in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
             }
-            Action::Keep(action) => return self.keep(action),
             Action::Object(action) => return self.scene.change_objects(action),
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}
@@ -238,6 +237,7 @@ impl App {
                 Popup::close_all(ctx);
                 Some(self.ask_save_step())
             }
+            FileAction::KeepView => self.keep_view(),
             FileAction::SaveStep(path) => self.save_step(&path),
             FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {

@@ -198,7 +198,6 @@ impl App {
             redo: self.history.steps.redo_name().is_some(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
-            kept_view: self.scene.open.document.observer.is_some(),
             object: self.page().has_panel
                 && self.question.is_none()
                 && self.scene.chosen_object.is_some(),

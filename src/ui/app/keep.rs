@@ -9,7 +9,7 @@ use pinhole_exchange::limits;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::{Lesson, with_step};
-use crate::ui::action::{FileAction, KeepAction};
+use crate::ui::action::FileAction;
 use crate::ui::dialogs::{Dialog, FileQuestion, PathField};
 
 const SAVE_STEP: FileQuestion = FileQuestion {
@@ -24,21 +24,13 @@ const SAVE_STEP: FileQuestion = FileQuestion {
 const OF_EXERCISE: &str = "An exercise has a scene of its own: close it first.";
 
 impl App {
-    /// Keeps the observer in the scene, or forgets the kept one. Returns a message if that is impossible.
-    pub(super) fn keep(&mut self, action: KeepAction) -> Option<Dialog> {
-        let stored = match action {
-            KeepAction::Nowhere => None,
-            KeepAction::InScene if self.question.is_some() => {
-                return Some(Dialog::message("This view was not kept", OF_EXERCISE));
-            }
-            KeepAction::InScene => Some(self.scene.session.observer?.stored()),
-        };
-        self.scene.open.document.observer = stored;
-        let title = match stored {
-            Some(_) => "The scene opens with this view once it is saved",
-            None => "The scene opens with everything in view once it is saved",
-        };
-        self.say(title.to_owned(), Vec::new());
+    /// Keeps the observer in the scene. Returns a message if that is impossible.
+    pub(super) fn keep_view(&mut self) -> Option<Dialog> {
+        if self.question.is_some() {
+            return Some(Dialog::message("This view was not kept", OF_EXERCISE));
+        }
+        self.scene.open.document.observer = Some(self.scene.session.observer?.stored());
+        self.say("The scene opens with this view once it is saved".to_owned(), Vec::new());
         None
     }
 

@@ -13,8 +13,8 @@ use crate::model::play::Kind;
 use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, CameraMove, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, KeepAction, Leave, LessonAction, LookAction, ObjectAction, Observe,
-    PlayAction, ShareAction, Steer, Switch, VoteAction,
+    HelpAction, HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction,
+    ShareAction, Steer, Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 use crate::view::derivation::Markup;
@@ -136,11 +136,9 @@ fn program() -> Vec<UiCommand> {
         Views, "Frame all", "Moves the observer until everything is in view.",
             [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
         Views, "Keep this view in the scene", "Lets the scene open with the world view as it is now.",
-            [], KeepAction::InScene;
+            [], FileAction::KeepView;
         Views, "Save this view as a step…", "Asks which lesson to add what is shown to, as its last step.",
             [], FileAction::AskSaveStep;
-        Views, "Forget the view kept in the scene", "Lets the scene open with everything in view.",
-            [], KeepAction::Nowhere;
         Views, "Recap: from view to the ray", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",
             [plain(Untyped, Key::W)], LookAction::Recap;
         Program, "Side panel", "Shows or hides the panel with camera and objects.",

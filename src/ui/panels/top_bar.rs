@@ -13,8 +13,7 @@ use crate::model::session::{
 };
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, KeepAction, Leave, LookAction, ObjectAction, Observe, ShareAction,
-    request,
+    HelpAction, HistoryAction, Leave, LookAction, ObjectAction, Observe, ShareAction, request,
 };
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
@@ -211,8 +210,7 @@ fn view_menu(ui: &mut Ui, there: Available, settings: &mut Settings) {
     entry(ui, "Recap: from view to the ray", LookAction::Recap);
     entry(ui, "Frame all", Observe::FrameAll);
     entry(ui, "Frame the camera", Observe::FrameCamera);
-    entry(ui, "Keep this view in the scene", KeepAction::InScene);
-    possible_entry(ui, "Forget the view kept in the scene", KeepAction::Nowhere, there);
+    entry(ui, "Keep this view in the scene", FileAction::KeepView);
     ui.separator();
     possible_entry(ui, "Freeze the camera as a ghost", GhostAction::Freeze, there);
     possible_entry(ui, "Remove the ghost", GhostAction::Drop, there);
