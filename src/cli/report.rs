@@ -10,7 +10,7 @@ use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_
 use super::load::{files_of, load, pose, refuse_overwriting};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
-use crate::figures::FigureFormat;
+use crate::figures::{FigureFormat, by_ending};
 use crate::report::measure::Measurement;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
@@ -147,16 +147,7 @@ fn is_scene(path: &Path) -> bool {
 
 /// Returns the format of a plot's file, from its extension.
 fn format_of(plot: &Path) -> Result<FigureFormat, CommandError> {
-    let is = |ending: &str| plot.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
     let formats = [("svg", FigureFormat::Svg), ("png", FigureFormat::Png)];
-    let format = formats.into_iter().find_map(|(ending, format)| is(ending).then_some(format));
-    format.ok_or_else(|| {
-        let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
-        CommandError::Arguments(format!(
-            "--plot writes SVG or PNG: not {} but {} or {}",
-            plot.display(),
-            svg.display(),
-            png.display()
-        ))
-    })
+    by_ending(plot, &formats, "SVG or PNG")
+        .map_err(|problem| CommandError::Arguments(format!("--plot {problem}")))
 }

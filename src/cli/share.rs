@@ -1,6 +1,5 @@
 //! `pinhole share`: prints a scene or a lesson's step as a link, or draws the link as a QR code.
 
-use std::ffi::OsStr;
 use std::io::Write as _;
 use std::path::PathBuf;
 
@@ -10,7 +9,7 @@ use pinhole_exchange::{Document, atomic};
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{files_of, load, pose, refuse_overwriting, selection_of};
 use crate::cli::arguments::ShareArguments;
-use crate::figures::QrCode;
+use crate::figures::{QrCode, by_ending};
 use crate::model::lessons::{LessonArgument, OpenLesson};
 use crate::model::link::of_step;
 
@@ -36,15 +35,9 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
         let drawn = if arguments.qr { code()?.to_terminal() } else { String::new() };
         return to_stdout(|out| writeln!(out, "{drawn}{url}"));
     };
-    let is_png = match output.extension().and_then(OsStr::to_str) {
-        Some("png") => true,
-        Some("svg") => false,
-        _ if is_standard(output) => false,
-        _ => {
-            let problem = format!("-o {}: a code is an .svg or a .png", output.display());
-            return Err(CommandError::Arguments(problem));
-        }
-    };
+    let by_ending = || by_ending(output, &[("svg", false), ("png", true)], "SVG or PNG");
+    let is_png = if is_standard(output) { Ok(false) } else { by_ending() };
+    let is_png = is_png.map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
     let code = code()?;
     let bytes = match is_png {
         true => code.to_png().map_err(|error| unmade(output, &error))?,

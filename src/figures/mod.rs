@@ -22,7 +22,9 @@ use crate::view::overlay::{Path, paint_paths};
 use crate::view::typesetting::theme;
 
 pub use crate::figures::animation::{Animation, Frames, Recorder, check_animation_path};
-pub use crate::figures::order::{Content, FigureSubject, MARGIN, Order, derivation_of, scale_of};
+pub use crate::figures::order::{
+    Content, FigureSubject, MARGIN, Order, by_ending, derivation_of, scale_of,
+};
 pub use crate::figures::qr::QrCode;
 
 mod animation;

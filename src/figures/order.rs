@@ -90,17 +90,22 @@ impl Content {
             FigureSubject::Derivation => (&CONTENTS[..], "SVG, PDF, PNG, LaTeX or Markdown"),
             _ => (&CONTENTS[..3], "SVG, PDF or PNG"),
         };
-        let is =
-            |ending: &str| path.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
-        if let Some((_, content)) = contents.iter().find(|(ending, _)| is(ending)) {
-            return Ok(*content);
-        }
-        let named =
-            |(ending, _): &(&str, Content)| path.with_extension(ending).display().to_string();
-        let mut named: Vec<String> = contents.iter().map(named).collect();
-        let last = named.pop().unwrap_or_default();
-        Err(format!("writes {formats}: not {} but {} or {last}", path.display(), named.join(", ")))
+        by_ending(path, contents, formats)
     }
+}
+
+/// Returns the choice that the extension of a file's name stands for. `formats` are the choices in words.
+///
+/// If the extension is unknown, returns an error, as a sentence that lists the known ones.
+pub fn by_ending<T: Copy>(path: &Path, choices: &[(&str, T)], formats: &str) -> Result<T, String> {
+    let is = |ending: &str| path.extension().is_some_and(|end| end.eq_ignore_ascii_case(ending));
+    if let Some((_, choice)) = choices.iter().find(|(ending, _)| is(ending)) {
+        return Ok(*choice);
+    }
+    let named = |(ending, _): &(&str, T)| path.with_extension(ending).display().to_string();
+    let mut named: Vec<String> = choices.iter().map(named).collect();
+    let last = named.pop().unwrap_or_default();
+    Err(format!("writes {formats}: not {} but {} or {last}", path.display(), named.join(", ")))
 }
 
 /// A request for a figure.

@@ -7,7 +7,7 @@ use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 use pinhole_exchange::format::{
     Axis, Conventions, ExportScene, Exported, Format, Imported, Include, Input, PixelConvention,
 };
-use pinhole_exchange::programs::{FORMATS, Importer, MIRRORED, UNKNOWN, file_text};
+use pinhole_exchange::programs::{FORMATS, Importer, UNKNOWN, file_text};
 use pinhole_exchange::{Document, FileError, limits};
 use pinhole_lecture::numbers::{equated_tuple, written_whole};
 
@@ -56,10 +56,6 @@ pub struct Notice {
     pub shown_at: Option<f64>,
 }
 
-/// The note on a pasted camera of a left-handed program, which is read without its objects.
-const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated here, \
-                     but the objects are not: negate their z, too, for the same picture";
-
 /// A camera that was read, if there was a valid one, and the notice that says what was read or why not.
 pub type Taken = (Option<Camera>, Notice);
 
@@ -104,10 +100,8 @@ pub fn imported(path: &Path, at_hand: &Camera) -> Taken {
 fn taken(read: Result<(Importer, Imported), FileError>, how: &str, at_hand: &Camera) -> Taken {
     match read {
         Ok((importer, read)) => {
-            let notes = read.notes.into_iter();
-            let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
-            let (title, notes) = (format!("Camera {how}: {}", importer.label()), notes.collect());
-            let camera = Some(read.camera);
+            let (camera, notes) = (Some(read.camera), read.notes);
+            let title = format!("Camera {how}: {}", importer.label());
             (camera, Notice { title, notes, worked: true, camera, shown_at: None })
         }
         Err(error) => {

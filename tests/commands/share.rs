@@ -75,7 +75,8 @@ fn what_has_no_link_or_code_is_refused() {
     for wrong in ["nowhere", "javascript:alert(1)", "https://", "ftp://a.b"] {
         run(&format!("share canonical --base {wrong}")).refused("not the address of a page");
     }
-    run("share canonical --base a.b -o code.pdf").refused("a code is an .svg or a .png");
+    run("share canonical --base a.b -o code.pdf")
+        .refused("-o writes SVG or PNG: not code.pdf but code.svg or code.png");
     run("share canonical --pixel 400,0").failed(
         1,
         "canonical: pixel 400,0 is outside the image of 400 rows and 400 columns: rows are 0 to 399, \

@@ -9,9 +9,9 @@ use pinhole_core::{
 
 use crate::template::n;
 
-/// The note about a camera in a left-handed world.
-pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is negated, so that \
-                            the picture is the same";
+/// The note about a camera in a left-handed world, which is read without its objects.
+const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated \
+                        here, but the objects are not: negate their z, too, for the same picture";
 
 /// Returns the affine map of a 4 x 4 matrix in column-major order. Returns `None` if there are not 16
 /// numbers, or if the last row is not 0 0 0 1.

@@ -21,7 +21,6 @@ use std::path::Path;
 
 use pinhole_core::{Camera, DVec3};
 
-pub use self::derived::MIRRORED;
 pub use self::writers::FORMATS;
 use crate::code::LANGUAGES;
 use crate::format::{Format, Imported, Input};
