@@ -361,6 +361,35 @@ fn an_image_that_is_dragged_small_and_large_again_has_its_shape() {
     );
 }
 
+/// Fields show rounded numbers. To walk through them is no edit, and what is typed replaces the whole number.
+#[test]
+fn tab_goes_through_fields_without_an_edit() {
+    let mut window = window("canonical");
+    type_into(&mut window, "distance", "1.3");
+    let before = window.state().document().clone();
+    let walk = |window: &mut Harness<'_, App>| {
+        window.get_by_role_and_label(Role::SpinButton, "distance").click();
+        window.run();
+        for _ in 0..2 {
+            window.key_press(Key::Tab);
+            window.run();
+        }
+    };
+    walk(&mut window);
+    window.key_press(Key::Tab);
+    window.run();
+    assert_eq!(*window.state().document(), before);
+    walk(&mut window);
+    let fov = window.get_by_role_and_label(Role::SpinButton, "vertical field of view");
+    assert!(fov.is_focused());
+    window.event(egui::Event::Text("60".to_owned()));
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+    let fov = window.state().document().camera.viewport.vertical_fov().to_degrees();
+    assert!((fov - 60.0).abs() < 1e-9, "{fov}");
+}
+
 #[test]
 fn a_new_sphere_has_finite_numbers_however_large_the_viewport() {
     let mut window = window("canonical");

@@ -295,7 +295,7 @@ fn a_picture_is_graded_in_its_own_shading() {
     for (bytes, message) in [
         (&picture[..picture.len() / 2], "the picture ends too early: is all of the file there?"),
         (&b"\x89PNG\r\n\x1a\nno more"[..], "the picture ends too early: is all of the file there?"),
-        (&damaged, "the picture is damaged ("),
+        (&damaged, "the picture is damaged: it must be written again"),
     ] {
         fs::write(folder.path().join("in.png"), bytes).unwrap();
         let run = run_in(folder.path(), &["check", "s.toml", "--answers", "in.png"]);

@@ -80,9 +80,7 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
         DecodingError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
             at_fault(&"the picture ends too early: is all of the file there?")
         }
-        DecodingError::Format(error) => {
-            at_fault(&format!("the picture is damaged ({error}): it must be written again"))
-        }
+        DecodingError::Format(_) => at_fault(&"the picture is damaged: it must be written again"),
         error => at_fault(error),
     };
     let mut decoder = Decoder::new(Cursor::new(bytes));

@@ -215,7 +215,7 @@ impl App {
         match action {
             FileAction::AskOpen => {
                 let field = PathField::new(OPEN, self.scene.open.file(), "");
-                Some(Dialog::file(field, |path| Leave::Open(SceneSource::File(path))))
+                Some(Dialog::file(field, files::dropped))
             }
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),

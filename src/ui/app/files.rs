@@ -120,7 +120,7 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file dropped on the window. Its first bytes and its name tell whether it is a
+/// Returns the action for a file that is dropped on the window or opened. Its first bytes and its name tell whether it is a
 /// link, answers to grade, a glTF to take the camera from, or a scene to open.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;

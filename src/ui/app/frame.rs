@@ -65,6 +65,10 @@ impl App {
                     !matches!(action, Action::Steer(_) | Action::Observe(_) | Action::Figure(_));
                 self.apply(&ctx, action);
             }
+            if is_old {
+                // An action may have opened or left an exercise.
+                self.question = self.scene.question(self.question.take());
+            }
             self.derive(ui, &rects);
             self.outputs(ui, &rects, stage.as_ref());
             self.code_over(ui, stage.as_ref());

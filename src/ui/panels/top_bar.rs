@@ -183,7 +183,12 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], there: Available) {
 /// Shows a menu entry with its key.
 fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>) {
     let action = action.into();
-    ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action);
+    let stays = matches!(action, Action::Look(LookAction::ZoomBy(_)));
+    let response = ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone())));
+    if response.clicked() && !stays {
+        ui.close();
+    }
+    response.asks(action);
 }
 
 /// Shows a menu entry that is disabled while its action is not possible.

@@ -7,7 +7,8 @@ use std::time::Duration;
 
 use egui::accesskit::Role;
 use egui::{
-    Color32, ColorImage, FontId, Image, Rect, Response, RichText, Sense, Ui, Vec2, WidgetInfo, vec2,
+    Align2, Color32, ColorImage, FontId, Image, Rect, Response, RichText, Sense, Ui, Vec2,
+    WidgetInfo, vec2,
 };
 use pinhole_core::{NO_OBJECT, Paint, Raster, Rgb, Shade};
 use pinhole_exchange::document::Document;
@@ -28,6 +29,8 @@ pub(super) const CELL: Vec2 = vec2(120.0, 116.0);
 const GAP: f32 = 4.0;
 /// Size of a name, in points.
 const NAME: f32 = 12.5;
+/// Size of the name of a scene that is not the open one, in points.
+const SCENE: f32 = 11.0;
 /// A scene shows a mistake if the wrong camera sees an object that is out of place in at least this share of the
 /// pixels. An empty sky shows nothing.
 const SHOWN: f64 = 0.02;
@@ -132,8 +135,10 @@ impl Gallery {
         for (mistakes, thumbnails) in rows {
             ui.horizontal(|ui| {
                 for (mistake, thumbnail) in mistakes.iter().zip(thumbnails) {
-                    if thumbnail.ui(ui, mistake.name(), mistake == chosen).clicked() {
+                    let response = thumbnail.ui(ui, mistake.name(), mistake == chosen);
+                    if response.clicked() {
                         *chosen = *mistake;
+                        response.request_focus();
                     }
                 }
             });
@@ -151,7 +156,7 @@ impl Gallery {
             return;
         }
         ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new("The open scene is a poor example of this mistake.").strong());
+            ui.label(RichText::new("Another scene shows this mistake better:").strong());
             let open = Leave::Open(SceneSource::Builtin(scene));
             ui.button(format!("Open the scene “{}”", scene.name)).asks(open);
         });
@@ -189,6 +194,14 @@ impl Thumbnail {
             let size = size * (PICTURE / size).min_elem();
             let texture = self.texture.upload(ui.ctx(), &image);
             Image::new((texture, size)).paint_at(ui, Rect::from_min_size(rect.min, size));
+            if let Some(scene) = scene {
+                let at = rect.min + vec2(0.0, size.y);
+                let font = FontId::proportional(SCENE);
+                let text = ui.painter().layout_no_wrap(scene.name.into(), font, Color32::WHITE);
+                let area = Align2::LEFT_BOTTOM.anchor_size(at, text.size());
+                ui.painter().rect_filled(area, 0.0, Color32::from_black_alpha(200));
+                ui.painter().galley(area.min, text, Color32::WHITE);
+            }
         }
         let (font, color) = (FontId::proportional(NAME), visuals.text_color());
         let name = ui.painter().layout(name.to_owned(), font, color, rect.width());

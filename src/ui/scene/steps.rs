@@ -22,7 +22,7 @@ use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};
 use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
 use crate::view::derive::Derived;
-use crate::view::handle_drag::step_of;
+use crate::view::handle_drag::{Dragged, step_of};
 use crate::view::handles::{PlacedHandle, label, value};
 
 /// The recent steps of the camera by wheel or keys.
@@ -60,7 +60,14 @@ impl WorldArea<'_> {
         let drag = found.taken(document, session.selection, DVec2::ZERO);
         let Some(point) = self.target(found.handle, &drag, steps) else { return };
         let settings = session.settings;
-        if let Ok(dragged) = self.handle_drag(ctx, found.handle, &drag, &settings).put(point) {
+        let handle_drag = self.handle_drag(ctx, found.handle, &drag, &settings);
+        // A step may be larger than the viewport.
+        let is_valid = |dragged: &Dragged| {
+            let viewports =
+                [&drag.before.camera, &dragged.values.camera].map(|one| one.viewport.check());
+            viewports[1].is_ok() || viewports[0].is_err()
+        };
+        if let Some(dragged) = handle_drag.put(point).ok().filter(is_valid) {
             dragged.values.put(document, &mut session.selection);
         }
     }

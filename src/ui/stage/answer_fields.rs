@@ -294,7 +294,15 @@ fn note(ui: &mut Ui, session: &mut Session, size: f32, [has_room, is_lesson, by_
     if exercises.is_right() {
         ui.horizontal(|ui| {
             sign(ui, true);
-            ui.label(RichText::new("All correct.").strong());
+            let exercise = exercises.question().exercise;
+            let (text, hint) = match exercises.saw_solution && !progress.is_done(exercise) {
+                true => ("All correct, after the solution.", "New numbers give it a tick"),
+                false => ("All correct.", ""),
+            };
+            let label = ui.label(RichText::new(text).strong());
+            if !hint.is_empty() {
+                label.on_hover_text(hint);
+            }
             let next = progress.next_after(exercises.question().exercise);
             let Some(next) = next.filter(|_| !is_lesson) else { return };
             let response = ui.button("Next →").named("Next exercise").on_hover_text(next.title());

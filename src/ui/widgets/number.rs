@@ -94,6 +94,7 @@ impl<'a> NumberField<'a> {
             ui.data_mut(|data| data.insert_temp(typed(), id));
         }
         let speed = if self.is_whole { 1.0 } else { drag_speed(ui, id, *self.value) };
+        let begins = typing && ui.data(|data| data.get_temp::<bool>(id.with("typing"))).is_none();
         let is_given_up = is_given_up(ui, id);
         let fault: RefCell<Option<String>> = RefCell::new(None);
         let exact = *self.value;
@@ -101,7 +102,13 @@ impl<'a> NumberField<'a> {
         let font = ui.style().drag_value_text_style.resolve(ui.style());
         let room = if self.is_over { f32::INFINITY } else { room };
         let short = |value: f64| fitting(ui.ctx(), value, self.suffix, &font, room);
-        let shown_whole = short(exact).replace('−', "-").parse() == Ok(exact);
+        let rounded = short(exact);
+        if begins && ui.data(|data| data.get_temp(id)).as_ref() == Some(&rounded) {
+            // Tab has brought the focus, and egui has taken the rounded number for the text.
+            ui.data_mut(|data| data.insert_temp(id, shortest(exact)));
+            select_all(ui, id, &shortest(exact));
+        }
+        let shown_whole = rounded.replace('−', "-").parse() == Ok(exact);
         let (ctx, suffix, is_over) = (ui.ctx().clone(), self.suffix, self.is_over);
         let field = DragValue::new(&mut *self.value)
             .speed(speed)
@@ -119,7 +126,8 @@ impl<'a> NumberField<'a> {
                 false => fitting(&ctx, value, suffix, &font, room),
             })
             .custom_parser(|text| {
-                if is_given_up {
+                // The rounded number was not typed.
+                if is_given_up || text == rounded {
                     return None;
                 }
                 let number = |text| in_range(evaluate(text)?, &self.range, self.is_whole);
@@ -135,7 +143,7 @@ impl<'a> NumberField<'a> {
             });
         let response = ui.add(field);
         if response.clicked() && !typing {
-            select_all(ui, &response, &shortest(exact));
+            select_all(ui, response.id, &shortest(exact));
         }
         let mut response = response.named(self.name);
         if is_over && !typing {
@@ -207,11 +215,11 @@ fn in_range(value: f64, range: &RangeInclusive<f64>, is_whole: bool) -> Result<f
 
 /// Selects the whole exact number when typing starts. egui would select only as many characters as the
 /// rounded number has.
-fn select_all(ui: &Ui, response: &Response, exact: &str) {
-    let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+fn select_all(ui: &Ui, id: Id, exact: &str) {
+    let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
     let end = CCursor::new(exact.chars().count());
     state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
-    state.store(ui.ctx(), response.id);
+    state.store(ui.ctx(), id);
 }
 
 /// Shows the error below a field with invalid text, until the user next presses any button or key.

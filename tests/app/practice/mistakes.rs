@@ -101,7 +101,7 @@ fn a_mistake_that_the_open_scene_does_not_show_is_shown_in_one_that_can_be_opene
     assert_eq!(shown_in(&window, Mistake::LeftHanded), "In the open scene");
     assert_eq!(shown_in(&window, Mistake::WAsPrinted), "In the scene “roll”", "no empty sky");
     assert_eq!(shown_in(&window, Mistake::AspectDropped), "In the scene “non-square”");
-    assert_says(&window, "The open scene is a poor example of this mistake.");
+    assert_says(&window, "Another scene shows this mistake better:");
     click(&mut window, Mistake::AspectDropped.name());
     type_into(&mut window, "W", "300");
     click(&mut window, "Open the scene “non-square”");
@@ -110,7 +110,7 @@ fn a_mistake_that_the_open_scene_does_not_show_is_shown_in_one_that_can_be_opene
     rest(&mut window);
     assert_says(&window, &format!("Wrong camera: {}", Mistake::AspectDropped.name()));
     assert_eq!(shown_in(&window, Mistake::AspectDropped), "In the open scene");
-    assert_eq!(texts_with(&window, "poor example"), Vec::<String>::new());
+    assert_eq!(texts_with(&window, "shows this mistake better"), Vec::<String>::new());
 }
 
 #[test]
