@@ -348,7 +348,7 @@ mistakes! {
         shows: "The viewport is |view| times as far and as high, but not as wide: everything is \
                 stretched sideways where |view| > 1, squeezed where |view| < 1.",
         hint: "Here the view has length 1: move at farther away, or give view another length.",
-        exercise_feedback: "𝐰 = −view is not normalized, nor is what is made from it.",
+        exercise_feedback: "𝐰 = −view is not normalized, but each vector of the basis has length 1.",
         ways: &[|p| p.basis.set_raw(true, false, false)],
     }
 
