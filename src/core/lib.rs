@@ -187,8 +187,8 @@
 //!    nearest hits.
 //! 4. `RowBand::resolve_doubt` decides the pixels in doubt, those that are too close to call.
 //!    `SphereFromOrigin::meets` decides whether the pixel's ray intersects the sphere, by
-//!    `Quadratic::new` in `f64` and in double-double, then by `BigRay`, which is exact. `Hit::compare`
-//!    decides which of two objects is first.
+//!    `Quadratic::new` in `f64` and in double-double, then by `BigRay`, which is exact. `PairOrder`
+//!    decides which of two objects is first or, where it cannot, `Hit::compare`.
 //! 5. `Painter::rows` converts runs of pixels that show one object to colours.
 
 mod camera;

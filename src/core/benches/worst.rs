@@ -3,15 +3,15 @@
 //! ordinary scene of as many spheres.
 //!
 //! `cargo bench -p pinhole-core --bench worst`; words after `--` run only the families of scenes whose
-//! names contain one of them. The frame has 320 x 180 pixels, and is traced by all threads.
+//! names contain one of them. The frame has 320 x 180 pixels unless the family says otherwise, and is
+//! traced by all threads.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::time::{Duration, Instant};
 
 use pinhole_core::*;
 
-const WIDTH: u32 = 320;
-const HEIGHT: u32 = 180;
+const IMAGE: [u32; 2] = [320, 180];
 const ROUNDS: usize = 3;
 
 /// A measurement that takes longer than this is not repeated.
@@ -58,7 +58,7 @@ fn ball(center: impl Into<DVec3>, radius: f64) -> Sphere {
 const AHEAD: DVec3 = DVec3::new(0.0, 0.0, -5.0);
 
 /// The families: name, number of spheres, and the spheres.
-const FAMILIES: [Family; 8] = [
+const FAMILIES: [Family; 15] = [
     ("within 1e-9", 10_000, |count| {
         let mut random = Random(1);
         (0..count).map(|_| ball(AHEAD + 1e-9 * random.point(), 1.0)).collect()
@@ -83,6 +83,35 @@ const FAMILIES: [Family; 8] = [
         let size = |k: usize| 10_f64.powf(-290.0 + 580.0 * k as f64 / count as f64);
         (0..count).map(|k| ball(size(k) * AHEAD, size(k))).collect()
     }),
+    ("two 1e-308 apart", 2, |count| {
+        (0..count).map(|k| ball(AHEAD + 1e-308 * k as f64, 1.0)).collect()
+    }),
+    ("nine 1e-308 apart", 9, |count| {
+        (0..count).map(|k| ball(AHEAD + 1e-308 * k as f64, 1.0)).collect()
+    }),
+    // Seen along the plane in which they touch.
+    ("touch, alike", 200, |count| {
+        let radius = |k: usize| 1.0 + k as f64 * f64::EPSILON;
+        (0..count).map(|k| ball([0.0, -radius(k), 0.0], radius(k))).collect()
+    }),
+    ("touch, near plane", 200, |count| {
+        (1..=count).map(|k| ball([0.0, -(k as f64), 0.0], k as f64)).collect()
+    }),
+    ("touch, far apart", 2, |_| {
+        [1e300, 1e308].map(|radius| ball([0.0, -radius, 0.0], radius)).to_vec()
+    }),
+    // They meet in one circle, which the middle row shows.
+    ("one circle", 60, |count| {
+        // Right-angled triangles with one leg in common: n^2 = (radius - height) (radius + height).
+        let n = 720.0;
+        let small = (1..).map(|k| 2.0 * f64::from(k)).filter(|d| (n * n / d) % 2.0 == 0.0);
+        let one = |d: f64| ball([0.0, (n * n / d - d) / 2.0, -5.0 * n], (n * n / d + d) / 2.0);
+        small.take(count).map(one).collect()
+    }),
+    ("nearly one", 100_000, |count| {
+        let mut random = Random(1);
+        (0..count).map(|_| ball(AHEAD + 1e-9 * random.point(), 1.0)).collect()
+    }),
     ("one cone", 100_000, |count| {
         let mut random = Random(3);
         let depth = |random: &mut Random| 10_f64.powf(4.0 * random.next());
@@ -101,9 +130,22 @@ fn ordinary(count: usize) -> Vec<Sphere> {
     (0..count).map(|_| ball(AHEAD + 3.0 * random.point() + 2.0 * DVec3::NEG_Z, radius)).collect()
 }
 
-fn camera() -> ResolvedCamera {
-    let image = ImageSize::new(WIDTH, HEIGHT).unwrap();
-    let viewport = Viewport { width: 16.0 / 9.0, height: 1.0, distance: 1.0 };
+/// Returns the image of a family and the height of its viewport at distance 1.
+fn view_of(name: &str) -> ([u32; 2], f64) {
+    match name {
+        "two 1e-308 apart" => ([400, 400], 1.0),
+        "nine 1e-308 apart" => ([100, 100], 1.0),
+        "touch, alike" => ([100, 100], 1e-2),
+        "touch, near plane" | "touch, far apart" => ([100, 100], 1e-18),
+        "one circle" => ([321, 181], 1.0),
+        _ => (IMAGE, 1.0),
+    }
+}
+
+fn camera(([width, height], side): ([u32; 2], f64)) -> ResolvedCamera {
+    let image = ImageSize::new(width, height).unwrap();
+    let aspect = f64::from(width) / f64::from(height);
+    let viewport = Viewport { width: aspect * side, height: side, distance: 1.0 };
     Camera { viewport, image, ..Camera::CANONICAL }.resolve().unwrap()
 }
 
@@ -123,11 +165,10 @@ fn time<T: Depth>(scene: &Scene, camera: &ResolvedCamera) -> (f64, Steps) {
 
 fn main() {
     let only: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with('-')).collect();
-    let (camera, threads) = (camera(), rayon::current_num_threads());
-    let pixels = f64::from(WIDTH * HEIGHT);
-    println!("{WIDTH} x {HEIGHT}, {threads} threads; the least of up to {ROUNDS} rounds\n");
+    let threads = rayon::current_num_threads();
+    println!("{IMAGE:?} pixels, {threads} threads; the least of up to {ROUNDS} rounds\n");
     println!(
-        "family            spheres   f32 ms  ordinary  ratio   f64 ms  ns/(pixel sphere)  steps"
+        "family             spheres   f32 ms  ordinary  ratio   f64 ms  ns/(pixel sphere)  steps"
     );
     let is_wanted =
         |name: &str| only.is_empty() || only.iter().any(|only| name.contains(only.as_str()));
@@ -135,6 +176,8 @@ fn main() {
         if !is_wanted(name) {
             continue;
         }
+        let camera = camera(view_of(name));
+        let pixels = camera.image().pixel_count() as f64;
         let scene = |spheres| {
             let scene = Scene::new(spheres, vec![]).unwrap();
             scene.make_index();
@@ -145,7 +188,7 @@ fn main() {
         let (plain, _) = time::<f32>(&easy, &camera);
         let (double, _) = time::<f64>(&hard, &camera);
         println!(
-            "{name:16} {count:8} {:8.1} {:9.2} {:6.0} {:8.1} {:12.1}         {} {} {}",
+            "{name:17} {count:8} {:8.1} {:9.2} {:6.0} {:8.1} {:12.1}         {} {} {}",
             1e3 * single,
             1e3 * plain,
             single / plain,
@@ -160,13 +203,13 @@ fn main() {
         if !is_wanted(name) {
             continue;
         }
-        let scene = Scene::new(vec![], planes(count)).unwrap();
+        let (scene, camera) = (Scene::new(vec![], planes(count)).unwrap(), camera(view_of(name)));
         let ((single, steps), (double, _)) =
             (time::<f32>(&scene, &camera), time::<f64>(&scene, &camera));
         let [single, double] = [single, double].map(|seconds| 1e3 * seconds);
         let Steps { f64, double_double, exact, .. } = steps;
         println!(
-            "{name:16} {count:8} {single:8.1} {:25.1}         {f64} {double_double} {exact}",
+            "{name:17} {count:8} {single:8.1} {:25.1}         {f64} {double_double} {exact}",
             double
         );
     }

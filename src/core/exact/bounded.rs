@@ -58,6 +58,9 @@ pub(crate) trait Number: Arithmetic + From<f64> {
 
     /// Returns the number in `f64`, rounded.
     fn near(self) -> f64;
+
+    /// Returns a double-double as a number of this type, rounded.
+    fn of(x: DoubleDouble) -> Self;
 }
 
 /// The unit roundoff u: half the spacing of `f64` at 1.
@@ -78,6 +81,11 @@ impl Number for f64 {
     fn near(self) -> f64 {
         self
     }
+
+    #[inline(always)]
+    fn of(x: DoubleDouble) -> f64 {
+        x.hi
+    }
 }
 
 impl Number for DoubleDouble {
@@ -93,6 +101,10 @@ impl Number for DoubleDouble {
 
     fn near(self) -> f64 {
         self.hi
+    }
+
+    fn of(x: DoubleDouble) -> DoubleDouble {
+        x
     }
 }
 

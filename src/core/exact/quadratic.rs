@@ -60,6 +60,16 @@ pub(crate) struct Quadratic<T> {
     pub(crate) a_doubt: f64,
 }
 
+/// A root of the quadratic that is certainly accurate.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SureRoot<T> {
+    pub(crate) t: T,
+    /// The relative error of t.
+    pub(crate) share: f64,
+    /// A lower bound of `sqrt D = |b - a t|`, half the chord's length times `|d|`.
+    pub(crate) swing: f64,
+}
+
 impl<T: Number> Quadratic<T> {
     /// Computes the coefficients and their error bounds, in which k is the sum of the relative errors of
     /// q and d, B the bound of b's error, and M that of the error of the vector `m = q x d`:
@@ -126,6 +136,14 @@ impl<T: Number> Quadratic<T> {
         // One more product, because callers multiply t by the ray's `stretch`, a whole number.
         let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
         Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
+    }
+
+    /// Returns the root like [`Quadratic::root`], if its relative error is at most [`LARGEST_SHARE`].
+    #[inline(always)]
+    pub(crate) fn sure_root(&self, sphere: &SphereTerms<T>, far: bool) -> Option<SureRoot<T>> {
+        let (t, share) = self.root(sphere, far)?;
+        let least = 0.99 * (self.discriminant.near() - self.discriminant_doubt);
+        (share < LARGEST_SHARE).then_some(SureRoot { t, share, swing: least.sqrt() })
     }
 
     /// Returns whether [`Quadratic::root`] computes a root as `c / z`, not as `z / a`.

@@ -7,6 +7,7 @@ pub(crate) mod error;
 pub(crate) mod object;
 pub(crate) mod object_from_origin;
 pub(crate) mod objects_from_origin;
+pub(crate) mod pair_order;
 pub(crate) mod plane;
 pub(crate) mod plane_predicates;
 pub(crate) mod sphere;

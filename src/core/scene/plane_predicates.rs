@@ -1,5 +1,5 @@
 //! A plane with the values precomputed for all rays from one origin: decides exactly whether a ray hits
-//! it, computes `t`, and decides which of two planes a ray hits first.
+//! it, and computes `t`.
 
 use std::cmp::Ordering;
 
@@ -9,7 +9,7 @@ use crate::camera::ray::ExactRay;
 use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::{Number, UNIT, Vector, dot, length, scaled};
 use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
-use crate::exact::dyadic::{Dyadic, cross, exact3, times};
+use crate::exact::dyadic::{Dyadic, cross, exact3};
 use crate::exact::precise::Precise;
 use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::{ldexp, split, unit};
@@ -50,10 +50,14 @@ pub(crate) struct Rate<T> {
 
 impl<T: Number> Rate<T> {
     /// Computes the dot product and the bound, which includes the error of the direction.
-    fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionTerms<T>) -> Rate<T> {
+    pub(crate) fn new(
+        normal: Vector<T>,
+        normal_length: f64,
+        direction: &DirectionTerms<T>,
+    ) -> Rate<T> {
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
-        let value = dot(normal.map(T::from), direction.d);
+        let value = dot(normal, direction.d);
         let share = T::DOT + direction.doubt;
         Rate { value, doubt: factor * share * normal_length * direction.length + least }
     }
@@ -138,7 +142,7 @@ impl PlaneFromOrigin {
 
     /// Returns `normal . direction` in the direction's precision.
     pub(crate) fn rate_of<T: Number>(&self, direction: &DirectionTerms<T>) -> Rate<T> {
-        Rate::new(&self.normal, self.normal_length, direction)
+        Rate::new(self.normal.map(T::from), self.normal_length, direction)
     }
 
     /// Returns whether the line meets the plane, that is, is not parallel to it.
@@ -242,44 +246,5 @@ impl Plane {
         }
         let normals = cross(&exact3(self.normal), &exact3(other.normal));
         normals.iter().all(Dyadic::is_zero)
-    }
-}
-
-/// The order in which rays from one origin hit two planes. Let n be the normal of the first plane and
-/// `o = n . (point - origin)` its offset, and n' and o' those of the second plane; neither offset is 0.
-/// A ray along d that hits both planes hits the first one first if
-///
-/// ```text
-/// |o| / |n.d| < |o'| / |n'.d|     that is     e.d < 0     with  e = s s' (o n' - o' n)
-/// ```
-///
-/// where s and s' are the signs of o and o'. At a hit, n.d and n'.d have these signs, too. The vector e
-/// is computed exactly and then rounded, so that even planes that nearly coincide are distinguished.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct PlaneOrder {
-    /// The vector e, scaled so that its largest coordinate is near 1.
-    e: Vector<f64>,
-    length: f64,
-}
-
-impl PlaneOrder {
-    pub(crate) fn new(one: &PlaneFromOrigin, other: &PlaneFromOrigin) -> PlaneOrder {
-        let terms = |of: &PlaneFromOrigin, beside: &PlaneFromOrigin| {
-            times(&exact3(of.plane.normal), &big_offset(&beside.plane, &exact3(beside.origin)))
-        };
-        let (plus, minus) = (terms(other, one), terms(one, other));
-        let exact: [Dyadic; 3] = std::array::from_fn(|i| &plus[i] - &minus[i]);
-        let largest = exact.iter().map(Dyadic::log2).max().unwrap_or_default();
-        let sign = if one.side == other.side { 1.0 } else { -1.0 };
-        let e = exact.map(|x| if x.is_zero() { 0.0 } else { sign * x.rounded_times(-largest) });
-        PlaneOrder { e, length: length(e) }
-    }
-
-    /// Compares the `t` at which a ray hits the two planes; returns `None` if rounding could change the
-    /// order.
-    pub(crate) fn compare(&self, direction: &DirectionTerms<f64>) -> Option<Ordering> {
-        // The error of e is its rounding, and a coordinate so small that it is rounded to 0.
-        let direction = DirectionTerms { doubt: direction.doubt + 2.0 * UNIT, ..*direction };
-        Rate::new(&self.e, self.length, &direction).sign()
     }
 }

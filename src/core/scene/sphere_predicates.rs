@@ -12,7 +12,7 @@ use crate::exact::bounded::{Number, PLAIN, UNIT, dot, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
 use crate::exact::dyadic::exact3;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
-use crate::exact::quadratic::{Form, Quadratic, SphereTerms, sphere_normal};
+use crate::exact::quadratic::{Form, Quadratic, SphereTerms, SureRoot, sphere_normal};
 use crate::exact::scale::ldexp;
 use crate::exact::steps::{Step, Steps, sign_of};
 use crate::scene::big_roots::big_c;
@@ -246,6 +246,13 @@ impl SphereFromOrigin {
     /// if the discriminant may be 0.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
+    }
+
+    /// Returns the root at which a ray that hits the sphere hits it first, in double-double, in the units
+    /// of [`SphereFromOrigin::fine_t`].
+    pub(crate) fn fine_hit(&self, ray: &ExactRay) -> Option<SureRoot<DoubleDouble>> {
+        let is_far = self.root_of_hit() == RootSide::Far;
+        Quadratic::new(&self.fine, &ray.fine).sure_root(&self.fine, is_far)
     }
 
     /// Returns the root in exact numbers.

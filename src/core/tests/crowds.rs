@@ -395,3 +395,58 @@ fn as_given(resolved: &ResolvedCamera) -> Camera {
         .map(|orientation| Camera { eye, orientation, viewport, image });
     cameras.into_iter().find(|camera| camera.resolve() == Ok(*resolved)).unwrap()
 }
+
+/// Returns spheres of which `f64` cannot tell which one a ray meets first, in the way of the given
+/// number.
+fn coincident(way: u32, numbers: &mut Numbers) -> Vec<Sphere> {
+    let mut between = |low: f64, high: f64| numbers.between(low, high);
+    let size = 10_f64.powf(between(-17.0, -6.0));
+    let whole = |x: f64| x.floor();
+    let one = |k: f64, between: &mut dyn FnMut(f64, f64) -> f64| {
+        let off = size * DVec3::new(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0));
+        let ahead = DVec3::new(0.0, 0.0, -3.0);
+        match way {
+            0 => (ahead + off, 2.0 + size * between(-1.0, 1.0)),
+            1 => (ahead + 1e-308 * k * DVec3::X, 2.0),
+            // They touch in one point, ahead or in the eye.
+            2 => (ahead + k * DVec3::new(1.0, 2.0, -2.0), 3.0 * k),
+            3 => (-k * DVec3::Y, k),
+            4 => (-(1.0 + k * f64::EPSILON) * DVec3::Y, 1.0 + k * f64::EPSILON),
+            5 => (ahead, 2.0 + k * f64::EPSILON),
+            // The eye is inside.
+            6 => (0.1 * ahead + off, 2.0 + size * between(-1.0, 1.0)),
+            _ => (1e300_f64.powf(k / 9.0) * ahead, 2.0 * 1e300_f64.powf(k / 9.0)),
+        }
+    };
+    (0..9)
+        .map(|_| one(whole(between(1.0, 10.0)), &mut between))
+        .map(|(center, radius)| Sphere { center, radius })
+        .collect()
+}
+
+/// Every pixel of a frame shows what the exact order of a single ray's hits finds, which takes no
+/// difference of two spheres.
+#[test]
+fn frames_of_coincident_spheres_show_what_single_rays_hit() {
+    let mut numbers = Numbers(71);
+    for case in 0..64 {
+        let way = case % 8;
+        let slope = if way == 4 { 1e-4 } else { 0.02 };
+        let aside = if case < 32 { 0.0 } else { 0.1 * numbers.between(-1.0, 1.0) };
+        let (at, up) = (DVec3::new(aside, 0.3 * aside, -1.0), DVec3::Y);
+        let orientation = Orientation::At { at, up };
+        let camera = Camera { orientation, ..with_pixels(33, 33, slope) };
+        let scene = Scene::new(coincident(way, &mut numbers), vec![]).unwrap();
+        let resolved = camera.resolve().unwrap();
+        let raster = Raster::full(resolved.image());
+        let frame = trace_as::<f32>(&scene, &resolved, &raster, Outputs::default());
+        for row in 0..33 {
+            for column in 0..33 {
+                let ray = resolved.exact_ray(Pixel { row, column });
+                let expected = scene.first_hit_of(&ray).map(|root| root.object);
+                let found = frame.at(row as usize, column as usize).object;
+                assert_eq!(found, expected, "{way}: {row}, {column} of {:?}", scene.spheres());
+            }
+        }
+    }
+}

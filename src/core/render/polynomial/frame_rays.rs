@@ -27,6 +27,9 @@ pub(crate) struct FrameRays<'a> {
     pub(crate) l: Vec<f64>,
     /// The term `n e` of each column, in `f64`.
     column_terms: Vec<Vector<f64>>,
+    /// Whether e, g and z have ordinary lengths, so that scaling them by the same power of two has lost
+    /// no digits.
+    pub(crate) is_plain: bool,
     /// Upper bound of the length of every direction.
     longest: f64,
     pub(crate) steppers: Steppers,
@@ -70,11 +73,13 @@ impl<'a> FrameRays<'a> {
         };
         let n: Vec<f64> = raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect();
         let l: Vec<f64> = raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect();
+        let plain = 1e-60..1e60;
         let parts = [w * length(steppers.e), h * length(steppers.g), length(steppers.z)];
         FrameRays {
             camera,
             raster,
             column_terms: n.iter().map(|n| steppers.e.map(|x| n * x)).collect(),
+            is_plain: [steppers.e, steppers.g, z].iter().all(|v| plain.contains(&length(*v))),
             longest: 1.01 * parts.iter().sum::<f64>(),
             n,
             l,
@@ -92,13 +97,6 @@ impl<'a> FrameRays<'a> {
             (values[0] - from).abs().max((values[values.len() - 1] - from).abs())
         };
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
-    }
-
-    /// Returns whether e, g and z have ordinary lengths, so that scaling them by the same power of
-    /// two has lost no digits.
-    pub(crate) fn is_plain(&self) -> bool {
-        let Steppers { e, g, z, .. } = &self.steppers;
-        [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
     /// Returns a pixel's direction in `f64`. The returned length is an upper bound.

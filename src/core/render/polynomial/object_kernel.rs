@@ -20,7 +20,7 @@ use crate::scene::plane_predicates::PlaneFromOrigin;
 /// lengths are so extreme that `f64` could overflow or lose digits.
 pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     let factor = ldexp(rays.stretch, scale - rays.scale);
-    (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
+    (rays.is_plain && (1e-60..1e60).contains(&factor)).then_some(factor)
 }
 
 type MaskOf<S> = <<S as Simd>::f64s as SimdBase<S>>::Mask;

@@ -1,5 +1,5 @@
 //! Decides individually, by the ladder of `f64`, double-double and exact numbers, the pixels that
-//! drawing has left in doubt, with a cache of the values precomputed for objects and pairs of planes.
+//! drawing has left in doubt, with a cache of the values precomputed for objects and for pairs of them.
 //! Also computes `t` in `f64` and normals for hits whose objects are known.
 
 use std::borrow::Cow;
@@ -12,22 +12,23 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::exact::quadratic::DirectionTerms;
-use crate::exact::steps::Steps;
+use crate::exact::steps::{Step, Steps};
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
 use crate::render::polynomial::object_kernel::factor;
 use crate::render::polynomial::{T_SHARE, is_in_range, to_single};
 use crate::render::row_band::RowBand;
-use crate::render::row_band::rough_hits::{Rough, RoughHit};
+use crate::render::row_band::rough_hits::{KeptHit, Rough, RoughHit};
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
-use crate::scene::plane_predicates::{PlaneFromOrigin, PlaneOrder};
+use crate::scene::pair_order::PairOrder;
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// Minimum number of pixels in doubt for which it pays to cache each pixel's hit in `f64` and to divide
 /// the pixels among threads.
-const MANY: usize = 1024;
+pub(crate) const MANY: usize = 1024;
 
 /// Number of parts into which a band's rows are divided for the threads.
 const SHARES: usize = 4;
@@ -52,7 +53,7 @@ pub(crate) struct PixelLadder<'a> {
     t: &'a mut [f32],
     object: &'a mut [u32],
     /// The hit, in `f64`, of the sphere that each pixel shows; empty if few pixels are in doubt.
-    hits: &'a mut [Option<RoughHit>],
+    hits: &'a mut [Option<KeptHit>],
     known_objects: &'a mut KnownObjects,
     steps: &'a mut Steps,
 }
@@ -90,6 +91,10 @@ impl RowBand<'_> {
     #[cold]
     pub(crate) fn resolve_exactly(&mut self, query: &PixelQuery) {
         self.steps.f64 -= 1;
+        self.asked += 1;
+        if self.asked == MANY {
+            self.hits.resize(self.t.len(), None);
+        }
         self.ladder().resolve(query);
     }
 
@@ -103,6 +108,11 @@ impl RowBand<'_> {
 pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
     let sphere = Object::Sphere(plan.scene.spheres()[index as usize]);
     ObjectFromOrigin::new(&sphere, plan.rays.camera.eye())
+}
+
+/// Returns the order of a sphere, given by its index, and another object.
+fn order_after(plan: &Plan, sphere: u32, other: &ObjectFromOrigin) -> Option<PairOrder> {
+    PairOrder::new(&seen_sphere(plan, sphere), other, plan.rays.camera.eye())
 }
 
 impl PixelLadder<'_> {
@@ -143,7 +153,8 @@ impl PixelLadder<'_> {
     fn decide_roughly(&mut self, query: &PixelQuery, seen: &SphereFromOrigin) -> bool {
         let PixelQuery { index, row, column, t, .. } = *query;
         let (plan, offset) = (self.plan, self.offset(query));
-        if !plan.rays.is_plain() {
+        let after = |sphere: u32| move || order_after(plan, sphere, query.seen);
+        if !plan.rays.is_plain {
             return false;
         }
         let known = self.object[offset];
@@ -154,12 +165,12 @@ impl PixelLadder<'_> {
             self.steps.f64 += 1;
             return true;
         }
-        // Most hits are farther than the known one, as the power of the known hit with respect to the
-        // new sphere shows.
-        if t.is_some()
-            && let Some(sphere) = known_sphere
-            && let Some(hit) = self.kept_hit(offset, known)
-            && hit.compare_by_power(sphere, seen) == Some(Ordering::Less)
+        // Most hits are farther than the known one.
+        if let Some(Some(kept)) = self.hits.get(offset)
+            && kept.hit.object == known
+            && let Some(order) =
+                self.known_objects.order([kept.reference, index], after(kept.reference))
+            && kept.is_before(order)
         {
             self.steps.f64 += 1;
             return true;
@@ -169,7 +180,7 @@ impl PixelLadder<'_> {
             NO_OBJECT => None,
             _ => match self.known_hit(offset, known, &direction) {
                 None => return false,
-                hit => hit.zip(known_sphere),
+                hit => hit,
             },
         };
         let hit = match Rough::new(index, seen, &direction) {
@@ -180,8 +191,11 @@ impl PixelLadder<'_> {
             }
             Rough::Hit(hit) => hit,
         };
-        let order = known_hit.map(|(known, sphere)| {
-            known.compare_t(&hit).or_else(|| known.compare_by_power(sphere, seen))
+        let order = known_hit.map(|hit_known| {
+            hit_known.compare_t(&hit).or_else(|| {
+                let order = self.known_objects.order([known, index], after(known))?;
+                order.compare(&direction, Some(hit_known.root))
+            })
         });
         match order {
             None | Some(Some(Ordering::Greater)) => {}
@@ -195,7 +209,7 @@ impl PixelLadder<'_> {
         self.steps.f64 += 1;
         self.object[offset] = index;
         self.t[offset] = to_single(f64::from(t));
-        self.keep(offset, hit);
+        self.keep(offset, hit, query.seen, &direction);
         true
     }
 
@@ -206,13 +220,15 @@ impl PixelLadder<'_> {
         let known = self.object[offset];
         let first = plan.scene.spheres().len() as u32;
         let known_plane = known.checked_sub(first).and_then(|k| plan.planes.get(k as usize));
-        let Some(Some(ObjectFromOrigin::Plane(known_plane))) = known_plane else { return false };
+        let Some(Some(known_seen)) = known_plane else { return false };
         let Some(factor) = factor(&plan.rays, plane.scale) else { return false };
         let direction = plan.rays.rough_direction(row, column);
         let Some((t, share)) = plane.rough_t(&direction) else { return false };
         if t > 0.0 {
-            let order = self.known_objects.plane_order([index, known], [plane, known_plane]);
-            match order.compare(&direction) {
+            let order = self.known_objects.order([index, known], || {
+                PairOrder::new(query.seen, known_seen, plan.rays.camera.eye())
+            });
+            match order.and_then(|order| order.compare(&direction, None)) {
                 Some(Ordering::Greater) => {}
                 Some(Ordering::Less) if share <= T_SHARE && is_in_range(t * factor) => {
                     (self.object[offset], self.t[offset]) = (index, to_single(t * factor));
@@ -232,8 +248,10 @@ impl PixelLadder<'_> {
         object: u32,
         direction: &DirectionTerms<f64>,
     ) -> Option<RoughHit> {
-        if let Some(hit) = self.kept_hit(offset, object) {
-            return Some(hit);
+        if let Some(Some(kept)) = self.hits.get(offset)
+            && kept.hit.object == object
+        {
+            return Some(kept.hit);
         }
         if object as usize >= self.plan.scene.spheres().len() {
             return None;
@@ -241,25 +259,33 @@ impl PixelLadder<'_> {
         let seen = self.known_objects.get(object, || seen_sphere(self.plan, object));
         let ObjectFromOrigin::Sphere(seen) = seen else { return None };
         let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
-        self.keep(offset, hit);
+        if let Some(kept) = self.hits.get_mut(offset) {
+            *kept = Some(KeptHit::new(hit, direction, None));
+        }
         Some(hit)
     }
 
-    fn kept_hit(&self, offset: usize, object: u32) -> Option<RoughHit> {
-        self.hits.get(offset).copied().flatten().filter(|hit| hit.object == object)
-    }
-
-    fn keep(&mut self, offset: usize, hit: RoughHit) {
-        if let Some(kept) = self.hits.get_mut(offset) {
-            *kept = Some(hit);
-        }
+    /// Keeps the hit on the sphere that a pixel shows from now on, with the reference of the one before.
+    fn keep(
+        &mut self,
+        offset: usize,
+        hit: RoughHit,
+        seen: &ObjectFromOrigin,
+        direction: &DirectionTerms<f64>,
+    ) {
+        let (plan, Some(kept)) = (self.plan, self.hits.get_mut(offset)) else { return };
+        let reference = kept.map(|kept| kept.reference).and_then(|reference| {
+            let after = || order_after(plan, reference, seen);
+            Some((reference, self.known_objects.order([reference, hit.object], after)?))
+        });
+        *kept = Some(KeptHit::new(hit, direction, reference));
     }
 
     /// Returns `t` in the frame's precision; `None` if `f64` does not give it accurately enough.
     fn single_t(&self, hit: &RoughHit) -> Option<f32> {
         let rays = &self.plan.rays;
         let t = hit.t_of(rays.stretch, rays.scale);
-        (hit.share <= T_SHARE && is_in_range(t)).then(|| to_single(t))
+        (hit.root.share <= T_SHARE && is_in_range(t)).then(|| to_single(t))
     }
 
     /// Decides a pixel by all steps of the ladder.
@@ -274,11 +300,19 @@ impl PixelLadder<'_> {
             && let Some(object) = self.plan.scene.object(known)
         {
             let make = || ObjectFromOrigin::new(&object, camera.eye());
-            let known_seen = self.known_objects.get(known, make);
+            let known_seen = self.known_objects.get(known, make).clone();
             // The ray hits the object that the pixel shows.
-            let (object, root) = (Cow::Borrowed(known_seen), known_seen.root_of_hit());
-            let known_hit = Hit { index: known, object, root };
-            let order = hit.compare(&known_hit, &ray, self.steps);
+            let pair = self
+                .known_objects
+                .order([known, index], || PairOrder::new(&known_seen, seen, camera.eye()));
+            let fine = pair.and_then(|pair| pair.compare(&ray.fine, known_seen.fine_hit(&ray)));
+            let order = if let Some(order) = fine {
+                self.steps.count(Step::DoubleDouble);
+                order.reverse()
+            } else {
+                let (object, root) = (Cow::Borrowed(&known_seen), known_seen.root_of_hit());
+                hit.compare(&Hit { index: known, object, root }, &ray, self.steps)
+            };
             if order.then(index.cmp(&known)) == Ordering::Greater {
                 return;
             }
@@ -290,18 +324,20 @@ impl PixelLadder<'_> {
 }
 
 /// A cache of objects with the values that all rays from the eye share, keyed by the last bits of the
-/// object's index, and of the orders in which rays hit pairs of planes.
+/// object's index, and of the orders in which rays hit pairs of objects.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
-    plane_orders: HashMap<[u32; 2], PlaneOrder>,
+    orders: HashMap<[u32; 2], Option<PairOrder>>,
+    /// The order that was asked for last.
+    last: Option<([u32; 2], Option<PairOrder>)>,
 }
 
 impl KnownObjects {
     /// Number of objects in the cache; a power of two.
     const OBJECTS: usize = 64;
 
-    /// Maximum number of pairs of planes in the cache.
+    /// Maximum number of pairs in the cache.
     const PAIRS: usize = 4096;
 
     /// Returns an object with the values that all rays from the eye share, from the cache or newly
@@ -319,16 +355,20 @@ impl KnownObjects {
         &slot.get_or_insert_with(|| (index, make())).1
     }
 
-    /// Returns the order in which rays hit two planes, from the cache or newly computed.
-    pub(crate) fn plane_order(
+    /// Returns the order in which rays hit two objects, from the cache or newly computed; `None` if they
+    /// have none.
+    pub(crate) fn order(
         &mut self,
         indices: [u32; 2],
-        [one, other]: [&PlaneFromOrigin; 2],
-    ) -> PlaneOrder {
-        if self.plane_orders.len() > KnownObjects::PAIRS {
-            self.plane_orders.clear();
+        make: impl FnOnce() -> Option<PairOrder>,
+    ) -> Option<&PairOrder> {
+        if self.last.as_ref().is_none_or(|(known, _)| *known != indices) {
+            if self.orders.len() > KnownObjects::PAIRS {
+                self.orders.clear();
+            }
+            self.last = Some((indices, *self.orders.entry(indices).or_insert_with(make)));
         }
-        *self.plane_orders.entry(indices).or_insert_with(|| PlaneOrder::new(one, other))
+        self.last.as_ref()?.1.as_ref()
     }
 }
 

@@ -18,7 +18,7 @@ use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::{DOUBT, blend, is_in_doubt, pixel_hit, to_single};
 use crate::render::row_band::fallback::{KnownObjects, PixelQuery, seen_sphere};
-use crate::render::row_band::rough_hits::RoughHit;
+use crate::render::row_band::rough_hits::KeptHit;
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
@@ -46,7 +46,9 @@ pub(crate) struct RowBand<'a> {
     doubts: Vec<Doubt>,
     /// For each pixel, the hit in `f64` of the sphere that it shows, if it was in doubt; empty if few
     /// were.
-    hits: Vec<Option<RoughHit>>,
+    hits: Vec<Option<KeptHit>>,
+    /// Number of pixels left to the ladder one by one.
+    asked: usize,
     known_objects: KnownObjects,
     drawn: DrawnSpheres,
     /// For each row, true if an object's outline reaches it.
@@ -114,6 +116,7 @@ impl<'a> RowBand<'a> {
             next: Some((0, 0)),
             doubts: Vec::new(),
             hits: Vec::new(),
+            asked: 0,
             known_objects: KnownObjects::default(),
             drawn: DrawnSpheres::default(),
             m: Vec::new(),

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod certificate;
+mod pair_order;
 
 use glam::DVec3;
 use proptest::prelude::*;
