@@ -25,13 +25,12 @@
 //! Smooth edges are not part of a frame: [`edge_blends`](crate::edge_blends) finds, in a finished frame, how
 //! much of a pixel lies on either side of a border ([`edges`]).
 //!
-//! Each pair of a pixel and a sphere that is in doubt costs 50 to 150 ns if `f64` decides it, as for
-//! spheres that are equal, nearly equal or nested, or on whose surface the eye lies
-//! ([`row_band::rough_hits`]). It costs a microsecond if double-double is needed, and 40 microseconds if
-//! exact numbers are: for exact tangents, and for ties between unequal objects.
-//! `cargo bench -p pinhole-core --bench worst` measures the worst families known: 57,600 pixels of each
-//! take less than 1.5 seconds on two cores, even with 10,000 spheres that all lie within 1e-9 of each
-//! other.
+//! Each pair of a pixel and a sphere that is in doubt costs 10 to 100 ns if `f64` decides it, as for
+//! spheres that are equal, nearly equal or nested, or on whose surface the eye lies: their order follows
+//! from their difference ([`PairOrder`](crate::scene::pair_order)), for eight pixels of a crowd at a time
+//! ([`row_band::segments`]). It costs half a microsecond if double-double is needed, and 10 microseconds
+//! or more if exact numbers are: for exact tangents, and for ties between unequal objects.
+//! `cargo bench -p pinhole-core --bench worst` measures the worst families known.
 //!
 //! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
 //! (`row_band::fallback::fill_exactly`).

@@ -53,7 +53,8 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// |e||d| t).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairOrder {
-    /// The vector e, in units of `2^scale` and of the first sphere's unit of length.
+    /// The vector e, in units of `2^scale` and of the first sphere's unit of length. The signs of e and C
+    /// are such that the first object is first if g > 0.
     e: Vector<DoubleDouble>,
     /// C, in units of `2^scale` and of the square of the first sphere's unit of length.
     c: DoubleDouble,
@@ -127,27 +128,29 @@ impl PairOrder {
         let doubt = (T::DOT + 2.0 * T::SUM) * reach + (T::PRODUCT + T::SUM) * rr.hi.abs();
         let c_doubt = 1.05 * (doubt / c.hi.abs() + T::SUM);
         let is_plain = (k, one.scale, other.scale) == (0, 0, 0) && c.hi.abs() > 1e-150;
-        (is_plain && c_doubt < PLENTY).then_some(PairOrder {
-            e,
-            c,
-            c_doubt,
-            length,
-            scale: 0,
-            unit: 0,
-            side: one.side,
-        })
+        let is_sure = is_plain && c_doubt < PLENTY;
+        is_sure.then(|| PairOrder::rounded((e, c, c_doubt), [0, 0], one.side))
     }
 
     /// Returns the order for exact e and C, for lengths in units of `2^unit`.
     fn exact(e: &Exact3, c: &Dyadic, unit: i32, side: Ordering) -> PairOrder {
         let top = e.iter().map(|x| x.log2() - unit).fold(c.log2() - 2 * unit, i32::max);
         let scale = PairOrder::STEP * (top + PairOrder::STEP / 2).div_euclid(PairOrder::STEP);
-        let rounded = |x: &Dyadic, unit: i32| {
+        let near = |x: &Dyadic, unit: i32| {
             let (mantissa, k) = x.to_double_double();
             mantissa.scaled(k - unit - scale)
         };
-        let (e, c) = (e.each_ref().map(|x| rounded(x, unit)), rounded(c, 2 * unit));
-        PairOrder { e, c, c_doubt: 2.0 * U2, length: length(near(e)), scale, unit, side }
+        let (e, c) = (e.each_ref().map(|x| near(x, unit)), near(c, 2 * unit));
+        PairOrder::rounded((e, c, 2.0 * U2), [scale, unit], side)
+    }
+
+    fn rounded(
+        (e, c, c_doubt): (Vector<DoubleDouble>, DoubleDouble, f64),
+        [scale, unit]: [i32; 2],
+        side: Ordering,
+    ) -> PairOrder {
+        let turned = if side == Ordering::Greater { (e, c) } else { (e.map(|x| -x), -c) };
+        PairOrder { e: turned.0, c: turned.1, c_doubt, length: length(near(e)), scale, unit, side }
     }
 
     /// Compares the `t` at which a ray hits the two objects; returns `None` if rounding could change the
@@ -158,13 +161,11 @@ impl PairOrder {
         root: Option<SureRoot<T>>,
     ) -> Option<Ordering> {
         let (g, doubt, rate) = self.difference(direction, root)?;
-        let is_outside = self.side == Ordering::Greater;
-        if is_outside && g > doubt {
+        if g > doubt && self.side == Ordering::Greater {
             let slope = ldexp(rate.value.near() - rate.doubt, self.scale);
             return (slope + root?.swing > 0.0).then_some(Ordering::Less);
         }
-        let order = if is_outside || g > 0.0 { Ordering::Greater } else { Ordering::Less };
-        (g.abs() > doubt).then_some(order)
+        (g.abs() > doubt).then(|| 0_f64.total_cmp(&g))
     }
 
     /// Returns g, the bound of its error, and e.d.
@@ -185,30 +186,33 @@ impl PairOrder {
         Some((g, 1.05 * doubt, rate))
     }
 
-    /// Returns `C - 2 e.p` for the point p of a ray at which it hits a third sphere (from the origin, in
-    /// units of the first sphere), and the bound of its error. `off` bounds the error of p, with 6 u |p|
-    /// for the roundings here. The value is the second sphere's f at p, minus the first one's; inside
-    /// the spheres, its negative is returned. So, of several second spheres, those with larger values
-    /// are hit after the third one, except for what lies behind the middles of chords.
+    /// Returns a lower bound of `g = C - 2 e.p` over the points p of a box, each of which is known with an
+    /// error of up to `off`, including 12 u |p| for the roundings here. At a point where a ray hits a third
+    /// sphere (from the origin, in units of the first one), g compares the first and the second sphere:
+    /// of several second spheres, one with a larger g is hit later.
     #[inline(always)]
-    pub(crate) fn value_at(&self, p: Vector<f64>, off: f64) -> (f64, f64) {
-        let value = self.c.hi - 2.0 * dot(near(self.e), p);
-        let slack =
-            1.05 * ((self.c_doubt + 2.0 * UNIT) * self.c.hi.abs() + 2.0 * self.length * off);
-        (if self.side == Ordering::Greater { value } else { -value }, slack)
+    pub(crate) fn least(&self, [low, high]: [Vector<f64>; 2], off: f64) -> f64 {
+        let [x, y, z] = std::array::from_fn(|i| {
+            let e = self.e[i].hi;
+            (e * low[i]).max(e * high[i])
+        });
+        self.c.hi - 2.0 * (x + y + z) - self.slack(off)
     }
 
-    /// Returns `|e|` in units of the first sphere.
-    pub(crate) fn distance(&self) -> f64 {
-        ldexp(self.length, self.scale)
+    /// Returns the bound of the error of `C - 2 e.p`, see [`PairOrder::least`].
+    #[inline(always)]
+    pub(crate) fn slack(&self, off: f64) -> f64 {
+        1.05 * ((self.c_doubt + 4.0 * UNIT) * self.c.hi.abs() + 2.0 * self.length * off)
     }
 
-    /// Returns whether the value at a hit that lies `room` before the middle of the chord in the first
-    /// sphere decides the order: the middles of chords in two spheres are no farther apart than the
-    /// centres. Inside the spheres, it always does.
+    /// Returns `|e|` in units of the first sphere; 0 if no chord's middle matters, because the origin is
+    /// not outside the spheres.
     #[inline(always)]
-    pub(crate) fn is_within(&self, room: f64) -> bool {
-        self.side != Ordering::Greater
-            || if self.scale == 0 { self.length < room } else { self.distance() < room }
+    pub(crate) fn apart(&self) -> f64 {
+        match (self.side, self.scale) {
+            (Ordering::Greater, 0) => self.length,
+            (Ordering::Greater, scale) => ldexp(self.length, scale),
+            _ => 0.0,
+        }
     }
 }

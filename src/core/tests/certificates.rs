@@ -191,3 +191,19 @@ fn the_margin_falls_towards_the_silhouette() {
     assert_eq!(certificates[5].step, Step::DoubleDouble);
     assert_eq!((certificates[6].step, certificates[6].margin), (Step::Exact, 0.0));
 }
+
+/// On which side of a sphere the eye is, if it is on the sphere, takes exact numbers, as both the
+/// certificates and the counts of a frame say.
+#[test]
+fn an_eye_on_a_sphere_is_counted_as_it_is_certified() {
+    let eye_on = |k: f64| Sphere::new([-k, -2.0 * k, -2.0 * k], 3.0 * k).unwrap();
+    let scene = Scene::new([1.0, 2.0, 7.0].map(eye_on).to_vec(), vec![]).unwrap();
+    let camera = Camera { image: ImageSize::new(9, 9).unwrap(), ..Camera::CANONICAL };
+    let resolved = camera.resolve().unwrap();
+    let all: Vec<u32> = (0..9).collect();
+    let certificates = scene.certificates(&resolved, &all, &all, |_| ());
+    assert!(certificates.iter().any(|certificate| certificate.step == Step::Exact));
+    let raster = Raster::full(resolved.image());
+    let frame = trace(&scene, &resolved, &raster, Outputs::default());
+    assert_eq!(frame.steps.exact, 3, "{:?}", frame.steps);
+}

@@ -4,7 +4,6 @@
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
-use std::collections::HashMap;
 use std::mem;
 use std::ops::Range;
 
@@ -18,7 +17,7 @@ use crate::render::plan::Plan;
 use crate::render::polynomial::object_kernel::factor;
 use crate::render::polynomial::{T_SHARE, is_in_range, to_single};
 use crate::render::row_band::RowBand;
-use crate::render::row_band::rough_hits::{KeptHit, Rough, RoughHit};
+use crate::render::row_band::rough_hits::{HitBounds, KeptHit, Rough, RoughHit};
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin, plane_normal};
@@ -111,7 +110,7 @@ pub(crate) fn seen_sphere(plan: &Plan, index: u32) -> ObjectFromOrigin {
 }
 
 /// Returns the order of a sphere, given by its index, and another object.
-fn order_after(plan: &Plan, sphere: u32, other: &ObjectFromOrigin) -> Option<PairOrder> {
+pub(crate) fn order_after(plan: &Plan, sphere: u32, other: &ObjectFromOrigin) -> Option<PairOrder> {
     PairOrder::new(&seen_sphere(plan, sphere), other, plan.rays.camera.eye())
 }
 
@@ -168,9 +167,10 @@ impl PixelLadder<'_> {
         // Most hits are farther than the known one.
         if let Some(Some(kept)) = self.hits.get(offset)
             && kept.hit.object == known
-            && let Some(order) =
-                self.known_objects.order([kept.reference, index], after(kept.reference))
-            && kept.is_before(order)
+            && let Some(order) = self
+                .known_objects
+                .order([kept.bounds.reference, index], after(kept.bounds.reference))
+            && kept.bounds.are_before(order)
         {
             self.steps.f64 += 1;
             return true;
@@ -260,7 +260,7 @@ impl PixelLadder<'_> {
         let ObjectFromOrigin::Sphere(seen) = seen else { return None };
         let Rough::Hit(hit) = Rough::new(object, seen, direction) else { return None };
         if let Some(kept) = self.hits.get_mut(offset) {
-            *kept = Some(KeptHit::new(hit, direction, None));
+            *kept = Some(KeptHit { hit, bounds: HitBounds::new(&hit, direction, None) });
         }
         Some(hit)
     }
@@ -274,11 +274,11 @@ impl PixelLadder<'_> {
         direction: &DirectionTerms<f64>,
     ) {
         let (plan, Some(kept)) = (self.plan, self.hits.get_mut(offset)) else { return };
-        let reference = kept.map(|kept| kept.reference).and_then(|reference| {
+        let reference = kept.map(|kept| kept.bounds.reference).and_then(|reference| {
             let after = || order_after(plan, reference, seen);
             Some((reference, self.known_objects.order([reference, hit.object], after)?))
         });
-        *kept = Some(KeptHit::new(hit, direction, reference));
+        *kept = Some(KeptHit { hit, bounds: HitBounds::new(&hit, direction, reference) });
     }
 
     /// Returns `t` in the frame's precision; `None` if `f64` does not give it accurately enough.
@@ -323,23 +323,33 @@ impl PixelLadder<'_> {
     }
 }
 
-/// A cache of objects with the values that all rays from the eye share, keyed by the last bits of the
-/// object's index, and of the orders in which rays hit pairs of objects.
+/// A cache of objects with the values that all rays from the eye share, keyed by the object's index, and
+/// of the orders in which rays hit pairs of objects.
 #[derive(Debug, Default)]
 pub(crate) struct KnownObjects {
     objects: Vec<Option<(u32, ObjectFromOrigin)>>,
-    orders: HashMap<[u32; 2], Option<PairOrder>>,
-    /// The order that was asked for last.
-    last: Option<([u32; 2], Option<PairOrder>)>,
+    orders: Vec<Option<([u32; 2], Option<PairOrder>)>>,
+}
+
+/// Number of slots of a cache. In a slot, a new value replaces the one before it.
+const SLOTS: usize = 256;
+
+/// Returns the value of a key from a cache, or the newly computed one.
+fn cached<K: Clone + PartialEq, V: Clone>(
+    cache: &mut Vec<Option<(K, V)>>,
+    slot: usize,
+    key: K,
+    make: impl FnOnce() -> V,
+) -> &V {
+    cache.resize(SLOTS, None);
+    let slot = &mut cache[slot % SLOTS];
+    if slot.as_ref().is_none_or(|(known, _)| *known != key) {
+        *slot = None;
+    }
+    &slot.get_or_insert_with(|| (key, make())).1
 }
 
 impl KnownObjects {
-    /// Number of objects in the cache; a power of two.
-    const OBJECTS: usize = 64;
-
-    /// Maximum number of pairs in the cache.
-    const PAIRS: usize = 4096;
-
     /// Returns an object with the values that all rays from the eye share, from the cache or newly
     /// computed.
     pub(crate) fn get(
@@ -347,28 +357,18 @@ impl KnownObjects {
         index: u32,
         make: impl FnOnce() -> ObjectFromOrigin,
     ) -> &ObjectFromOrigin {
-        self.objects.resize(KnownObjects::OBJECTS, None);
-        let slot = &mut self.objects[index as usize % KnownObjects::OBJECTS];
-        if slot.as_ref().is_none_or(|(known, _)| *known != index) {
-            *slot = None;
-        }
-        &slot.get_or_insert_with(|| (index, make())).1
+        cached(&mut self.objects, index as usize, index, make)
     }
 
     /// Returns the order in which rays hit two objects, from the cache or newly computed; `None` if they
     /// have none.
     pub(crate) fn order(
         &mut self,
-        indices: [u32; 2],
+        pair: [u32; 2],
         make: impl FnOnce() -> Option<PairOrder>,
     ) -> Option<&PairOrder> {
-        if self.last.as_ref().is_none_or(|(known, _)| *known != indices) {
-            if self.orders.len() > KnownObjects::PAIRS {
-                self.orders.clear();
-            }
-            self.last = Some((indices, *self.orders.entry(indices).or_insert_with(make)));
-        }
-        self.last.as_ref()?.1.as_ref()
+        let [one, other] = pair.map(|index| index as usize);
+        cached(&mut self.orders, 31 * one + other, pair, make).as_ref()
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod fallback;
 pub(crate) mod rough_hits;
+pub(crate) mod segments;
 
 use std::cmp::Ordering;
 use std::mem;
@@ -10,7 +11,7 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd, dispatch};
 
 use crate::exact::quadratic::{Quadratic, SphereTerms};
-use crate::exact::steps::Steps;
+use crate::exact::steps::{Step, Steps};
 use crate::render::bvh::{DrawnSpheres, draw_visible};
 use crate::render::outline::Extent;
 use crate::render::plan::{Plan, SLICE_ROWS};
@@ -19,6 +20,7 @@ use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKe
 use crate::render::polynomial::{DOUBT, blend, is_in_doubt, pixel_hit, to_single};
 use crate::render::row_band::fallback::{KnownObjects, PixelQuery, seen_sphere};
 use crate::render::row_band::rough_hits::KeptHit;
+use crate::render::row_band::segments::Segments;
 use crate::render::rows::span::{Doubt, SpanTarget};
 use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
@@ -138,6 +140,8 @@ impl<'a> RowBand<'a> {
     pub(crate) fn draw_rows(&mut self) -> bool {
         let RowBand { plan, rows, t, object, written, next, doubts, drawn, is_reached, .. } = self;
         let (plan, Some(from)) = (*plan, *next) else { return false };
+        let mut segments = Segments::new(plan, &self.hits, &mut self.known_objects);
+        let mut hide = |index, offset, objects: &_| segments.hide(index, offset, objects);
         let mut target = SpanTarget {
             axes: &plan.axes,
             rows: rows.clone(),
@@ -145,6 +149,7 @@ impl<'a> RowBand<'a> {
             object,
             written: written.as_mut(),
             doubts,
+            hide: &mut hide,
             has_vector_bounds: plan.axes.are_whole()
                 && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
             bounds: VectorBounds::NONE,
@@ -230,6 +235,9 @@ impl<'a> RowBand<'a> {
             Some(parts) => SphereKernel::new(rays, &parts, Ordering::Greater, 0, &patch),
             None => {
                 let seen = SphereFromOrigin::new(&sphere, eye);
+                if seen.side_step > Step::F64 {
+                    self.steps.count(seen.side_step);
+                }
                 SphereKernel::new(rays, &seen.rough, seen.side, seen.scale, &patch)
             }
         };

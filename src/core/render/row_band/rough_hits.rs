@@ -1,5 +1,6 @@
 //! Decides, in `f64`, pixels that drawing has left in doubt. The hit on the sphere that a pixel
-//! currently shows is kept, so that testing another sphere takes one comparison.
+//! currently shows is kept, so that testing another sphere takes one comparison, or one for several
+//! pixels.
 
 use std::cmp::Ordering;
 
@@ -38,18 +39,14 @@ impl Rough {
         direction: &DirectionTerms<f64>,
     ) -> Rough {
         let quadratic = Quadratic::new(&seen.rough, direction);
-        let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = quadratic;
+        let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = quadratic;
+        let is_outside = seen.side == Ordering::Greater;
         let found = match seen.side {
             Ordering::Less => quadratic.sure_root(&seen.rough, true),
             _ if b < -b_doubt => return Rough::Miss,
             _ if b <= b_doubt => None,
-            // If the eye lies on the sphere, the roots are 0 and 2 b / a.
-            Ordering::Equal => {
-                let share = 1.01 * (b_doubt / b + a_doubt) + 4.0 * UNIT;
-                Some(SureRoot { t: 2.0 * b / a, share, swing: 0.0 })
-            }
-            Ordering::Greater if discriminant < -discriminant_doubt => return Rough::Miss,
-            Ordering::Greater => quadratic.sure_root(&seen.rough, false),
+            _ if is_outside && discriminant < -discriminant_doubt => return Rough::Miss,
+            _ => quadratic.sure_root(&seen.rough, !is_outside),
         };
         let is_plain = |root: &SureRoot<f64>| {
             root.share < LARGEST_SHARE
@@ -83,66 +80,80 @@ impl RoughHit {
     }
 }
 
-/// The hit of a pixel's ray on the sphere that the pixel shows, as it is compared with other spheres: by
-/// their values at the hit's point ([`PairOrder::value_at`]), each relative to the same sphere, the
-/// reference. In a crowd of nearly equal spheres, one comparison with the reference thus takes the place
-/// of one with every other sphere.
+/// The hit of a pixel's ray on the sphere that the pixel shows, as it is compared with other spheres.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct KeptHit {
     pub(crate) hit: RoughHit,
+    pub(crate) bounds: HitBounds,
+}
+
+/// Bounds of the hits in one or several pixels, by which they are compared with spheres that are drawn
+/// later: all spheres are compared with the same one, the reference, at the hits' points
+/// ([`PairOrder::least`]). In a crowd of nearly equal spheres, this takes the place of a comparison with
+/// every sphere that is shown.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HitBounds {
     /// Index of the reference.
     pub(crate) reference: u32,
-    /// The vector from the eye to the hit.
-    point: Vector<f64>,
-    /// Bound of the length of the error vector of `point`, and of the roundings in a value at the point.
+    /// A box that contains the vectors from the eye to the hits.
+    points: [Vector<f64>; 2],
+    /// Bound of the errors of the points, and of the roundings in a comparison.
     off: f64,
-    /// The value of the shown sphere, plus the bound of its error.
+    /// Upper bound of g for the shown spheres.
     limit: f64,
-    /// The power of two of the values' unit; `None` if the reference is the shown sphere, whose value
-    /// is 0.
+    /// The power of two of the unit of g; `None` if the reference itself is shown, for which g = 0.
     scale: Option<i32>,
     /// Lower bound of half the length of the ray's chord in the shown sphere, minus the distance of its
     /// centre from that of the reference.
     room: f64,
 }
 
-impl KeptHit {
-    /// Keeps a hit, given the order of the reference, if it is another sphere, and the shown sphere.
+impl HitBounds {
+    /// Computes the bounds of one hit, given the order of the reference, if it is another sphere, and the
+    /// shown sphere. A reference that is too far away is replaced by the shown sphere.
     pub(crate) fn new(
-        hit: RoughHit,
+        hit: &RoughHit,
         direction: &DirectionTerms<f64>,
         reference: Option<(u32, &PairOrder)>,
-    ) -> KeptHit {
+    ) -> HitBounds {
         let SureRoot { t, share, swing } = hit.root;
-        let off = 1.05 * (share + direction.doubt + 8.0 * UNIT) * t * direction.length;
-        let point = direction.d.map(|d| t * d);
-        let mut kept = KeptHit {
-            hit,
-            reference: hit.object,
-            point,
-            off,
-            limit: 0.0,
-            scale: None,
-            room: 0.99 * swing / direction.length,
-        };
-        // A reference too far away would decide nothing.
-        let is_near =
-            |order: &PairOrder| order.unit == hit.scale && order.is_within(0.25 * kept.room);
-        if let Some((reference, order)) = reference.filter(|(_, order)| is_near(order)) {
-            let (value, slack) = order.value_at(point, off);
-            kept.reference = reference;
-            (kept.limit, kept.scale) = (value + slack, Some(order.scale));
-            kept.room -= order.distance();
+        let points = [direction.d.map(|d| t * d); 2];
+        let off = 1.05 * (share + direction.doubt + 12.0 * UNIT) * t * direction.length;
+        let room = 0.99 * swing / direction.length;
+        let is_near = |order: &PairOrder| order.unit == hit.scale && 4.0 * order.apart() <= room;
+        match reference.filter(|(_, order)| is_near(order)) {
+            Some((reference, order)) => {
+                let limit = order.least(points, off) + 2.0 * order.slack(off);
+                let (scale, room) = (Some(order.scale), room - order.apart());
+                HitBounds { reference, points, off, limit, scale, room }
+            }
+            None => HitBounds { reference: hit.object, points, off, limit: 0.0, scale: None, room },
         }
-        kept
     }
 
-    /// Returns whether `f64` is certain that the hit on another sphere, if there is one, comes later;
-    /// given the order of the reference and the other sphere.
+    /// Returns bounds of the hits that either of two bounds contains; `None` if there are none.
+    pub(crate) fn with(self, other: HitBounds) -> Option<HitBounds> {
+        let is_alike = self.scale.zip(other.scale).is_none_or(|(one, other)| one == other);
+        let ([low, high], [other_low, other_high]) = (self.points, other.points);
+        (is_alike && self.reference == other.reference).then(|| HitBounds {
+            reference: self.reference,
+            points: [
+                std::array::from_fn(|i| low[i].min(other_low[i])),
+                std::array::from_fn(|i| high[i].max(other_high[i])),
+            ],
+            off: self.off.max(other.off),
+            limit: self.limit.max(other.limit),
+            scale: self.scale.or(other.scale),
+            room: self.room.min(other.room),
+        })
+    }
+
+    /// Returns whether `f64` is certain that no ray hits another sphere before the shown ones, given the
+    /// order of the reference and the other sphere.
     #[inline(always)]
-    pub(crate) fn is_before(&self, order: &PairOrder) -> bool {
-        let (value, slack) = order.value_at(self.point, self.off);
-        let is_comparable = self.scale.is_none_or(|scale| scale == order.scale);
-        is_comparable && value - slack > self.limit && order.is_within(self.room)
+    pub(crate) fn are_before(&self, order: &PairOrder) -> bool {
+        self.scale.is_none_or(|scale| scale == order.scale)
+            && order.least(self.points, self.off) > self.limit
+            && order.apart() <= self.room
     }
 }

@@ -80,6 +80,8 @@ pub(crate) struct SpanTarget<'a> {
     /// at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// Returns whether the objects that the pixels from an offset on show certainly hide a sphere.
+    pub(crate) hide: &'a mut dyn FnMut(u32, usize, &[u32]) -> bool,
     /// True if the raster has no gaps, as the bounds require, and spheres overlap so much that it pays
     /// to test whether each SIMD vector of pixels of a row is hidden.
     pub(crate) has_vector_bounds: bool,
@@ -229,6 +231,10 @@ impl Span {
         let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width;
         for at in (from..=to).step_by(S::f32s::LEN) {
+            let shown = start + at..start + (at + S::f32s::LEN).min(to + 1);
+            if (target.hide)(self.index, shown.start, &target.object[shown]) {
+                continue;
+            }
             // A function that is not inlined does not get the level's instructions automatically.
             let found = simd.vectorize(
                 #[inline(always)]

@@ -2,6 +2,7 @@
 //! of its error holds and is not much too large.
 
 use std::borrow::Cow;
+use std::cmp::Ordering;
 
 use glam::DVec3;
 
@@ -197,7 +198,8 @@ fn largest_ratio<T: Number>(
         let origin = exact3(DVec3::ZERO);
         let c = &big_c(&other, &origin) - &big_c(&one, &origin);
         let swing = &(&dot(&e, &exact3(direction)) * &t) * &Dyadic::from(2.0);
-        let off = &(&c - &swing) - &Dyadic::from(g);
+        let exact = if first.side == Ordering::Greater { &c - &swing } else { &swing - &c };
+        let off = &exact - &Dyadic::from(g);
         if doubt > 0.0 && order.scale == 0 {
             largest = largest.max(off.rounded_times(0).abs() / doubt);
         }
