@@ -30,7 +30,11 @@
 //! from their difference ([`PairOrder`](crate::scene::pair_order)), for eight pixels of a crowd at a time
 //! ([`row_band::segments`]). It costs half a microsecond if double-double is needed, and 10 microseconds
 //! or more if exact numbers are: for exact tangents, and for ties between unequal objects.
-//! `cargo bench -p pinhole-core --bench worst` measures the worst families known.
+//! `cargo bench -p pinhole-core --bench worst` measures the worst families known. Those in which `f64`
+//! decides all but single pixels take, with 1,000 objects and 320 x 180 pixels, about a second at most on
+//! two cores. Those in which it does not take longer: spheres that touch in the eye, if all rays are
+//! within 1e-15 rad of the plane in which they touch, and spheres that meet in one circle, in a row of
+//! pixels that lies in the circle's plane.
 //!
 //! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
 //! (`row_band::fallback::fill_exactly`).

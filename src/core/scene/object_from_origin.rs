@@ -12,7 +12,7 @@ use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise, rounded};
-use crate::exact::quadratic::{LARGEST_SHARE, SureRoot};
+use crate::exact::quadratic::LARGEST_SHARE;
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
@@ -128,15 +128,6 @@ impl ObjectFromOrigin {
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
         (t.is_normal() && share < LARGEST_SHARE).then_some((t, share))
-    }
-
-    /// Returns the first hit of a ray that hits a sphere, see [`SphereFromOrigin::fine_hit`]; `None` for a
-    /// plane.
-    pub(crate) fn fine_hit(&self, ray: &ExactRay) -> Option<SureRoot<DoubleDouble>> {
-        match self {
-            ObjectFromOrigin::Sphere(seen) => seen.fine_hit(ray),
-            ObjectFromOrigin::Plane(_) => None,
-        }
     }
 
     /// Returns the `t` of all roots, in ascending order.

@@ -49,8 +49,8 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// (2 u + doubt of C) |C| + 2 t (|e||d| (DOT + p + u) + |e.d| (s + PRODUCT + SUM))
 /// ```
 ///
-/// which in `f64`, for a camera's rays (p = 7 u) and an accurate t (s = 8 u), is 2.4e-15 (|C| + 2
-/// |e||d| t).
+/// which in `f64`, for a camera's rays (p = 7 u) and an accurate t (s = 8 u), is below
+/// 2.5e-15 (|C| + 2 |e||d| t).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairOrder {
     /// The vector e, in units of `2^scale` and of the first sphere's unit of length. The signs of e and C

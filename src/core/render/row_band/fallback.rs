@@ -176,13 +176,6 @@ impl PixelLadder<'_> {
             return true;
         }
         let direction = plan.rays.rough_direction(row, column);
-        let known_hit = match known {
-            NO_OBJECT => None,
-            _ => match self.known_hit(offset, known, &direction) {
-                None => return false,
-                hit => hit,
-            },
-        };
         let hit = match Rough::new(index, seen, &direction) {
             Rough::Doubt => return false,
             Rough::Miss => {
@@ -191,19 +184,20 @@ impl PixelLadder<'_> {
             }
             Rough::Hit(hit) => hit,
         };
-        let order = known_hit.map(|hit_known| {
-            hit_known.compare_t(&hit).or_else(|| {
+        if known != NO_OBJECT {
+            let Some(shown) = self.known_hit(offset, known, &direction) else { return false };
+            let order = shown.compare_t(&hit).or_else(|| {
                 let order = self.known_objects.order([known, index], after(known))?;
-                order.compare(&direction, Some(hit_known.root))
-            })
-        });
-        match order {
-            None | Some(Some(Ordering::Greater)) => {}
-            Some(Some(Ordering::Less)) => {
-                self.steps.f64 += 1;
-                return true;
+                order.compare(&direction, Some(shown.root))
+            });
+            match order {
+                Some(Ordering::Greater) => {}
+                Some(Ordering::Less) => {
+                    self.steps.f64 += 1;
+                    return true;
+                }
+                _ => return false,
             }
-            Some(None | Some(Ordering::Equal)) => return false,
         }
         let Some(t) = t.or_else(|| self.single_t(&hit)) else { return false };
         self.steps.f64 += 1;
@@ -305,7 +299,11 @@ impl PixelLadder<'_> {
             let pair = self
                 .known_objects
                 .order([known, index], || PairOrder::new(&known_seen, seen, camera.eye()));
-            let fine = pair.and_then(|pair| pair.compare(&ray.fine, known_seen.fine_hit(&ray)));
+            let root = match &known_seen {
+                ObjectFromOrigin::Sphere(known) => known.fine_hit(&ray),
+                ObjectFromOrigin::Plane(_) => None,
+            };
+            let fine = pair.and_then(|pair| pair.compare(&ray.fine, root));
             let order = if let Some(order) = fine {
                 self.steps.count(Step::DoubleDouble);
                 order.reverse()

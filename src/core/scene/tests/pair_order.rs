@@ -142,6 +142,7 @@ fn the_order_by_the_difference_is_that_of_exact_numbers() {
             let seen = pair.map(|sphere| ObjectFromOrigin::Sphere(seen(sphere)));
             let Some(order) = PairOrder::new(&seen[0], &seen[1], DVec3::ZERO) else { continue };
             let steps = &mut Steps::default();
+            let ObjectFromOrigin::Sphere(first) = &seen[0] else { continue };
             if seen.iter().any(|seen| seen.first_root(&ray, steps).is_none()) || pair[0] == pair[1]
             {
                 continue;
@@ -152,7 +153,7 @@ fn the_order_by_the_difference_is_that_of_exact_numbers() {
             });
             let found = [
                 order.compare(&ray.rough, rough_hit(&seen[0], &ray)),
-                order.compare(&ray.fine, seen[0].fine_hit(&ray)),
+                order.compare(&ray.fine, first.fine_hit(&ray)),
             ];
             asked += 1;
             if found == [None; 2] {
