@@ -83,11 +83,12 @@ const FAMILIES: [Family; 15] = [
         let size = |k: usize| 10_f64.powf(-290.0 + 580.0 * k as f64 / count as f64);
         (0..count).map(|k| ball(size(k) * AHEAD, size(k))).collect()
     }),
+    // The eye is inside, and the basis irrational.
     ("two 1e-308 apart", 2, |count| {
-        (0..count).map(|k| ball(AHEAD + 1e-308 * k as f64, 1.0)).collect()
+        (0..count).map(|k| ball(0.1 * AHEAD + 1e-308 * k as f64, 1.0)).collect()
     }),
     ("nine 1e-308 apart", 9, |count| {
-        (0..count).map(|k| ball(AHEAD + 1e-308 * k as f64, 1.0)).collect()
+        (0..count).map(|k| ball(0.1 * AHEAD + 1e-308 * k as f64, 1.0)).collect()
     }),
     // Seen along the plane in which they touch.
     ("touch, alike", 200, |count| {
@@ -142,11 +143,16 @@ fn view_of(name: &str) -> ([u32; 2], f64) {
     }
 }
 
-fn camera(([width, height], side): ([u32; 2], f64)) -> ResolvedCamera {
+fn camera(name: &str) -> ResolvedCamera {
+    let ([width, height], side) = view_of(name);
     let image = ImageSize::new(width, height).unwrap();
     let aspect = f64::from(width) / f64::from(height);
     let viewport = Viewport { width: aspect * side, height: side, distance: 1.0 };
-    Camera { viewport, image, ..Camera::CANONICAL }.resolve().unwrap()
+    let mut camera = Camera { viewport, image, ..Camera::CANONICAL };
+    if name.contains("1e-308") {
+        camera.orientation = Orientation::At { at: DVec3::new(0.1, 0.2, -1.0), up: DVec3::Y };
+    }
+    camera.resolve().unwrap()
 }
 
 fn time<T: Depth>(scene: &Scene, camera: &ResolvedCamera) -> (f64, Steps) {
@@ -176,7 +182,7 @@ fn main() {
         if !is_wanted(name) {
             continue;
         }
-        let camera = camera(view_of(name));
+        let camera = camera(name);
         let pixels = camera.image().pixel_count() as f64;
         let scene = |spheres| {
             let scene = Scene::new(spheres, vec![]).unwrap();
@@ -203,7 +209,7 @@ fn main() {
         if !is_wanted(name) {
             continue;
         }
-        let (scene, camera) = (Scene::new(vec![], planes(count)).unwrap(), camera(view_of(name)));
+        let (scene, camera) = (Scene::new(vec![], planes(count)).unwrap(), camera(name));
         let ((single, steps), (double, _)) =
             (time::<f32>(&scene, &camera), time::<f64>(&scene, &camera));
         let [single, double] = [single, double].map(|seconds| 1e3 * seconds);
