@@ -123,7 +123,7 @@ fn what_is_done_has_a_tick_and_next_leads_to_what_is_not() {
     window.run();
     click(&mut window, "Hide the solution");
     click(&mut window, "Check");
-    assert_says(&window, "All correct.");
+    assert_says(&window, "All correct, after the solution.");
     assert_says(&window, "1 of 11 done");
     click(&mut window, "Next exercise");
     assert_eq!(exercise(&window), Exercise::PixelUv);
