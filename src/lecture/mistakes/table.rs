@@ -541,12 +541,12 @@ mistakes! {
         "This goes back along the ray: the normal goes from the centre to the hit.",
     CLeftOut "c-left-out": "𝑐 is left out: put 𝐩 + 𝑡𝐝 for 𝑥 and 𝑦, and keep 𝑐.",
     SignOfC "sign-of-c": "𝑐 has the wrong sign: look at which side of the equation it is on.",
-    NotDivided "not-divided": "Divide by everything that multiplies 𝑡: 𝐝's step across the line.",
+    NotDivided "not-divided": "A number multiplies 𝑡 in this equation: divide by it.",
     TermLeftOut "term-left-out":
         "𝑡 is in the part of 𝑥 and in the part of 𝑦: add up both before you divide.",
     PAndDSwapped "p-and-d-swapped": "𝐩 and 𝐝 are exchanged: 𝑡 multiplies 𝐝.",
     LineForRay "line-for-ray":
-        "Look at the sign of 𝑡: the line is met behind the ray's origin where 𝑡 < 0.",
+        "Look at the sign of 𝑡: the ray hits where 𝑡 > 0; where 𝑡 < 0, the line is behind it.",
     CountedFromOther "counted-from-other":
         "This is the centre of another pixel: mind whether the first row and column are number 0 or 1.",
     UvFromCorner "uv-from-corner":

@@ -78,11 +78,15 @@ pub(super) fn fields(
     let mut heights = kept.unwrap_or_else(|| vec![0.0; parts.len()]);
     let rows = parts.len() as f32 * row_of_fields(ui, size) + BEFORE_VERDICTS + row(ui);
     let (mut room, mut wants_check) = (ui.available_height() - rows, false);
+    let is_wrong = |typed: &TypedAnswer| typed.feedback.as_ref().is_some_and(Feedback::is_wrong);
+    let is_any_wrong = exercises.answers.iter().any(is_wrong);
     for (k, text) in said.into_iter().enumerate() {
         let feedback = exercises.answers[k].feedback.as_ref();
         let shown = feedback.and_then(|said| exercises.may_show(said));
         let mut said = text.filter(|_| !hides_said).map(|text| Said { text, shown, size: small });
         wants_check |= field_row(ui, exercises, k, &mut said, [indent, size]);
+        // What is said of a right answer takes no room from what is said of the wrong ones.
+        said = said.filter(|_| !is_any_wrong || is_wrong(&exercises.answers[k]));
         // An answer that was edited since the check has lost its sentence, but not the room, so that the
         // fields below it stay in place.
         if exercises.answers[k].feedback.is_some() {
