@@ -313,7 +313,7 @@ impl ComparedCamera {
 const SAMPLES: u32 = 72;
 
 /// Two pictures differ if at least one in this many pixels shows another object.
-const DIFFERS_FROM: usize = 100;
+const DIFFERS_FROM: usize = 50;
 
 /// A multiple-choice question for an audience, which shows a wrong picture and asks which mistake was
 /// made.
