@@ -7,6 +7,7 @@ use pinhole_core::{DVec3, Ray, Sphere};
 
 use crate::document::Item;
 use crate::error::{nearest, one_line};
+use crate::fields::no_number;
 use crate::images;
 use crate::{FileError, Location, limits};
 
@@ -260,7 +261,7 @@ impl CsvRow<'_, '_> {
         match text.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => Err(self.error(column, "it must be a finite number")),
-            Err(_) => Err(self.error(column, "it must be a number")),
+            Err(_) => Err(self.error(column, &no_number(text))),
         }
     }
 

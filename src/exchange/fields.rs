@@ -151,6 +151,7 @@ impl<'a> TomlField<'a> {
                 Ok(*float.value())
             }
             FieldItem::Value(Value::Float(_)) => Err(self.error("it must be a finite number")),
+            FieldItem::Value(Value::String(text)) => Err(self.error(&no_number(text.value()))),
             _ => Err(self.error("it must be a number")),
         }
     }
@@ -291,5 +292,14 @@ impl<'a> TomlField<'a> {
                 .collect(),
             _ => Err(self.error(&right)),
         }
+    }
+}
+
+/// Returns the message about a text in place of a number, which may have a decimal comma.
+pub(crate) fn no_number(text: &str) -> String {
+    let number = text.contains(',').then(|| text.replacen(',', ".", 1).parse::<f64>().ok());
+    match number.flatten().filter(|number| number.is_finite()) {
+        Some(number) => format!("it must be a number with a decimal point: write {number:?}"),
+        None => "it must be a number".to_owned(),
     }
 }

@@ -30,7 +30,17 @@ pub const NESTING: usize = 64;
 /// Returns an error if the system cannot read the file, or if it is larger. Also returns an error for a
 /// device, and for a pipe that was not opened for the program: reading such a source may block forever.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    host().read(path, most)
+    not_utf_16(path, host().read(path, most)?)
+}
+
+/// Returns the bytes unless they begin as text in UTF-16 does.
+fn not_utf_16(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
+    match &bytes[..] {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
+            Err(FileError::of_file(path, "it is text in UTF-16: save it as UTF-8"))
+        }
+        _ => Ok(bytes),
+    }
 }
 
 /// Reads a text file of at most [`TEXT`] bytes.
@@ -55,5 +65,5 @@ pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, F
     if bytes.len() as u64 > most {
         return Err(FileError::too_large(path, most));
     }
-    Ok(bytes)
+    not_utf_16(path, bytes)
 }

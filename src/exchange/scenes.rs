@@ -26,7 +26,8 @@ impl SceneSource {
     pub fn from_argument(argument: &Path) -> Result<SceneSource, FileError> {
         let has_folder = argument.components().count() != 1 || argument.is_absolute();
         let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
-        if has_folder || is_toml || argument.is_file() {
+        let is_there = argument.symlink_metadata().is_ok_and(|data| !data.is_dir());
+        if has_folder || is_toml || is_there {
             return Ok(SceneSource::File(argument.to_owned()));
         }
         let name = argument.to_string_lossy();

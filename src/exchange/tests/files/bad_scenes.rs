@@ -158,6 +158,11 @@ const BEHIND_THE_CAMERA: Cases = &[
     ("[viewport]\ndistance = nan\n", "7:12: viewport.distance is nan: it must be a finite number"),
     ("[viewport]\ndistance = \"1\"\n", "7:12: viewport.distance is \"1\": it must be a number"),
     (
+        "[viewport]\ndistance = \"4,0\"\n",
+        "7:12: viewport.distance is \"4,0\": it must be a number with a decimal point: write 4.0",
+    ),
+    ("[viewport]\ndistance = 4,0\n", "7:13: a decimal point, not a comma, must stand here"),
+    (
         "[viewport]\nfov = 60\n",
         "7:1: viewport.fov is unknown: the fields here are width, height, distance",
     ),

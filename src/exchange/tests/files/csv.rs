@@ -58,6 +58,10 @@ fn bad_files_are_told_line_column_and_value() {
         ("x,y,z,r\n1,2,3\n", "2:1: the row has 3 cells: it must have 4, as the first line has"),
         ("x,y,z,r\n1,2,3,4,5\n", "2:1: the row has 5 cells: it must have 4, as the first line has"),
         ("x,y,z,r\n1,2,3,4\n1,two,3,4\n", "3:3: column y is \"two\": it must be a number"),
+        (
+            "x,y,z,r\n1,\"2,5\",3,4\n",
+            "2:3: column y is \"2,5\": it must be a number with a decimal point: write 2.5",
+        ),
         ("x,y,z,r\n\n\r\n1,,3,4\n", "4:3: column y is \"\": it must be a number"),
         ("x,y,z,r\n1,2,nan,4\n", "2:5: column z is \"nan\": it must be a finite number"),
         ("x,y,z,r\n1,2,3,1e999\n", "2:7: column r is \"1e999\": it must be a finite number"),

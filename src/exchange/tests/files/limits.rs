@@ -21,6 +21,18 @@ fn a_file_is_read_up_to_its_limit() {
     assert_eq!(error.to_string(), refused);
 }
 
+#[test]
+fn text_in_utf_16_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("wide.toml");
+    for bytes in [b"\xff\xfep\0i\0", b"\xfe\xff\0p\0i"] {
+        fs::write(&path, bytes).unwrap();
+        let told = format!("{}: it is text in UTF-16: save it as UTF-8", path.display());
+        assert_eq!(scene_file::load(&path).unwrap_err().to_string(), told);
+        assert_eq!(limits::read_from(&bytes[..], &path, 9).unwrap_err().to_string(), told);
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn devices_and_pipes_are_refused() {
