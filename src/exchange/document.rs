@@ -7,6 +7,8 @@ use std::sync::Arc;
 use pinhole_core::{Camera, DVec3, Object, Plane, Rgb, Scene, SceneError, Sphere};
 use serde::Serialize;
 
+use crate::host::Stamp;
+
 /// The contents of a scene file: a camera and the objects of the scene.
 ///
 /// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
@@ -103,6 +105,8 @@ pub struct CsvSpheres {
     pub path: String,
     /// The path from which the file was read.
     pub file: PathBuf,
+    /// The file's stamp before it was read.
+    pub stamp: Option<Stamp>,
     /// Spheres in the file's order.
     pub items: Arc<Vec<Item<Sphere>>>,
 }

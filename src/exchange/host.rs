@@ -12,14 +12,18 @@ use serde::{Deserialize, Serialize};
 
 use crate::{FileError, atomic};
 
-/// The modification time and size of a file when it was read or written. A later change of the file is
-/// detected by comparing stamps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// What tells a file's content from another one without reading it: its state before it was read, or after it
+/// was written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Stamp {
     /// The modification time, if the host knows it.
     pub modified: Option<SystemTime>,
     /// The size in bytes.
     pub length: u64,
+    /// The number of the file, and the seconds and nanoseconds of its last change of any kind, if the host knows
+    /// them. Programs that copy a file with its modification time do not set them.
+    pub change: Option<[i64; 3]>,
 }
 
 /// A lock that is held until this value is dropped.
@@ -162,7 +166,14 @@ impl Host for OperatingSystem {
         // A modification time before 1970 is dropped: it could not be serialized with the unsaved
         // changes.
         let modified = data.modified().ok().filter(|time| *time >= SystemTime::UNIX_EPOCH);
-        Some(Stamp { modified, length: data.len() })
+        #[cfg(unix)]
+        let change = {
+            use std::os::unix::fs::MetadataExt as _;
+            Some([data.ino().cast_signed(), data.ctime(), data.ctime_nsec()])
+        };
+        #[cfg(not(unix))]
+        let change = None;
+        Some(Stamp { modified, length: data.len(), change })
     }
 
     fn resolved(&self, path: &Path) -> Option<PathBuf> {

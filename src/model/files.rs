@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
 use pinhole_exchange::host::{Stamp, host};
-use pinhole_exchange::{Document, SceneSource, limits, scene_file};
+use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 
 /// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
@@ -44,10 +44,10 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The stamps (modification times and sizes) of the scene file and of the CSV file with its spheres.
+/// The stamps of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
-/// Returns the current stamp (modification time and size) of the CSV file with a document's spheres; `None`
+/// Returns the current stamp of the CSV file with a document's spheres; `None`
 /// if there is no such file.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| host().stamp(&csv.file))
@@ -65,8 +65,8 @@ pub struct OpenDocument {
     /// The text of the source, whose comments are kept when the document is saved; `None` if the
     /// source could not be read.
     text: Option<String>,
-    /// The stamps of the files when this window last read or wrote them; `None` for a file that did not
-    /// exist.
+    /// The stamps of the files before this window last read them or after it last wrote them; `None` for a file
+    /// that did not exist.
     stamps: Stamps,
     /// The document's origin.
     origin: Origin,
@@ -76,16 +76,20 @@ pub struct OpenDocument {
 }
 
 impl OpenDocument {
-    /// Opens a document that was just read from `source`.
-    pub fn new(document: Document, source: SceneSource) -> Self {
-        let stamps =
-            [source.scene_file().and_then(|path| host().stamp(path)), csv_stamp(&document)];
-        let text = match &source {
-            SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
-            file => file.scene_file().and_then(|path| limits::read_text(path).ok()),
+    /// Reads a scene.
+    ///
+    /// # Errors
+    /// Returns the first error in the file or in its CSV file.
+    pub fn open(source: SceneSource) -> Result<Self, FileError> {
+        // A change of a file while it is read must be noticed later.
+        let stamp = source.scene_file().and_then(|path| host().stamp(path));
+        let (document, text) = match &source {
+            SceneSource::Builtin(scene) => (scene.load()?, scene.text.to_owned()),
+            SceneSource::File(path) => scene_file::load_with_text(path)?,
         };
-        let origin = Origin::Scene(source);
-        OpenDocument { text, stamps, origin, ..Self::made_up(document, String::new()) }
+        let stamps = [stamp, document.csv_spheres.as_ref().and_then(|csv| csv.stamp)];
+        let (text, origin) = (Some(text), Origin::Scene(source));
+        Ok(OpenDocument { text, stamps, origin, ..Self::made_up(document, String::new()) })
     }
 
     /// Opens the lesson step with this title. While the lesson is open, changes to the document do not
@@ -104,14 +108,12 @@ impl OpenDocument {
     }
 
     /// Opens a document with unsaved changes. It belongs to `source` if that can still be read, and
-    /// otherwise to no file. `stamp` is the modification time and size that the source had when the changes
+    /// otherwise to no file. `stamp` is the one that the source had when the changes
     /// began.
     pub fn changed(document: Document, source: Option<SceneSource>, stamp: Option<Stamp>) -> Self {
-        let saved = source.and_then(|source| Some((source.load().ok()?, source)));
-        let Some((saved, source)) = saved else {
+        let Some(open) = source.and_then(|source| Self::open(source).ok()) else {
             return Self::unsaved(document, UNNAMED.to_owned());
         };
-        let open = Self::new(saved, source);
         // If the stamps differ, the file's text at the time when the changes began is unknown.
         let text = open.text.filter(|_| open.stamps[0] == stamp);
         OpenDocument { document, text, stamps: [stamp, open.stamps[1]], ..open }
@@ -142,11 +144,11 @@ impl OpenDocument {
         // A step's document has no note.
         let is_same =
             |known: &Document| Document { note: String::new(), ..known.clone() } == self.saved;
-        let mut loaded = known.filter_map(|source| Some((source.load().ok()?, source)));
-        *self = match loaded.find(|(known, _)| is_same(known)) {
-            Some((known, source)) => {
-                let document = Document { note: known.note.clone(), ..self.document.clone() };
-                OpenDocument { document, ..Self::new(known, source) }
+        let mut opened = known.filter_map(|source| Self::open(source).ok());
+        *self = match opened.find(|known| is_same(&known.document)) {
+            Some(known) => {
+                let note = known.document.note.clone();
+                OpenDocument { document: Document { note, ..self.document.clone() }, ..known }
             }
             None => OpenDocument { origin: Origin::Step(UNNAMED.to_owned()), ..self.clone() },
         };
@@ -187,23 +189,32 @@ impl OpenDocument {
         }
     }
 
-    /// Returns the source's stamp (modification time and size) when this window last read or wrote it.
+    /// Returns the source's stamp when this window last read or wrote it.
     pub fn stamp(&self) -> Option<Stamp> {
         self.stamps[0]
     }
 
-    /// Returns the current stamps (modification times and sizes) of the scene file and of the CSV file with
+    /// Returns the current stamps of the scene file and of the CSV file with
     /// its spheres.
     fn stamps_now(&self) -> Stamps {
         [self.scene_file().and_then(|path| host().stamp(path)), csv_stamp(&self.saved)]
     }
 
     /// Returns the current stamps of the scene file and of its CSV file if either differs from the stored
-    /// one; `None` if nothing has changed or the scene file is missing. A stamp holds only a time and a
-    /// size: the contents are not compared.
+    /// one; `None` if nothing has changed or the scene file has been missing. The contents are not compared.
     pub fn touched(&self) -> Option<Stamps> {
         let now = self.stamps_now();
-        (now[0].is_some() && now != self.stamps).then_some(now)
+        let was_there = now[0].is_some() || self.stamps[0].is_some();
+        (was_there && now != self.stamps).then_some(now)
+    }
+
+    /// Returns true, once, if another program has removed the scene file.
+    pub fn take_removal(&mut self) -> bool {
+        let is_removed = self.stamps[0].is_some() && self.stamps_now()[0].is_none();
+        if is_removed {
+            self.stamps[0] = None;
+        }
+        is_removed
     }
 
     /// Returns the name of a file that another program has changed since it was read: the scene file or

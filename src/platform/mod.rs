@@ -14,7 +14,7 @@ pub use web::main;
 use std::path::Path;
 use std::sync::Arc;
 
-use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource};
+use pinhole_exchange::{BuiltinScene, FileError, SceneSource};
 
 use crate::model::lessons::{Lesson, StepId};
 use crate::model::{OpenDocument, Remembered, Store};
@@ -36,10 +36,7 @@ fn start(
         (None, Some(_)) => None,
         (None, None) => remembered.lesson_step().map(|id| (id, None)),
     };
-    let load = |argument: &Path| {
-        let source = SceneSource::from_argument(argument)?;
-        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
-    };
+    let load = |argument: &Path| OpenDocument::open(SceneSource::from_argument(argument)?);
     let (open, trouble) = match scene {
         Some(argument) => (load(argument)?, None),
         None => match remembered.last.as_deref().map(load) {
@@ -65,7 +62,7 @@ fn start(
 /// Returns the lecture's own scene.
 fn canonical() -> Result<OpenDocument, FileError> {
     match BuiltinScene::find("canonical") {
-        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
-        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+        Some(scene) => OpenDocument::open(SceneSource::Builtin(scene)),
+        None => Ok(OpenDocument::blank()),
     }
 }

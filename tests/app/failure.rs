@@ -23,7 +23,7 @@ fn window(store: &Store, panics: &Arc<AtomicBool>) -> Harness<'static, App> {
     let source = SceneSource::Builtin(BuiltinScene::find("look-at").unwrap());
     let settings = unfolded();
     let remembered = Remembered { settings, ..Remembered::default() };
-    let open = OpenDocument::new(source.load().unwrap(), source);
+    let open = OpenDocument::open(source).unwrap();
     let app = App::new(open, remembered, Some(store.clone()));
     let is_frame = Arc::new(AtomicBool::new(false));
     let (panics, is_inside) = (Arc::clone(panics), Arc::clone(&is_frame));

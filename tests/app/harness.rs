@@ -25,7 +25,7 @@ pub(crate) fn window_with(
 ) -> Harness<'static, App> {
     let source = SceneSource::from_argument(scene.as_ref()).unwrap();
     let settings = remembered.settings;
-    let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
+    let app = App::new(OpenDocument::open(source).unwrap(), remembered, store);
     let mut harness = support::harness()
         .with_size(SIZE)
         .with_max_steps(30)

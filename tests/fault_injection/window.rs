@@ -48,8 +48,7 @@ fn writes() {
 
 fn save(path: &Path) -> Result<(), String> {
     let source = SceneSource::File(path.to_owned());
-    let document = source.load().map_err(|error| error.to_string())?;
-    let mut open = OpenDocument::new(document, source);
+    let mut open = OpenDocument::open(source).map_err(|error| error.to_string())?;
     open.document.camera.eye.x = 0.5;
     open.save_to(path)
 }
@@ -61,7 +60,7 @@ fn store(folder: &Path) -> Store {
 fn write_aside(folder: &Path) {
     let (slot, ..) = Slot::open(&store(folder).unsaved());
     let source = SceneSource::from_argument(Path::new("look-at")).unwrap();
-    let mut open = OpenDocument::new(source.load().unwrap(), source);
+    let mut open = OpenDocument::open(source).unwrap();
     open.document.camera.eye.x = 0.25;
     Unsaved::of(&open).write(&slot.unwrap()).unwrap();
 }

@@ -15,7 +15,7 @@ const STRANGER: &str = "# A stranger.\npinhole = 1\n[camera]\n# not this\neye = 
 
 fn open(path: &Path) -> OpenDocument {
     let source = SceneSource::File(path.to_owned());
-    OpenDocument::new(source.load().unwrap(), source)
+    OpenDocument::open(source).unwrap()
 }
 
 /// A folder with [`SCENE`] as `scene.toml`, and its spheres.
@@ -90,7 +90,7 @@ fn a_built_in_scene_takes_its_comments_along() {
     for scene in BuiltinScene::all() {
         let path = folder.path().join(format!("{}.toml", scene.name));
         fs::write(&path, STRANGER).unwrap();
-        let mut open = OpenDocument::new(scene.load().unwrap(), SceneSource::Builtin(scene));
+        let mut open = OpenDocument::open(SceneSource::Builtin(scene)).unwrap();
         open.save_to(&path).unwrap();
         let saved = fs::read_to_string(&path).unwrap();
         assert_eq!(saved, scene.text);
@@ -107,6 +107,43 @@ fn comments_written_meanwhile_stay() {
     // The same file by another spelling.
     open.save_to(&folder.path().join("data/../scene.toml")).unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), edited);
+}
+
+/// `cp -p` and `rsync -t` keep a file's time.
+#[test]
+fn a_change_of_the_same_length_and_time_is_noticed() {
+    let folder = folder();
+    let path = folder.path().join("scene.toml");
+    let mut open = open(&path);
+    assert!(open.touched().is_none() && !open.was_changed_by_others());
+    let time = fs::metadata(&path).unwrap().modified().unwrap();
+    fs::write(&path, SCENE.replace("eye = [0", "eye = [7")).unwrap();
+    fs::File::options().write(true).open(&path).unwrap().set_modified(time).unwrap();
+    assert!(open.touched().is_some() && open.was_changed_by_others());
+}
+
+/// A large table takes a while to read.
+#[test]
+fn a_change_while_the_files_are_read_is_noticed() {
+    for (changed, theirs) in [
+        ("scene.toml", SCENE.replace("eye = [0", "eye = [7")),
+        ("data/balls.csv", "x,y,z,r\n5,6,7,8\n".to_owned()),
+    ] {
+        let folder = folder();
+        let at = |name: &str| folder.path().join(name);
+        let table = "x,y,z,r\n".to_owned() + &"1,2,3,4\n".repeat(200_000);
+        fs::write(at("data/balls.csv"), table).unwrap();
+        fs::write(at("theirs"), theirs).unwrap();
+        let [from, to] = [at("theirs"), at(changed)];
+        let writer = std::thread::spawn(move || {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+            fs::rename(from, to).unwrap();
+        });
+        let mut open = open(&at("scene.toml"));
+        writer.join().unwrap();
+        let is_read = open.document.camera.eye.x == 7.0 || open.document.object_count() == 1;
+        assert!(is_read || open.changed_by_others().is_some(), "{changed}");
+    }
 }
 
 #[test]

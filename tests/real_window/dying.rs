@@ -134,7 +134,7 @@ pub(crate) fn with_its_compositor() {
 /// The next window, in memory.
 fn next_start(state: &Path, scene: &Path) -> Harness<'static, App> {
     let source = SceneSource::File(scene.to_owned());
-    let open = OpenDocument::new(source.load().unwrap(), source);
+    let open = OpenDocument::open(source).unwrap();
     let store = Store::at(&state.join("pinhole/state.json"));
     let mut next = Harness::builder()
         .with_max_steps(30)

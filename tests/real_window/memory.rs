@@ -21,7 +21,7 @@ pub(crate) struct InMemory(pub(crate) Harness<'static, App>);
 impl InMemory {
     pub(crate) fn like(window: &Window, scene: &Path) -> InMemory {
         let source = SceneSource::File(scene.to_owned());
-        let open = OpenDocument::new(source.load().unwrap(), source);
+        let open = OpenDocument::open(source).unwrap();
         let mut harness = Harness::builder()
             .with_size(window.size())
             .with_max_steps(30)

@@ -76,12 +76,19 @@ pub const VERSION: i64 = 1;
 /// # Errors
 /// Returns the first error in the scene file, or in the CSV file that it names.
 pub fn load(path: &Path) -> Result<Document, FileError> {
-    let bytes = limits::read(path, limits::TEXT)?;
-    let text = std::str::from_utf8(&bytes).map_err(|error| {
-        let location = Location::of_byte(&bytes, error.valid_up_to());
+    Ok(load_with_text(path)?.0)
+}
+
+/// Reads a scene file, and returns its text, too.
+///
+/// # Errors
+/// Returns the errors of [`load`].
+pub fn load_with_text(path: &Path) -> Result<(Document, String), FileError> {
+    let text = String::from_utf8(limits::read(path, limits::TEXT)?).map_err(|error| {
+        let location = Location::of_byte(error.as_bytes(), error.utf8_error().valid_up_to());
         FileError::at(path, location, "not UTF-8 text: a scene file is text in UTF-8")
     })?;
-    parse(text, path, path.parent().unwrap_or(Path::new("")))
+    Ok((parse(&text, path, path.parent().unwrap_or(Path::new("")))?, text))
 }
 
 /// Reads the text of a scene file. `path` is used in messages; the path of a CSV file is relative to

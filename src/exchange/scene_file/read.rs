@@ -1,6 +1,6 @@
 //! Reads a document from a scene file's text.
 
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -14,6 +14,7 @@ use crate::document::{CsvSpheres, Document, Item, StoredObserver};
 use crate::error::one_line;
 use crate::fields::{Section, TomlField, TomlSource};
 use crate::format::{Imported, Input};
+use crate::host::host;
 use crate::images;
 use crate::{FileError, limits};
 
@@ -133,6 +134,16 @@ fn too_deep(text: &str) -> Option<usize> {
     None
 }
 
+/// Returns true if a comma between two digits begins here.
+fn is_decimal_comma(source: &TomlSource, span: &Range<usize>) -> bool {
+    let is_digit = |c: char| c.is_ascii_digit();
+    let [before, rest] = [source.text.get(..span.start), source.text.get(span.start..)];
+    before.is_some_and(|before| before.ends_with(is_digit))
+        && rest
+            .and_then(|rest| rest.strip_prefix(','))
+            .is_some_and(|rest| rest.starts_with(is_digit))
+}
+
 /// Rephrases common syntax errors for users who do not know TOML's grammar.
 fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
@@ -149,6 +160,12 @@ fn not_toml(source: &TomlSource, error: &toml_edit::TomlError) -> FileError {
                 .to_owned()
         }
         "unclosed array, expected `]`" => "the ] after the last number is missing".to_owned(),
+        message
+            if message.starts_with("unexpected key or value")
+                && is_decimal_comma(source, &span) =>
+        {
+            "a decimal point, not a comma, must stand here".to_owned()
+        }
         message if message.starts_with("unexpected key or value") => {
             "only one name and one value fit in a line: begin a new line here".to_owned()
         }
@@ -300,6 +317,7 @@ fn read_color(field: &TomlField) -> Result<Rgb, FileError> {
 fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
     let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
+    let stamp = host().stamp(&file);
     let items = match base {
         None => Vec::new(),
         Some(_) => load_spheres(&file).map_err(|error| match error.location {
@@ -310,5 +328,5 @@ fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> 
             }
         })?,
     };
-    Ok(CsvSpheres { path: path.to_owned(), file, items: Arc::new(items) })
+    Ok(CsvSpheres { path: path.to_owned(), file, stamp, items: Arc::new(items) })
 }

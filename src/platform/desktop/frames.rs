@@ -129,8 +129,6 @@ impl FrameLog {
 
 #[cfg(test)]
 mod tests {
-    use pinhole_exchange::document::Document;
-    use pinhole_exchange::scenes::SceneSource;
 
     use super::*;
     use crate::model::files::OpenDocument;
@@ -140,7 +138,7 @@ mod tests {
     /// Runs the app's first pass for a window with this geometry and zoom, as before the window's first
     /// frame. Returns the egui context and the app after that pass.
     fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
-        let open = OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()));
+        let open = OpenDocument::blank();
         let settings = Settings { zoom, ..Settings::default() };
         let app = App::new(open, Remembered { settings, ..Remembered::default() }, None);
         let ctx = crate::platform::desktop::start::context();

@@ -46,7 +46,7 @@ fn files() -> MutexGuard<'static, BTreeMap<PathBuf, MemoryFile>> {
 
 /// Puts a file into memory. Returns its path.
 pub(super) fn add(name: &str, content: Vec<u8>) -> PathBuf {
-    let stamp = Stamp { modified: Some(now()), length: content.len() as u64 };
+    let stamp = Stamp { modified: Some(now()), length: content.len() as u64, change: None };
     let path = plain(Path::new(name));
     files().insert(path.clone(), MemoryFile { content, stamp });
     path
@@ -135,7 +135,7 @@ impl Host for Browser {
             return files().get(&plain(path)).map(|file| file.stamp);
         }
         let (modified, content) = stored(path)?;
-        Some(Stamp { modified: Some(modified), length: content.len() as u64 })
+        Some(Stamp { modified: Some(modified), length: content.len() as u64, change: None })
     }
 
     fn resolved(&self, path: &Path) -> Option<PathBuf> {

@@ -51,6 +51,9 @@ const SAVE_PAGE: FileQuestion = FileQuestion {
     writes: Some("html"),
 };
 
+/// The title of the message about a file that was changed and cannot be read.
+pub(super) const NOT_READ: &str = "The changed scene cannot be read";
+
 impl App {
     /// Applies the action and opens the dialog that it needs.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
@@ -272,6 +275,12 @@ impl App {
     /// Reads the scene's files again if another program has changed them. If there are unsaved changes,
     /// asks the user first.
     fn check_file(&mut self, ctx: &Context) -> Option<Dialog> {
+        if self.scene.open.take_removal() {
+            let title = title_of(self.scene.open.origin());
+            let note = "The scene stays open here; Save writes the file again.".to_owned();
+            self.say(format!("{title} was removed by another program"), vec![note]);
+            return None;
+        }
         let file = self.scene.open.changed_by_others()?;
         if self.scene.open.has_changes() {
             return Some(App::ask_which_version(&file, false, None));
@@ -313,7 +322,10 @@ impl App {
     fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
         self.settle(ctx, None);
         if let Err(error) = self.scene.reload() {
-            return Some(Dialog::message("The changed scene cannot be read", error));
+            return Some(Dialog::message(NOT_READ, error));
+        }
+        if self.over.says(NOT_READ) {
+            self.over.dialog = None;
         }
         self.settle(ctx, Some("reload the file"));
         None

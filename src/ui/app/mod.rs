@@ -204,7 +204,9 @@ impl App {
     /// Checks whether another program has changed the scene's file. Returns true if a frame is needed to
     /// report the change.
     pub fn look_at_file(&mut self) -> bool {
-        let is_free = !self.over.covers() && self.playback.player.is_none();
+        // A message about a broken file goes when the file is mended.
+        let may_ask = !self.over.covers() || self.over.says(apply::NOT_READ);
+        let is_free = may_ask && self.playback.player.is_none();
         let is_news = self.watch.is_news(self.scene.open.touched(), is_free);
         self.waiting.extend(is_news.then(|| FileAction::CheckFile.into()));
         is_news

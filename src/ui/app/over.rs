@@ -36,6 +36,11 @@ impl Overlays {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }
 
+    /// Returns true if the open dialog has this title.
+    pub(super) fn says(&self, title: &str) -> bool {
+        matches!(&self.dialog, Some(Dialog::Question(question)) if question.title == title)
+    }
+
     /// Opens a dialog. If the dialog asks for a file and the desktop has its own file dialog, the user
     /// chooses the file there.
     pub(super) fn open(&mut self, mut dialog: Dialog) {

@@ -77,15 +77,13 @@ impl OpenScene {
             return Ok(self.open_lesson(id, Some(Arc::new(lesson))).unwrap_or_default());
         }
         let problem = |error| Question::message("This scene cannot be opened", error);
-        let document = source.load().map_err(problem)?;
-        Ok(self.replace(OpenDocument::new(document, source), Selection::default()))
+        Ok(self.replace(OpenDocument::open(source).map_err(problem)?, Selection::default()))
     }
 
     /// Reads the scene's file again and keeps the view.
     pub(super) fn reload(&mut self) -> Result<(), FileError> {
         let Some(path) = self.open.scene_file().map(Path::to_owned) else { return Ok(()) };
-        let source = SceneSource::File(path);
-        let open = OpenDocument::new(source.load()?, source);
+        let open = OpenDocument::open(SceneSource::File(path))?;
         self.session.follow_camera(&self.open.document.camera, &open.document.camera);
         self.open = open;
         Ok(())

@@ -119,12 +119,38 @@ fn a_file_that_cannot_be_read_any_more_leaves_what_is_open() {
     fs::write(&path, "pinhole = ").unwrap();
     look(&mut window);
     assert_eq!(eye_x(&window), 0.0);
-    assert_says(&window, "The changed scene cannot be read");
+    let title = "The changed scene cannot be read";
+    assert_says(&window, title);
     press(&mut window, "Close");
     assert!(!look(&mut window), "told once");
-    fs::write(&path, MINE.replace("eye = [0.0", "eye = [2.5")).unwrap();
+    let mend = |eye: &str| fs::write(&path, MINE.replace("eye = [0.0", eye)).unwrap();
+    mend("eye = [2.5");
     look(&mut window);
     assert_eq!(eye_x(&window), 2.5);
+    fs::write(&path, "pinhole = ").unwrap();
+    look(&mut window);
+    assert_says(&window, title);
+    mend("eye = [3.5");
+    look(&mut window);
+    assert_eq!(eye_x(&window), 3.5);
+    assert!(!says(&window, title), "the message goes with its cause");
+}
+
+#[test]
+fn a_file_that_is_removed_is_told_and_may_be_saved_again() {
+    let (_folder, path, mut window) = opened();
+    let told = "mine.toml was removed by another program";
+    fs::remove_file(&path).unwrap();
+    assert!(look(&mut window));
+    assert_says(&window, told);
+    assert!(!look(&mut window), "told once");
+    save(&mut window);
+    assert_eq!(fs::read_to_string(&path).unwrap(), MINE);
+    fs::remove_file(&path).unwrap();
+    look(&mut window);
+    theirs(&path);
+    assert!(look(&mut window), "it is there again");
+    assert_eq!(eye_x(&window), 12.5);
 }
 
 #[test]

@@ -172,7 +172,7 @@ fn changes_are_offered_after_what_is_told_at_the_start() {
     let (_folder, store) = store();
     drop(changed(&store, "look-at"));
     let source = SceneSource::Builtin(BuiltinScene::find("canonical").unwrap());
-    let open = OpenDocument::new(source.load().unwrap(), source);
+    let open = OpenDocument::open(source).unwrap();
     let mut app = App::new(open, Remembered::default(), Some(store.clone()));
     app.show_message("The last scene cannot be opened again", "It is gone.".to_owned());
     let set_up = |ctx: &Context| App::set_up(ctx, &Settings::default());

@@ -173,7 +173,8 @@ fn a_packed_text_is_checked_like_a_file() {
 #[test]
 fn scenes_without_a_link_are_refused_with_advice() {
     let file = "many.csv";
-    let csv = CsvSpheres { path: file.into(), file: file.into(), items: Default::default() };
+    let csv =
+        CsvSpheres { path: file.into(), file: file.into(), stamp: None, items: Default::default() };
     let with_csv = Document { csv_spheres: Some(csv), ..Document::default() };
     let mut large = ten_spheres();
     let all = large.spheres.clone();

@@ -123,6 +123,7 @@ pub(super) fn document() -> impl Strategy<Value = Document> {
             csv_spheres: csv.map(|path| CsvSpheres {
                 file: path.clone().into(),
                 path,
+                stamp: None,
                 items: Arc::default(),
             }),
             planes: planes.into(),
