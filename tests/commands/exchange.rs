@@ -140,8 +140,13 @@ fn what_cannot_be_said_or_read_is_an_error() {
     run("import b.c").failed(1, "b.c:2:1: gluLookAt(1, 2): it must have 9 numbers");
     run("import no.gltf").failed(1, "no.gltf: cannot be read: no such file or directory");
     assert_eq!(entries(folder.path()), ["a.dat", "a.txt", "b.c"]);
-    fs::write(folder.path().join("c.c"), [0xff, 0xfe, b'g', 0]).unwrap();
-    run("import c.c").failed(1, "c.c: not text: a camera is read from text in UTF-8");
+    for (bytes, why) in [
+        ([0xff, 0xfe, b'g', 0], "it is text in UTF-16: save it as UTF-8"),
+        ([b'g', 0xe9, b'g', 0], "not text: a camera is read from text in UTF-8"),
+    ] {
+        fs::write(folder.path().join("c.c"), bytes).unwrap();
+        run("import c.c").failed(1, &format!("c.c: {why}"));
+    }
     fs::write(folder.path().join("d.glb"), b"glTF\x02\0\0\0\xff").unwrap();
     run("import d.glb").failed(
         1,
