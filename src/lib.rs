@@ -102,7 +102,7 @@
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`, `ui/scene/gizmo.rs`; what is under the pointer: `view/overlay/world_view/under_pointer.rs`; how far they move: `model/interaction.rs` |
 //! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
 //! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step or view: `ui/app/glide.rs` |
-//! | an exercise on the stage | `ui/stage/exercises.rs`; *Show me*, a mistake as a ghost in it: `model/practice/show_me.rs`; its scene, observer and solution: `ui/app/question.rs`; which exercises are done: `model/practice/progress.rs`; hints: `model/practice/hints.rs` |
+//! | an exercise on the stage | `ui/stage/exercises.rs`, its fields and what is said at them: `ui/stage/answer_fields.rs`; *Show me*, a mistake as a ghost in it: `model/practice/show_me.rs`; its scene, observer and solution: `ui/app/question.rs`; which exercises are done: `model/practice/progress.rs`; hints: `model/practice/hints.rs` |
 //! | the vote, its rounds and hands | `model/practice/vote.rs`, `ui/practice/vote.rs` |
 //! | codes of answers, and the mistakes of a class | `model/practice/code.rs`, `model/practice/class.rs`, `ui/practice/class.rs`, `cli/check_class.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |

@@ -47,8 +47,7 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
 /// The stamps of the scene file and of the CSV file with its spheres.
 pub type Stamps = [Option<Stamp>; 2];
 
-/// Returns the current stamp of the CSV file with a document's spheres; `None`
-/// if there is no such file.
+/// Returns the current stamp of the CSV file with a document's spheres; `None` if there is no such file.
 fn csv_stamp(document: &Document) -> Option<Stamp> {
     document.csv_spheres.as_ref().and_then(|csv| host().stamp(&csv.file))
 }

@@ -120,8 +120,8 @@ const ANSWERS: FileQuestion = FileQuestion {
     writes: None,
 };
 
-/// Returns the action for a file that is dropped on the window or opened. Its first bytes and its name tell whether it is a
-/// link, answers to grade, a glTF to take the camera from, or a scene to open.
+/// Returns the action for a file that is dropped on the window or opened. Its first bytes and its name
+/// tell whether it is a link, answers to grade, a glTF to take the camera from, or a scene to open.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     match host().read_start(&path, FIRST) {
