@@ -1,5 +1,6 @@
 //! Limits on the size of inputs. Larger inputs are rejected with a message that states the limit.
 
+use std::hint::black_box;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -23,6 +24,25 @@ pub const ROWS: usize = 10_000_000;
 
 /// Maximum nesting depth of brackets, which is far more than real files need.
 pub const NESTING: usize = 64;
+
+/// Checks that there is enough memory for `what`, which takes this many bytes.
+///
+/// # Errors
+/// Returns [`too_little_memory`] if the system does not give so much memory.
+pub fn memory(what: &str, bytes: u64) -> Result<(), String> {
+    let size = usize::try_from(bytes).unwrap_or(usize::MAX);
+    let mut memory = Vec::<u8>::new();
+    let reserved = memory.try_reserve_exact(size);
+    // The compiler removes an allocation that nobody uses.
+    black_box(&memory);
+    reserved.map_err(|_| too_little_memory(what, bytes))
+}
+
+/// Returns the reason why there is no room for `what`, which takes this many bytes: the error of a buffer's
+/// `try_reserve`.
+pub fn too_little_memory(what: &str, bytes: u64) -> String {
+    format!("there is too little memory: {what} takes {} MB", bytes.div_ceil(1_000_000))
+}
 
 /// Reads a file of at most `most` bytes.
 ///
