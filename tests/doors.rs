@@ -1,6 +1,6 @@
 //! One question, one answer: what a pixel shows, by whichever way it is asked.
 //!
-//! 2000 random scenes of twelve pixels for each of five kinds; `PINHOLE_DOOR_SCENES` sets another number.
+//! 2000 random scenes of twelve pixels for each of six kinds; `PINHOLE_DOOR_SCENES` sets another number.
 
 use std::cell::Cell;
 use std::path::Path;
@@ -138,6 +138,32 @@ fn alike() -> impl Strategy<Value = (Vec<Sphere>, Vec<Plane>)> {
     })
 }
 
+/// Surfaces in one point, the eye or another: spheres that touch there, inside and outside, and the plane
+/// between them, many of them equal and some 1 ulp apart.
+fn meeting() -> impl Strategy<Value = (Vec<Sphere>, Vec<Plane>)> {
+    let quadruples = vec![[0.0, 0.0, 1.0, 1.0], [3.0, 0.0, 4.0, 5.0], [2.0, -1.0, 2.0, 3.0]];
+    let scale = || prop::sample::select(vec![-1.0, -0.5, 0.25, 0.5, 0.5, 1.0]);
+    let sphere = (scale(), 0..8_usize, any::<bool>());
+    let all = (prop::collection::vec(sphere, 1..5), prop::collection::vec(scale(), 0..3));
+    let place = prop_oneof![Just(DVec3::ZERO), point()];
+    (prop::sample::select(quadruples), place, all).prop_map(
+        |([x, y, z, length], place, (spheres, planes))| {
+            let normal = DVec3::new(x, y, z);
+            let sphere = |(scale, nudged, is_up): (f64, usize, bool)| {
+                let [x, y, z] = (place + scale * normal).to_array();
+                let mut numbers = [x, y, z, scale.abs() * length];
+                if let Some(x) = numbers.get_mut(nudged) {
+                    *x = if is_up { x.next_up() } else { x.next_down() };
+                }
+                let [x, y, z, radius] = numbers;
+                Sphere { center: DVec3::new(x, y, z), radius }
+            };
+            let plane = |scale: f64| Plane { point: place, normal: scale * normal };
+            (spheres.into_iter().map(sphere).collect(), planes.into_iter().map(plane).collect())
+        },
+    )
+}
+
 /// The eye in the origin.
 fn at_the_origin() -> impl Strategy<Value = DVec3> {
     Just(DVec3::ZERO)
@@ -166,7 +192,7 @@ fn ask_many(
     exponents: impl Strategy<Value = (i32, i32)>,
 ) {
     let number = |name| std::env::var(name).ok().and_then(|number| number.parse::<u64>().ok());
-    let cases = number("PINHOLE_DOOR_SCENES").map_or(2000, |scenes| scenes / 5) as u32;
+    let cases = number("PINHOLE_DOOR_SCENES").map_or(2000, |scenes| scenes / 6) as u32;
     let rng_seed = RngSeed::Fixed(number("PROPTEST_RNG_SEED").unwrap_or(1));
     let config = Config { cases, failure_persistence: None, rng_seed, ..Config::default() };
     let hits = Cell::new(0);
@@ -211,6 +237,11 @@ fn scenes_of_spheres_that_are_alike() {
 }
 
 #[test]
+fn scenes_of_surfaces_that_meet_in_a_point() {
+    ask_many(meeting(), prop_oneof![at_the_origin(), point()], ordinary());
+}
+
+#[test]
 fn huge_and_tiny_scenes() {
     ask_many(any_objects(), point(), (-900..900_i32, -1000..900_i32));
 }
@@ -236,7 +267,7 @@ fn pictures_have_the_digest_of_what_is_read_back() {
     let (step, _) = LessonArgument::parse("7.3").unwrap().load().unwrap();
     add(&OpenLesson::at(step, None).unwrap().step().document);
     BuiltinScene::all().iter().for_each(|scene| add(&scene.load().unwrap()));
-    let objects = prop_oneof![any_objects(), touching(), alike()];
+    let objects = prop_oneof![any_objects(), touching(), alike(), meeting()];
     let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1), ..Config::default() });
     for _ in 0..1000 {
         let drawn = (&objects, camera(point())).new_tree(&mut runner).unwrap().current();
