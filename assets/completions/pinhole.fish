@@ -71,7 +71,7 @@ picture\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l columns -d 'Columns that must be there, such as t,object; answers without them are an error' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'Maximum error of an answer relative to its size, by default 0.00001; for a picture, in levels of 255 per channel, by default 2' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'The first number of rows and columns in the answers' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write a map of the image: right answers light, wrong ones orange, the rest grey' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write a map of the image: right answers light, wrong ones orange, not judged ones blue, the rest grey' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'Require every pixel: a pixel without an answer counts as wrong'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l csv -d 'Print a table as CSV, a row for each file of a folder'

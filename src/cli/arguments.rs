@@ -67,8 +67,8 @@ pub enum Command {
         long_about = include_str!("about/check.txt"),
         override_usage = "pinhole check [OPTIONS] --answers <IN.csv|IN.png|FOLDER> <SCENE>\n       \
                           pinhole check --codes <CODES.txt> [--json]",
-        after_help = "Status 0: all answers agree; 1: not all do, or a file of a class is broken; 2: \
-                      answers, scene or arguments cannot be read."
+        after_help = "Status 0: all judged answers agree; 1: not all do, or a file of a class is broken; 2: \
+                      answers, scene or arguments cannot be read, or no answer judged."
     )]
     Check(CheckArguments),
     /// Measure the error of every method against its run time
@@ -347,7 +347,7 @@ pub struct CheckArguments {
     #[arg(long, value_name = "0|1", default_value_t = 0)]
     #[arg(value_parser = clap::value_parser!(u32).range(0..=1))]
     pub count_from: u32,
-    /// Write a map of the image: right answers light, wrong ones orange, the rest grey
+    /// Write a map of the image: right answers light, wrong ones orange, not judged ones blue, the rest grey
     #[arg(long, value_name = "OUT.png")]
     pub map: Option<PathBuf>,
 }

@@ -89,7 +89,11 @@ fn of_answers(
         save_map(map, &graded, graded.image)?;
     }
     let text = if arguments.json { to_json(&Check::new(&graded))? } else { text(&graded) };
-    Ok((text, status(graded.grade.all_agree())))
+    let status = match graded.grade.is_judged() {
+        true => status(graded.grade.passes()),
+        false => Err(CommandError::Unreadable(graded.grade.advice())),
+    };
+    Ok((text, status))
 }
 
 /// The scene for which answers are graded, and the options by which they are.
@@ -147,7 +151,13 @@ fn text(graded: &Graded) -> String {
     if let Some(unanswered) = graded.unanswered() {
         let _ = writeln!(text, "missing: {unanswered}");
     }
-    if let Some(worst) = graded.worst().filter(|_| grade.agree() < grade.is_right.len()) {
+    for note in graded.notes() {
+        let _ = writeln!(text, "note: {note}");
+    }
+    if grade.wrong() == 0 {
+        return text;
+    }
+    if let Some(worst) = graded.worst() {
         let _ = writeln!(text, "worst: {worst}");
         let sketch = graded.sketch();
         for (index, line) in sketch.iter().enumerate() {
@@ -155,11 +165,9 @@ fn text(graded: &Graded) -> String {
             let _ = writeln!(text, "{head}{}", line.trim_end());
         }
         if !sketch.is_empty() {
-            let _ = writeln!(text, "       # wrong, . right, blank not answered");
+            let not = if grade.not_judged.is_empty() { "" } else { "? not judged, " };
+            let _ = writeln!(text, "       # wrong, {not}. right, blank not answered");
         }
-    }
-    if grade.agree() == grade.is_right.len() {
-        return text;
     }
     if grade.diagnosis.mistakes.is_empty() {
         let _ = writeln!(text, "mistake: {}", grade.advice());
@@ -191,6 +199,8 @@ pub(super) struct Check {
     shade: Option<&'static str>,
     /// Number of pixels without an answer if such pixels count as wrong; otherwise 0.
     unanswered: usize,
+    /// Number of answers that are not judged, because wrong ones would be accepted, too.
+    pub(super) not_judged: usize,
 }
 
 impl Check {
@@ -212,6 +222,7 @@ impl Check {
                 .collect(),
             shade: grade.shade.map(|shade| shade.name()),
             unanswered: grade.unanswered,
+            not_judged: grade.not_judged.len(),
         }
     }
 }

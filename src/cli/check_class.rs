@@ -17,7 +17,9 @@ use super::check::{Check, CheckOutcome, Task, status};
 use super::console::{CommandError, columns, read, to_json, warn};
 use super::progress::Progress;
 use crate::cli::arguments::CheckArguments;
-use crate::model::practice::class::{ClassAnswers, INCOMPLETE, RIGHT, Tally, outcomes_of_grade};
+use crate::model::practice::class::{
+    ClassAnswers, INCOMPLETE, NOT_JUDGED, RIGHT, Tally, outcomes_of_grade,
+};
 
 /// Grades the codes of answers in a text.
 pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<CheckOutcome, CommandError> {
@@ -69,8 +71,8 @@ pub(super) fn of_folder(
     let mistakes = students.iter().flat_map(|student| &student.made).copied().collect();
     let outcomes = students.iter().map(|student| student.outcomes.clone());
     let tally = Tally::new(outcomes, &mistakes, |one| one.advice());
-    let is_broken = |student: &Student| student.check.is_none();
-    let status = if students.iter().all(is_broken) {
+    let is_open = |student: &Student| [BROKEN, NOT_JUDGED].contains(&student.verdict);
+    let status = if students.iter().all(is_open) {
         let problem = format!("{}: none of its files can be graded", folder.display());
         Err(CommandError::Unreadable(problem))
     } else {
@@ -133,7 +135,7 @@ struct Student {
     /// The file's name, without its ending if such names are all different.
     name: String,
     file: String,
-    /// [`RIGHT`], `wrong`, [`INCOMPLETE`] or [`BROKEN`].
+    /// [`RIGHT`], `wrong`, [`INCOMPLETE`], [`NOT_JUDGED`] or [`BROKEN`].
     verdict: &'static str,
     #[serde(flatten)]
     check: Option<Check>,
@@ -158,7 +160,8 @@ impl Student {
             Err(_) => BTreeSet::from([BROKEN.to_owned()]),
         };
         let is = |verdict: &&str| outcomes.contains(*verdict);
-        let verdict = [RIGHT, INCOMPLETE, BROKEN].into_iter().find(is).unwrap_or("wrong");
+        let verdict =
+            [RIGHT, INCOMPLETE, NOT_JUDGED, BROKEN].into_iter().find(is).unwrap_or("wrong");
         let problem = graded.as_ref().err().map(ToString::to_string);
         let check = graded.as_ref().ok().map(Check::new);
         Student { name, file, verdict, check, problem, outcomes, made }
@@ -166,9 +169,11 @@ impl Student {
 
     /// Returns the cells of the student's line.
     fn cells(&self) -> [String; 4] {
-        let agreement = self.check.as_ref().map(|Check { kind, answers, agree, .. }| {
-            let [agree, all] = [agree, answers].map(|count| grouped(*count as u64));
-            format!("{kind}: {agree} of {all}")
+        let agreement = self.check.as_ref().map(|check| {
+            let [agree, all, not] =
+                [check.agree, check.answers, check.not_judged].map(|count| grouped(count as u64));
+            let not = if not == "0" { String::new() } else { format!(", {not} not judged") };
+            format!("{}: {agree} of {all}{not}", check.kind)
         });
         let found = self.outcomes.iter().map(String::as_str).filter(|one| *one != self.verdict);
         let found: Vec<&str> = found.chain(self.problem.as_deref()).collect();
@@ -179,7 +184,7 @@ impl Student {
 
 /// Returns a row for each student, with these fields of the JSON output.
 fn csv(students: &[Student]) -> String {
-    const COLUMNS: &str = "name,file,verdict,kind,answers,agree,mistakes,advice,problem";
+    const COLUMNS: &str = "name,file,verdict,kind,answers,agree,not_judged,mistakes,advice,problem";
     let cell = |value: &Value| match value {
         Value::Null => String::new(),
         Value::String(text) => text.clone(),

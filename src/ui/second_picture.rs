@@ -59,7 +59,9 @@ pub(crate) fn show(
             why_not = Some(compare::why_not(session.ghost.as_ref()));
         }
         SecondPicture::Answers => {
-            answers::strip(ui, area, session.answers.as_ref(), view.is_some());
+            let graded = derived.grading.as_ref().and_then(|graded| graded.as_ref().ok());
+            let map = graded.map(|graded| &**graded).filter(|_| view.is_some());
+            answers::strip(ui, area, session, map);
             spoken = Some(answers::spoken(derived, session));
             why_not = Some(answers::why_not(derived, session).to_owned());
         }

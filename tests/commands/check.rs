@@ -2,6 +2,7 @@
 
 mod codes;
 mod folder;
+mod judged;
 mod written;
 
 use std::fmt::Write as _;
@@ -10,6 +11,7 @@ use std::io::Write as _;
 use std::path::Path;
 use std::process::Stdio;
 
+use expect_test::expect;
 use serde_json::{Value, json};
 
 use super::{Run, command_in, entries, finished, run_in};
@@ -99,7 +101,7 @@ fn json_has_the_fields_of_the_contract() {
     for field in ["kind", "answers", "agree", "tolerance", "worst", "mistakes", "advice"] {
         assert!(fields.contains(&field), "{fields:?}");
     }
-    assert_eq!(fields.len(), 10, "{fields:?}");
+    assert_eq!(fields.len(), 11, "{fields:?}");
     assert_eq!(found["kind"], "hits");
     assert_eq!((&found["answers"], &found["agree"]), (&json!(1200), &json!(1040)));
     assert_eq!(found["tolerance"], json!(1e-5));
@@ -321,118 +323,67 @@ fn answers_from_standard_input() {
 
 #[test]
 fn what_cannot_be_read_is_status_2_and_says_where() {
-    let rays = "row,column,ox,oy,oz,dx,dy,dz\n";
-    let hits = "row,column,t,object\n";
-    let cases = [
-        (String::new(), "in.csv: the file is empty: did the program that writes it end well?"),
-        (
-            "i,j,depth\n1,2,3\n".to_owned(),
-            "in.csv:1:1: the first line is \"i,j,depth\": it must name the columns \
-             ux,uy,uz,vx,vy,vz,wx,wy,wz, or row,column,ox,oy,oz,dx,dy,dz, or row,column with t or \
-             x,y,z or object; or the file must be a picture in PNG",
-        ),
-        (
-            "row;column;t\n0;0;1,5\n".to_owned(),
-            "in.csv:1:1: the first line has semicolons: commas must stand between cells, and a point \
-             in a number",
-        ),
-        (
-            format!("{hits}3,4,none,0\n"),
-            "in.csv:2:5: column t is \"none\": it must be a finite number; a miss leaves its cells \
-             empty, or has inf in them",
-        ),
-        (
-            format!("{hits}3,4,1e400,\n"),
-            "in.csv:2:11: column object is \"\": a miss leaves all cells behind row and column empty, \
-             and a hit none",
-        ),
-        (
-            "row,column,t\n3,4,1e400\n".to_owned(),
-            "in.csv:2:5: column t is \"1e400\": it must be a finite number; a miss leaves its cells \
-             empty, or has inf in them",
-        ),
-        (
-            "row,column,t\n3,4,-inf\n".to_owned(),
-            "in.csv:2:5: column t is \"-inf\": it must be a finite number; a miss leaves its cells \
-             empty, or has inf in them",
-        ),
-        (
-            "row,column,t,object".to_owned(),
-            "in.csv: there is no answer: a row an answer must follow",
-        ),
-        (
-            "row,column\n1,1\n".to_owned(),
-            "in.csv:1:1: nothing is answered: there must be a column t, or x,y,z, or object",
-        ),
-        (
-            "row,column,x,y\n1,1,0,0\n".to_owned(),
-            "in.csv:1:1: a point needs all of the columns x,y,z",
-        ),
-        (
-            "row,column,objct\n1,1,0\n".to_owned(),
-            "in.csv:1:12: column \"objct\" is unknown: did you mean object?",
-        ),
-        (
-            "row,column,ox,oy,oz,dx,dy\n".to_owned(),
-            "in.csv:1:1: column dz is missing: the first line must name the columns \
-             row,column,ox,oy,oz,dx,dy,dz",
-        ),
-        (
-            RIGHT_BASIS.replace("0,1\n", "0,1\n1,0,0,0,1,0,0,0,1\n"),
-            "in.csv:3:1: column ux is \"1\": a camera has one basis: there must be one row",
-        ),
-        (
-            RIGHT_BASIS.replace(",1\n", ",x\n"),
-            "in.csv:2:17: column wz is \"x\": it must be a number",
-        ),
-        (
-            format!("{rays}3,4,0,0,0,0,0,0\n"),
-            "in.csv:2:11: column dx is \"0\": the direction (dx, dy, dz) is zero: it must point \
-             somewhere",
-        ),
-        (
-            format!("{rays}3,4,0,0,inf,0,0,1\n"),
-            "in.csv:2:9: column oz is \"inf\": it must be a finite number",
-        ),
-        (
-            format!("{hits}3,4,5,0\n3,5,nan,0\n"),
-            "in.csv:3:5: column t is \"nan\": it must be a finite number, as the row's other \
-             cells tell of a hit",
-        ),
-        (
-            format!("{hits}3,4,5,\n"),
-            "in.csv:2:7: column object is \"\": a miss leaves all cells behind row and column empty, \
-             and a hit none",
-        ),
-        (
-            format!("{hits}3,4,5,0\n3,4,5,0\n"),
-            "in.csv:3:1: column row is \"3\": this row and column is answered above: once is enough",
-        ),
-        (
-            format!("{hits}-1,4,,\n"),
-            "in.csv:2:1: column row is \"-1\": it must be a whole number, 0 or more",
-        ),
-        (
-            format!("{hits}0,4.5,,\n"),
-            "in.csv:2:3: column column is \"4.5\": it must be a whole number, 0 or more",
-        ),
-        (
-            format!("{hits}0,0,,\n30,4,,\n"),
-            "in.csv:3:1: column row is \"30\": rows are 0 to 29, as the scene's image is \
-             40 x 30; are rows and columns exchanged?",
-        ),
-        (
-            format!("{hits}0,0,,\n3,41,,\n"),
-            "in.csv:3:3: column column is \"41\": columns are 0 to 39, as the scene's image \
-             is 40 x 30",
-        ),
-    ];
-    for (answers, message) in cases {
-        let folder = folder(&answers);
-        check(folder.path(), &[]).failed(2, message);
-        check(folder.path(), &["--json", "--map", "m.png"]).failed(2, message);
+    let mut told = String::new();
+    for (columns, rows) in [
+        ("", ""),
+        ("i,j,depth", "1,2,3"),
+        ("row;column;t", "0;0;1,5"),
+        ("row,column,t,object", "3,4,none,0"),
+        ("row,column,t,object", "3,4,1e400,"),
+        ("row,column,t", "3,4,1e400"),
+        ("row,column,t", "3,4,-inf"),
+        ("row,column,t,object", ""),
+        ("row,column", "1,1"),
+        ("row,column,x,y", "1,1,0,0"),
+        ("row,column,objct", "1,1,0"),
+        ("row,column,ox,oy,oz,dx,dy", ""),
+        ("ux,uy,uz,vx,vy,vz,wx,wy,wz", "1,0,0,0,1,0,0,0,1\n1,0,0,0,1,0,0,0,1"),
+        ("ux,uy,uz,vx,vy,vz,wx,wy,wz", "1,0,0,0,1,0,0,0,x"),
+        ("row,column,ox,oy,oz,dx,dy,dz", "3,4,0,0,0,0,0,0"),
+        ("row,column,ox,oy,oz,dx,dy,dz", "3,4,0,0,inf,0,0,1"),
+        ("row,column,t,object", "3,4,5,0\n3,5,nan,0"),
+        ("row,column,t,object", "3,4,5,"),
+        ("row,column,t,object", "3,4,5,0\n3,4,5,0"),
+        ("row,column,t,object", "-1,4,,"),
+        ("row,column,t,object", "0,4.5,,"),
+        ("row,column,t,object", "0,0,,\n30,4,,"),
+        ("row,column,t,object", "0,0,,\n3,41,,"),
+    ] {
+        let folder = folder(format!("{columns}\n{rows}\n").trim_start());
+        for more in [&[][..], &["--json", "--map", "m.png"]] {
+            let run = check(folder.path(), more);
+            assert_eq!((run.status, run.stdout.as_str()), (2, ""));
+            let said = run.stderr.replace("error: in.csv", "");
+            if more.is_empty() { told += &said } else { assert!(told.ends_with(&said)) }
+        }
         assert_eq!(entries(folder.path()), ["in.csv", "s.toml"]);
     }
+    expect![[r#"
+        : the file is empty: did the program that writes it end well?
+        :1:1: the first line is "i,j,depth": it must name the columns ux,uy,uz,vx,vy,vz,wx,wy,wz, or row,column,ox,oy,oz,dx,dy,dz, or row,column with t or x,y,z or object; or the file must be a picture in PNG
+        :1:1: the first line has semicolons: commas must stand between cells, and a point in a number
+        :2:5: column t is "none": it must be a finite number; a miss leaves its cells empty, or has inf in them
+        :2:11: column object is "": a miss leaves all cells behind row and column empty, and a hit none
+        :2:5: column t is "1e400": it must be a finite number; a miss leaves its cells empty, or has inf in them
+        :2:5: column t is "-inf": it must be a finite number; a miss leaves its cells empty, or has inf in them
+        : there is no answer: a row an answer must follow
+        :1:1: nothing is answered: there must be a column t, or x,y,z, or object
+        :1:1: a point needs all of the columns x,y,z
+        :1:12: column "objct" is unknown: did you mean object?
+        :1:1: column dz is missing: the first line must name the columns row,column,ox,oy,oz,dx,dy,dz
+        :3:1: column ux is "1": a camera has one basis: there must be one row
+        :2:17: column wz is "x": it must be a number
+        :2:11: column dx is "0": the direction (dx, dy, dz) is zero: it must point somewhere
+        :2:9: column oz is "inf": it must be a finite number
+        :3:5: column t is "nan": it must be a finite number, as the row's other cells tell of a hit
+        :2:7: column object is "": a miss leaves all cells behind row and column empty, and a hit none
+        :3:1: column row is "3": this row and column is answered above: once is enough
+        :2:1: column row is "-1": it must be a whole number, 0 or more
+        :2:3: column column is "4.5": it must be a whole number, 0 or more
+        :3:1: column row is "30": rows are 0 to 29, as the scene's image is 40 x 30; are rows and columns exchanged?
+        :3:3: column column is "41": columns are 0 to 39, as the scene's image is 40 x 30
+    "#]]
+    .assert_eq(&told);
     let folder = folder(RIGHT_BASIS);
     run_in(folder.path(), &["check", "s.toml", "--answers", "no.csv"])
         .failed(2, "no.csv: cannot be read: no such file or directory");

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::certainty::Certainty;
 use super::grade::AnswerValue;
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
@@ -45,6 +46,8 @@ pub(super) struct GradingContext<'a> {
     pub(super) given: &'a GivenCamera,
     /// The camera without any mistake.
     pub(super) right: PipelineCamera,
+    /// This camera moved by half a pixel up, down, left and right.
+    pub(super) around: [PipelineCamera; 4],
     /// Maximum error of an answer: relative or, for a picture, in levels (steps of an 8-bit channel).
     pub(super) tolerance: f64,
     /// The fraction, 0 to 1, of [`Written::rounding`](super::Written::rounding) that is allowed as an
@@ -82,6 +85,9 @@ pub(super) trait Fits: Sync {
     fn may_be_unseen(&self, _index: usize) -> bool {
         false
     }
+
+    /// Returns whether an answer that is accepted is known to be right.
+    fn certainty(&self, index: usize) -> Certainty;
 
     /// Returns the error of an answer, to be compared with [`GradingContext::tolerance`].
     fn error(&self, index: usize) -> f64;

@@ -25,6 +25,9 @@ pub(super) struct PossibleHit {
     is_sure: bool,
 }
 
+/// An acceptable hit or, as `None`, an acceptable miss.
+pub(super) type Acceptable<'a> = Option<&'a PossibleHit>;
+
 /// All hits that are acceptable as the first hit of a ray (see the module's documentation).
 #[derive(Clone, Debug, Default)]
 pub(super) struct FirstHits {
@@ -67,6 +70,16 @@ impl FirstHits {
             Some(sight) => sight.first_of(sight.hits_of_all(scene)),
             None => FirstHits::default(),
         }
+    }
+
+    /// Returns all that is acceptable.
+    pub(super) fn outcomes(&self) -> impl Iterator<Item = Acceptable<'_>> {
+        self.hits.iter().map(Some).chain(self.may_miss.then_some(None))
+    }
+
+    /// Returns true if a hit of this object is acceptable or, for `None`, a miss.
+    pub(super) fn may_be(&self, object: Option<u32>) -> bool {
+        self.outcomes().any(|outcome| outcome.map(|hit| hit.object) == object)
     }
 }
 

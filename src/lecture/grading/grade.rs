@@ -5,6 +5,7 @@ use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 use super::answers::AnswerKind;
 use super::diagnosis::Diagnosis;
+use super::graded::Cell;
 use crate::numbers::grouped;
 
 /// Default maximum relative error of a number in an answer. It is twice the maximum rounding error of a
@@ -40,6 +41,11 @@ pub struct Grade {
     pub tolerance: f64,
     /// For each answer, in order, true if it is right.
     pub is_right: Vec<bool>,
+    /// The indices of the answers that are acceptable, but where a wrong answer would be, too. They count
+    /// neither as right nor as wrong.
+    pub not_judged: Vec<usize>,
+    /// For each answer that names one of several objects that are hit at exactly the same t, two of them.
+    pub ties: Vec<[u32; 2]>,
     /// The answer with the largest error; `None` if there is no answer.
     pub worst: Option<Worst>,
     /// The shading that a graded picture is assumed to have; `None` for other kinds of answers.
@@ -133,6 +139,30 @@ impl Grade {
         self.is_right.iter().filter(|is_right| **is_right).count()
     }
 
+    /// Returns whether the answer with this index is right.
+    pub(super) fn cell(&self, index: usize) -> Cell {
+        match self.is_right[index] {
+            true => Cell::Right,
+            false if self.not_judged.binary_search(&index).is_ok() => Cell::NotJudged,
+            false => Cell::Wrong,
+        }
+    }
+
+    /// Returns the number of wrong answers among those that are given.
+    pub fn wrong(&self) -> usize {
+        self.is_right.len() - self.agree() - self.not_judged.len()
+    }
+
+    /// Returns true if not all answers are [`Grade::not_judged`].
+    pub fn is_judged(&self) -> bool {
+        self.not_judged.len() < self.answers()
+    }
+
+    /// Returns true if all answers that can be judged are right, and none is missing.
+    pub fn passes(&self) -> bool {
+        self.is_judged() && self.wrong() + self.unanswered == 0
+    }
+
     /// Returns true if all answers are right.
     pub fn all_agree(&self) -> bool {
         self.agree() == self.answers()
@@ -148,10 +178,11 @@ impl Grade {
     /// a sentence that says that all answers agree, that they have too few digits, or that no known
     /// mistake explains them.
     pub fn advice(&self) -> String {
-        let all_given_agree = self.agree() == self.is_right.len();
         match (self.right_digits, &self.diagnosis.mistakes[..]) {
             _ if self.all_agree() => "All answers agree.".to_owned(),
-            _ if all_given_agree => "All answers that are given agree.".to_owned(),
+            _ if !self.is_judged() => "No answer can be judged.".to_owned(),
+            _ if self.passes() => "All answers that can be judged agree.".to_owned(),
+            _ if self.wrong() == 0 => "All answers that are given agree.".to_owned(),
             (Some(digits), []) if self.sentinel.is_none() => {
                 let (digits, wanted) = (counted(digits), self.digits_in_words());
                 format!("The answers are right to {digits}; write at least {wanted}.")

@@ -30,16 +30,19 @@ pub enum Cell {
     Unanswered,
     /// The answer is right.
     Right,
+    /// A wrong answer would have been accepted, too.
+    NotJudged,
     /// The answer is wrong.
     Wrong,
 }
 
 impl Cell {
-    /// Returns the colour of such a pixel on the map. The three colours also differ in lightness.
+    /// Returns the colour of such a pixel on the map. The colours also differ in lightness.
     pub fn color(self) -> Rgb {
         match self {
             Cell::Unanswered => [0x8a, 0x8f, 0x98],
             Cell::Right => [0xdf, 0xe7, 0xee],
+            Cell::NotJudged => [0x34, 0x4e, 0x6a],
             Cell::Wrong => [0xd5, 0x5e, 0x00],
         }
     }
@@ -59,6 +62,10 @@ const COUNT_FROM_ZERO: &str = "They were read as counting from 1. They count fro
 const READ_FROM_ONE: &str = "Look at where counting begins: they were read as counting from 1. If they count \
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
+/// The reason why answers are not judged.
+const NOT_JUDGED: &str = "What is not judged: numbers of this size are rounded by more than a pixel, or the \
+                          tolerance is larger than one, so that a wrong answer would pass, too.";
+
 impl Graded {
     /// Returns the map: whether each pixel's answer is right, row by row from the top. Returns `None`
     /// for a basis, whose vectors do not belong to pixels.
@@ -68,19 +75,18 @@ impl Graded {
         }
         let width = self.image.width() as usize;
         let mut cells = vec![Cell::Unanswered; width * self.image.height() as usize];
-        for (index, is_right) in self.grade.is_right.iter().enumerate() {
+        for index in 0..self.grade.is_right.len() {
             let pixel = self.pixel(index).filter(|pixel| self.image.contains(*pixel));
             if let Some(Pixel { row, column }) = pixel {
-                let cell = if *is_right { Cell::Right } else { Cell::Wrong };
-                cells[row as usize * width + column as usize] = cell;
+                cells[row as usize * width + column as usize] = self.grade.cell(index);
             }
         }
         Some(cells)
     }
 
     /// Returns the map as lines of text, in which a letter stands for several pixels: `#` if one of them is
-    /// wrong, `.` if all that are answered are right, and a blank if none is answered. There are no lines
-    /// if less than a twentieth of the image is answered, because a sketch then shows nothing.
+    /// wrong, `?` if one is not judged, `.` if all that are answered are right, and a blank if none is
+    /// answered. There are no lines if less than a twentieth of the image is answered, because a sketch then shows nothing.
     pub fn sketch(&self) -> Vec<String> {
         let (width, height) = (self.image.width() as usize, self.image.height() as usize);
         let Some(cells) = self.map().filter(|_| 20 * self.grade.is_right.len() >= width * height)
@@ -92,11 +98,8 @@ impl Graded {
         for (index, cell) in cells.into_iter().enumerate() {
             let (row, column) = (index / width * rows / height, index % width * columns / width);
             let letter = &mut letters[row][column];
-            match cell {
-                Cell::Wrong => *letter = '#',
-                Cell::Right if *letter == ' ' => *letter = '.',
-                Cell::Right | Cell::Unanswered => {}
-            }
+            let known = " .?#".find(*letter).unwrap_or_default();
+            *letter = [' ', '.', '?', '#'][known.max(cell as usize)];
         }
         letters.into_iter().map(String::from_iter).collect()
     }
@@ -123,7 +126,7 @@ impl Graded {
     }
 
     /// Returns the number of right answers as text, for example `159,999 of 160,000 hits agree, within
-    /// 0.00001 of their distance`.
+    /// 0.00001 of their distance`, and that of answers that are not judged.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let (agree, all) = (grade.agree(), grade.answers());
@@ -134,8 +137,21 @@ impl Graded {
             AnswerKind::Picture => "pixels",
         };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
-        let [agree, all] = [agree, all].map(|count| grouped(count as u64));
-        format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
+        let [agree, all, not] =
+            [agree, all, grade.not_judged.len()].map(|count| grouped(count as u64));
+        let not = if not == "0" { String::new() } else { format!(", {not} not judged") };
+        format!("{agree} of {all} {plural} {verb}{not}, within {}", self.tolerance())
+    }
+
+    /// Returns the reason why answers are not judged, and what is said of exact ties.
+    pub fn notes(&self) -> Vec<String> {
+        let Grade { not_judged, ties, .. } = &self.grade;
+        let not_judged = (!not_judged.is_empty()).then(|| NOT_JUDGED.to_owned());
+        let ties = ties.first().map(|[a, b]| {
+            let n = grouped(ties.len() as u64);
+            format!("Either of two objects is right where both are hit at the same t ({n} times, such as {a} and {b}).")
+        });
+        not_judged.into_iter().chain(ties).collect()
     }
 
     /// Returns the grade under the rule that every pixel must be answered: a pixel without an answer
@@ -268,7 +284,8 @@ impl Graded {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let counting = Mistake::CountedFromOne;
         let advice = self.grade.advice().replace(counting.advice(), self.advice_on(counting));
-        let advice = [advice].into_iter().chain(self.further_remarks()).chain(missing);
+        let advice =
+            [advice].into_iter().chain(self.further_remarks()).chain(self.notes()).chain(missing);
         advice.collect::<Vec<_>>().join(" ")
     }
 
@@ -300,13 +317,14 @@ impl Graded {
     /// Returns a caveat if the diagnosis is a guess. It is one if all wrong answers are misses or hits
     /// of objects behind the right one, since such answers can have many causes.
     fn caveat(&self) -> Option<&'static str> {
-        let Grade { is_right, diagnosis, tolerance, .. } = &self.grade;
+        let Grade { diagnosis, tolerance, .. } = &self.grade;
         let is_miss = |index: usize| match &self.answers {
             Answers::Hits(hits) => hits[index].hit.is_none(),
             Answers::Picture(pixels) => off(pixels[index], BACKGROUND) <= *tolerance,
             Answers::Basis(_) | Answers::Rays(_) => false,
         };
-        let mut wrong = (0..is_right.len()).filter(|index| !is_right[*index]);
+        let is_wrong = |index: &usize| self.grade.cell(*index) == Cell::Wrong;
+        let mut wrong = (0..self.grade.is_right.len()).filter(is_wrong);
         if diagnosis.mistakes.is_empty() {
             None
         } else if wrong.all(is_miss) {

@@ -6,6 +6,7 @@ use pinhole_core::{Pixel, Rgb, Shade};
 use rayon::prelude::*;
 
 use super::answers::{AnswerKind, Answers, HitAnswer, Precision};
+use super::certainty::Certainty;
 use super::diagnosis::{Diagnosis, Fits, GradingContext, diagnose};
 use super::grade::{
     Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
@@ -17,6 +18,10 @@ use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera};
 /// Minimum number of digits with which a mistake is diagnosed in answers that have fewer digits than
 /// they should.
 const ENOUGH_FOR_MISTAKES: u32 = 3;
+
+/// Number of answers, spread evenly, that are looked at first for ones that cannot be judged. There are
+/// usually none, and looking at all takes minutes for a large picture of many spheres.
+const FIRST_LOOKS: usize = 20_000;
 
 /// The answers, and everything needed to grade them.
 pub(super) struct Grader<'a> {
@@ -78,7 +83,7 @@ impl<'a> Grader<'a> {
     pub(super) fn grade(&self) -> Grade {
         let grade = self.graded_as_given();
         match self.answers {
-            Answers::Hits(hits) if !grade.all_agree() && !grade.is_explained() => {
+            Answers::Hits(hits) if grade.wrong() > 0 && !grade.is_explained() => {
                 self.with_sentinel(hits, grade)
             }
             _ => grade,
@@ -95,7 +100,7 @@ impl<'a> Grader<'a> {
         });
         let answers = Answers::Hits(taken.collect());
         let found = Grader { answers: &answers, ..*self }.graded_as_given();
-        if !found.all_agree() && !found.is_explained() {
+        if found.wrong() > 0 && !found.is_explained() {
             return grade;
         }
         let Grade { diagnosis, right_digits, .. } = found;
@@ -110,7 +115,7 @@ impl<'a> Grader<'a> {
         };
         // With few digits, pairs of mistakes may fit by chance, and `f32` cannot be recognised.
         let least = match grade.diagnosis.mistakes[..] {
-            _ if grade.all_agree() => return grade,
+            _ if grade.wrong() == 0 => return grade,
             [] => 1,
             [mistake] if mistake != Mistake::SinglePrecision => return grade,
             _ => 3,
@@ -164,7 +169,12 @@ impl<'a> Grader<'a> {
     }
 
     fn context(&self, right: PipelineCamera, digits: f64) -> GradingContext<'_> {
-        GradingContext { given: &self.given, right, tolerance: self.tolerance, digits }
+        let around = [[0.5, 0.0], [-0.5, 0.0], [0.0, 0.5], [0.0, -0.5]].map(|[across, down]| {
+            let mut moved = Pipeline::RIGHT;
+            moved.move_in_pixel(across, down);
+            self.given.camera_of(moved)
+        });
+        GradingContext { given: &self.given, right, around, tolerance: self.tolerance, digits }
     }
 
     /// Returns the true first hits for the pixels of these answers.
@@ -177,7 +187,7 @@ impl<'a> Grader<'a> {
     /// shading that fits best. This is the one with which most pixels agree or, if no single mistake
     /// explains the picture so, the one with which the fewest mistakes explain it.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
-        let (pictures, right) = right_pictures(self.truth, &self.given);
+        let (pictures, objects, right) = right_pictures(self.truth, &self.given);
         let context = self.context(right, self.digits);
         let brightest = brightest(pixels);
         let agree = |right: &[Rgb]| {
@@ -193,19 +203,20 @@ impl<'a> Grader<'a> {
                 shade: Shade::ALL[k],
                 brightest,
                 right: &pictures[k],
+                objects: &objects,
                 context,
             };
             Grade { shade: Some(fits.shade), ..self.graded(&fits, &right) }
         };
         let mut best = grade(order[0]);
         for k in &order[1..] {
-            if best.all_agree() || best.diagnosis.mistakes.len() == 1 {
+            if best.wrong() == 0 || best.diagnosis.mistakes.len() == 1 {
                 break;
             }
             let other = grade(*k);
             let fewer = other.diagnosis.mistakes.len() < best.diagnosis.mistakes.len()
                 || best.diagnosis.mistakes.is_empty();
-            if other.all_agree() || fewer && !other.diagnosis.mistakes.is_empty() {
+            if other.wrong() == 0 || fewer && !other.diagnosis.mistakes.is_empty() {
                 best = other;
             }
         }
@@ -226,17 +237,32 @@ impl<'a> Grader<'a> {
 
     fn graded(&self, answers: &dyn Fits, right: &PipelineCamera) -> Grade {
         let judged = self.judged(answers, right);
-        let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
+        let mut is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()
         } else {
             diagnose(&self.given, answers, &is_right, self.may_be_single)
         };
         let worst = worst_of(&judged);
+        let certainty = |index: usize| match is_right[index] {
+            true => answers.certainty(index),
+            false => Certainty::Sure,
+        };
+        let all = (0..judged.len()).into_par_iter();
+        let looks = all.clone().step_by((judged.len() / FIRST_LOOKS) | 1);
+        let is_any_open = looks.any(|index| certainty(index) != Certainty::Sure);
+        let found = if is_any_open { all.map(certainty).collect() } else { Vec::new() };
+        let doubtful = (0..found.len()).filter(|index| found[*index] == Certainty::Doubtful);
+        let not_judged: Vec<usize> = doubtful.collect();
+        not_judged.iter().for_each(|index| is_right[*index] = false);
+        let tie = |found| if let Certainty::Tie(objects) = found { Some(objects) } else { None };
+        let ties = found.into_iter().filter_map(tie).collect();
         Grade {
             kind: self.answers.kind(),
             tolerance: self.tolerance,
             is_right,
+            not_judged,
+            ties,
             worst: worst.map(|(index, error)| Worst { index, error, right: answers.right(index) }),
             shade: None,
             diagnosis,

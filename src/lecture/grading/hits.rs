@@ -4,8 +4,9 @@ use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
 
 use crate::grading::answers::{GivenHit, HitAnswer, RayAnswer, WrittenVector};
+use crate::grading::certainty::Certainty;
 use crate::grading::diagnosis::{Fits, GradingContext};
-use crate::grading::first_hits::{FirstHits, PossibleHit, hits_of_each, work};
+use crate::grading::first_hits::{Acceptable, FirstHits, PossibleHit, hits_of_each, work};
 use crate::grading::grade::{AnswerValue, Hit, Truth};
 use crate::mistakes::{Measure, Pipeline, PipelineCamera};
 
@@ -33,22 +34,28 @@ impl Fits for Hits<'_> {
         }
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let first = FirstHits::find(self.scene, camera, direction, self.context.tolerance);
-        match hit {
-            None => first.may_miss,
-            Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
-        }
+        first.outcomes().any(|outcome| self.is(camera, direction, outcome, hit))
+    }
+
+    fn certainty(&self, index: usize) -> Certainty {
+        let HitAnswer { pixel, hit } = self.answers[index];
+        let GradingContext { right, tolerance, .. } = &self.context;
+        let about = (pixel, self.first[index].map(|hit| hit.object));
+        let says_t = hit.is_some_and(|hit| hit.t.is_some() || hit.point.is_some());
+        let is = |direction, outcome: Acceptable| self.is(right, direction, outcome, hit);
+        self.context.certainty(self.scene, about, *tolerance, says_t, is)
     }
 
     fn may_be_unseen(&self, index: usize) -> bool {
         let HitAnswer { pixel, hit } = self.answers[index];
-        let (Some(truth), Some(given)) = (self.first[index], hit) else {
+        let (Some(truth), true) = (self.first[index], hit.is_some()) else {
             return self.first[index].is_some();
         };
         let camera = &self.context.right;
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        hits_of_each(self.scene, camera, direction, self.context.tolerance)
-            .iter()
-            .any(|hit| hit.object != truth.object && self.is(camera, direction, hit, &given))
+        hits_of_each(self.scene, camera, direction, self.context.tolerance).iter().any(|unseen| {
+            unseen.object != truth.object && self.is(camera, direction, Some(unseen), hit)
+        })
     }
 
     fn error(&self, index: usize) -> f64 {
@@ -74,15 +81,18 @@ impl GradingContext<'_> {
 }
 
 impl Hits<'_> {
-    /// Returns true if the student's hit `given` is within the range of the acceptable `hit`, on the
-    /// same object.
+    /// Returns true if the student's answer is within the range of the acceptable `outcome`, on the
+    /// same object, or if both are misses.
     fn is(
         &self,
         camera: &PipelineCamera,
         direction: DVec3,
-        hit: &PossibleHit,
-        given: &GivenHit,
+        outcome: Acceptable,
+        answer: Option<GivenHit>,
     ) -> bool {
+        let (Some(hit), Some(given)) = (outcome, answer) else {
+            return outcome.is_none() && answer.is_none();
+        };
         let Pipeline { measure, objects_from_one, .. } = camera.pipeline;
         let length = length(direction);
         let (t_unit, step) = match measure {
@@ -211,6 +221,12 @@ impl Fits for Vectors<'_> {
         (value - wanted).abs().max_element() <= off
     }
 
+    fn certainty(&self, index: usize) -> Certainty {
+        let mut turned = self.context.right;
+        (turned.u, turned.v, turned.w) = (turned.v, turned.w, turned.u);
+        if self.fits(&turned, index) { Certainty::Doubtful } else { Certainty::Sure }
+    }
+
     fn error(&self, index: usize) -> f64 {
         let PipelineCamera { u, v, w, .. } = self.context.right;
         length(self.answers[index].value - [u, v, w][index])
@@ -243,6 +259,11 @@ impl Fits for Rays<'_> {
         camera.answers_for(pixel)
             && turned(direction.value, wanted) <= tolerance + camera.off + rounding
             && (origin.value - camera.eye).abs().max_element() <= origin_off
+    }
+
+    fn certainty(&self, index: usize) -> Certainty {
+        let fits_all = self.context.around.iter().all(|camera| self.fits(camera, index));
+        if fits_all { Certainty::Doubtful } else { Certainty::Sure }
     }
 
     fn error(&self, index: usize) -> f64 {

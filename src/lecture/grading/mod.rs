@@ -24,11 +24,15 @@
 //! - a pixel of a picture: each channel within [`LEVELS_TOLERANCE`] levels (steps of an 8-bit channel)
 //!   of the picture in the shading that fits best; at an edge, the colours of both sides are right.
 //!
+//! Where a wrong answer would pass as well, because all that is allowed outgrows a pixel, nothing is right:
+//! the answer is [not judged](Grade::not_judged).
+//!
 //! Numbers written with fewer digits are allowed an additional error of half a unit in their last digit
 //! ([`Written::rounding`]). With a tolerance below the default, this allowance shrinks in proportion,
 //! because a stricter tolerance requires more digits.
 
 mod answers;
+mod certainty;
 mod diagnosis;
 mod first_hits;
 mod grade;

@@ -4,11 +4,13 @@ use std::array;
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{
-    BACKGROUND, DVec3, Outputs, Raster, Rgb, Scene, Shade, lambert, shade, trace_as,
+    BACKGROUND, DVec3, NO_OBJECT, Outputs, Pixel, Raster, Rgb, Scene, Shade, lambert, shade,
+    trace_as,
 };
 
+use super::certainty::Certainty;
 use super::diagnosis::{Fits, GradingContext};
-use super::first_hits::{FirstHits, normal_at, work};
+use super::first_hits::{Acceptable, FirstHits, normal_at, work};
 use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
@@ -23,22 +25,24 @@ pub(super) struct Picture<'a> {
     pub(super) brightest: Option<usize>,
     /// The right picture.
     pub(super) right: &'a [Rgb],
+    /// The objects that are hit first.
+    pub(super) objects: &'a [u32],
     pub(super) context: GradingContext<'a>,
 }
 
-/// Returns the right picture in every shading, in the order of [`Shade::ALL`], and the camera of a
-/// program without mistakes.
+/// Returns the right picture in every shading, in the order of [`Shade::ALL`], the objects in it, and the
+/// camera of a program without mistakes.
 pub(super) fn right_pictures(
     truth: &Truth,
     given: &GivenCamera,
-) -> ([Vec<Rgb>; 4], PipelineCamera) {
+) -> ([Vec<Rgb>; 4], Vec<u32>, PipelineCamera) {
     let raster = Raster::full(given.resolved.image());
     let frame = trace_as::<f32>(truth.scene, &given.resolved, &raster, Outputs::default());
     let nearest = frame.t.iter().copied().fold(f32::INFINITY, f32::min);
     let pictures = Shade::ALL.map(|mode| shade(&frame, truth.scene, mode, truth.color_of, |c| c));
     let mut camera = given.camera_of(Pipeline::RIGHT);
     camera.nearest = Some(f64::from(nearest));
-    (pictures, camera)
+    (pictures, frame.object, camera)
 }
 
 /// Returns the index of the brightest grey pixel (the first of several); `None` if no pixel is grey.
@@ -67,19 +71,18 @@ impl Fits for Picture<'_> {
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let (first, direction) = self.meetings(camera, index);
-        if first.may_miss && self.is_near(self.pixels[index], [BACKGROUND; 2]) {
-            return true;
-        }
-        first.hits.iter().any(|hit| {
-            let color = |t: f64| self.color(camera, direction, hit.object, t);
-            // A t of the opposite sign, on the other side of the eye, would have a different colour.
-            let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
-            let around = [same_side(hit.least), hit.t, same_side(hit.most)];
-            let [a, b, c] = around.map(color);
-            let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
-            let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
-            self.is_near(self.pixels[index], [least, most])
-        })
+        first.outcomes().any(|outcome| self.is(self.pixels[index], camera, direction, outcome))
+    }
+
+    fn certainty(&self, index: usize) -> Certainty {
+        let width = self.context.given.resolved.image().width();
+        let pixel = Pixel { row: index as u32 / width, column: index as u32 % width };
+        let about = (pixel, Some(self.objects[index]).filter(|object| *object != NO_OBJECT));
+        let (camera, says_t) = (&self.context.right, self.shade != Shade::Object);
+        let is = |direction, outcome: Acceptable| {
+            self.is(self.pixels[index], camera, direction, outcome)
+        };
+        self.context.certainty(self.scene, about, RELATIVE_TOLERANCE, says_t, is)
     }
 
     fn error(&self, index: usize) -> f64 {
@@ -97,6 +100,25 @@ impl Picture<'_> {
         let direction = camera.direction((index / width) as f64, (index % width) as f64);
         let first = FirstHits::find(self.scene, camera, direction, RELATIVE_TOLERANCE);
         (first, direction)
+    }
+
+    /// Returns true if a pixel has a colour that the acceptable `outcome` has.
+    fn is(
+        &self,
+        pixel: Rgb,
+        camera: &PipelineCamera,
+        direction: DVec3,
+        outcome: Acceptable,
+    ) -> bool {
+        let Some(hit) = outcome else { return self.is_near(pixel, [BACKGROUND; 2]) };
+        let color = |t: f64| self.color(camera, direction, hit.object, t);
+        // A t of the opposite sign, on the other side of the eye, would have a different colour.
+        let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
+        let around = [same_side(hit.least), hit.t, same_side(hit.most)];
+        let [a, b, c] = around.map(color);
+        let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
+        let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
+        self.is_near(pixel, [least, most])
     }
 
     /// Returns the colour of a hit, calculated in the same way as by [`shade`].

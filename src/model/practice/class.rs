@@ -53,6 +53,8 @@ pub const RIGHT: &str = "right";
 const OTHER: &str = "another mistake";
 /// The outcome of an answer in which nothing is wrong, but something is missing.
 pub(crate) const INCOMPLETE: &str = "not complete";
+/// The outcome of answers none of which can be judged.
+pub(crate) const NOT_JUDGED: &str = "not judged";
 /// The outcome of answers that are right to the digits with which they are written.
 const FEW_DIGITS: &str = "too few digits";
 
@@ -171,8 +173,9 @@ pub(crate) fn outcomes_of_grade(
         return made.iter().map(|one| one.id().to_owned()).collect();
     }
     let outcome = match grade.right_digits {
-        _ if grade.all_agree() => RIGHT,
-        _ if grade.agree() == grade.is_right.len() => INCOMPLETE,
+        _ if grade.passes() => RIGHT,
+        _ if !grade.is_judged() => NOT_JUDGED,
+        _ if grade.wrong() == 0 => INCOMPLETE,
         Some(_) => FEW_DIGITS,
         None => OTHER,
     };

@@ -8,8 +8,8 @@ use egui::{
 use pinhole_core::Selection;
 use pinhole_lecture::grading::{Cell, Graded};
 
+use crate::model::Session;
 use crate::model::symbols::typeset_message;
-use crate::model::{Session, StudentAnswers};
 use crate::ui::action::{AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
@@ -39,16 +39,16 @@ fn not_graded(derived: &Derived) -> &'static str {
 }
 
 /// Shows the name of the answers as the title above the map.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, has_map: bool) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, session: &Session, map: Option<&Graded>) {
     strip_above(ui, area, |ui| {
-        let title = match answers {
+        let title = match &session.answers {
             Some(answers) if area.width() < NARROW => answers.name(),
             Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
             None => views::ANSWERS.to_owned(),
         };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if has_map {
-                legend(ui, area.width() >= NARROWEST);
+            if let Some(graded) = map {
+                legend(ui, area.width() >= NARROWEST, !graded.grade.not_judged.is_empty());
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
@@ -59,10 +59,14 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&StudentAnswers>, h
 
 /// Shows the legend of the map's colours, from right to left. On a narrow map, it omits the colour of
 /// missing answers.
-fn legend(ui: &mut Ui, whole: bool) {
-    let cells =
-        [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
-    for (cell, text) in cells.into_iter().skip(usize::from(!whole)) {
+fn legend(ui: &mut Ui, whole: bool, has_doubt: bool) {
+    let cells = [
+        (Cell::Unanswered, "not answered", whole),
+        (Cell::NotJudged, "not judged", has_doubt),
+        (Cell::Wrong, "wrong", true),
+        (Cell::Right, "right", true),
+    ];
+    for (cell, text, _) in cells.into_iter().filter(|(.., is_shown)| *is_shown) {
         ui.label(text);
         let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
         let [r, g, b] = cell.color();
@@ -132,10 +136,15 @@ fn buttons(ui: &mut Ui, session: &mut Session) {
 fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection) {
     let grade = &graded.grade;
     ui.horizontal_top(|ui| {
-        sign(ui, grade.all_agree());
+        if grade.is_judged() {
+            sign(ui, grade.passes());
+        }
         ui.add(egui::Label::new(RichText::new(graded.agreement()).size(18.0).strong()).wrap());
     });
-    if grade.all_agree() {
+    for note in graded.notes() {
+        ui.label(note);
+    }
+    if grade.wrong() == 0 {
         return;
     }
     if let Some(worst) = graded.worst() {

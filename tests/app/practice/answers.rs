@@ -57,11 +57,14 @@ fn map_says(window: &Harness<'_, App>) -> String {
 
 /// The open scene, without the objects that would be in the way.
 fn alone() -> (tempfile::TempDir, Harness<'static, App>) {
+    showing("center = [0, 0, -5]\nradius = 1\n")
+}
+
+fn showing(sphere: &str) -> (tempfile::TempDir, Harness<'static, App>) {
     let folder = tempfile::tempdir().unwrap();
-    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n\
-                 [[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n";
-    let scene = write(folder.path(), "s.toml", scene);
-    let window = window(scene);
+    let camera =
+        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n[[sphere]]\n";
+    let window = window(write(folder.path(), "s.toml", &format!("{camera}{sphere}")));
     (folder, window)
 }
 
@@ -97,6 +100,15 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     let [rows, columns] = [rect.height(), rect.width()].map(|dots| dots.round() as u32);
     let shown = (423 * 400 / (2 * rows), 143 * 400 / (2 * columns));
     assert_eq!((pixel.row, pixel.column), shown, "what the dots 211 and 71 show");
+}
+
+#[test]
+fn what_cannot_be_judged_is_told_and_has_a_colour() {
+    let (folder, mut window) = showing("center = [0, -1.90000000000001e14, 0]\nradius = 1.9e14\n");
+    drop_file(&mut window, &write(folder.path(), "mine.csv", "row,column,t\n0,0,1\n"));
+    assert_says(&window, "0 of 1 hits agree, 1 not judged, within 0.00001 of their distance");
+    assert!(says(&window, "not judged") && !says(&window, "Select the worst pixel"));
+    assert!(map_says(&window).contains("so that a wrong answer would pass"));
 }
 
 #[test]

@@ -1,7 +1,5 @@
 //! A folder with the answers of a class, a file for each student.
 
-use expect_test::expect;
-
 use super::*;
 
 /// A folder with the scene, and with a class's answers in `class`.
@@ -98,18 +96,18 @@ fn a_spreadsheet_reads_the_same_from_csv() {
     let run = graded(folder.path(), &["--csv"]);
     assert_eq!(run.status, 1);
     expect![[r#"
-        name,file,verdict,kind,answers,agree,mistakes,advice,problem
-        "Ada, A","Ada, A.csv",right,basis,3,3,,All answers agree.,
-        ben,ben.csv,wrong,hits,1200,1040,far-root,"Look at which root is taken: the smallest t above 0 is the hit, of one object and among all.",
-        bob,bob.csv,wrong,hits,1200,1040,far-root,"Look at which root is taken: the smallest t above 0 is the hit, of one object and among all.",
-        carl,carl.csv,wrong,hits,1200,1040,,No known mistake explains this.,
-        cut,cut.png,broken,,,,,,class/cut.png: cannot be read as PNG: the picture ends too early: is all of the file there?
-        dora,dora.csv,wrong,basis,3,1,w-as-printed,"Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w . view is below 0.",
-        empty,empty.csv,broken,,,,,,class/empty.csv: the file is empty: did the program that writes it end well?
-        few,few.csv,wrong,hits,1200,1040,,The answers are right to 3 digits; write at least six.,
-        latin,latin.csv,broken,,,,,,"class/latin.csv:2:5: column t is ""�"": it must be a finite number; a miss leaves its cells empty, or has inf in them"
-        nan,nan.csv,broken,,,,,,"class/nan.csv:2:7: column t is ""nan"": it must be a finite number, as the row's other cells tell of a hit"
-        zoe,zoe.csv,right,hits,1200,1200,,All answers agree.,
+        name,file,verdict,kind,answers,agree,not_judged,mistakes,advice,problem
+        "Ada, A","Ada, A.csv",right,basis,3,3,0,,All answers agree.,
+        ben,ben.csv,wrong,hits,1200,1040,0,far-root,"Look at which root is taken: the smallest t above 0 is the hit, of one object and among all.",
+        bob,bob.csv,wrong,hits,1200,1040,0,far-root,"Look at which root is taken: the smallest t above 0 is the hit, of one object and among all.",
+        carl,carl.csv,wrong,hits,1200,1040,0,,No known mistake explains this.,
+        cut,cut.png,broken,,,,,,,class/cut.png: cannot be read as PNG: the picture ends too early: is all of the file there?
+        dora,dora.csv,wrong,basis,3,1,0,w-as-printed,"Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w . view is below 0.",
+        empty,empty.csv,broken,,,,,,,class/empty.csv: the file is empty: did the program that writes it end well?
+        few,few.csv,wrong,hits,1200,1040,0,,The answers are right to 3 digits; write at least six.,
+        latin,latin.csv,broken,,,,,,,"class/latin.csv:2:5: column t is ""�"": it must be a finite number; a miss leaves its cells empty, or has inf in them"
+        nan,nan.csv,broken,,,,,,,"class/nan.csv:2:7: column t is ""nan"": it must be a finite number, as the row's other cells tell of a hit"
+        zoe,zoe.csv,right,hits,1200,1200,0,,All answers agree.,
     "#]].assert_eq(&run.stdout);
     let run = run_in(folder.path(), &["check", "s.toml", "--answers", "class/bob.csv", "--csv"]);
     run.failed(2, "--csv has a row for each student: --answers must be a folder");

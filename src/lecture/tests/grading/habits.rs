@@ -5,8 +5,7 @@ use super::*;
 /// Returns the mistakes that are named first for the hits, and for the rays, of a student's program
 /// that makes one mistake.
 fn named(exercise: &Exercise, mistake: &str) -> [Vec<&'static str>; 2] {
-    let mistakes = [mistake];
-    let student = Student { exercise, mistakes: &mistakes };
+    let student = Student { exercise, mistakes: &[mistake] };
     [hits_of(&student), rays_of(&student)].map(|answers| found(exercise, &answers).swap_remove(0))
 }
 
@@ -31,8 +30,7 @@ fn a_loop_from_one_to_the_last_is_counted_from_one() {
         let exercise = Exercise { viewport, ..general() };
         let [columns, rows] = exercise.image;
         for mistake in ["", "pixel-corner", "w-as-printed"] {
-            let mistakes = [mistake];
-            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let student = Student { exercise: &exercise, mistakes: &[mistake] };
             let mut rays = Vec::new();
             for (row, column) in (1..=rows).flat_map(|i| (1..=columns).map(move |j| (i, j))) {
                 let (origin, direction) = student.ray(row, column);
@@ -77,8 +75,7 @@ fn one_mistake_that_looks_like_two_is_told_too() {
             "Look at the direction's part along w: it is added, and it is -distance w.",
         ),
     ] {
-        let mistakes = [id];
-        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let student = Student { exercise: &exercise, mistakes: &[id] };
         for answers in [rays_of(&student), hits_of(&student)] {
             let found = graded(&exercise, &answers);
             assert_eq!(ids(&found.diagnosis.mistakes), names);
@@ -117,8 +114,7 @@ fn only_t(hits: Vec<HitAnswer>, write: impl Fn(f64) -> Written<f64>) -> Answers 
 fn few_digits_beside_a_mistake_are_told_and_are_no_f32() {
     let exercise = general();
     for mistake in ["pixel-corner", "t-for-distance", "rows-from-bottom", "far-root"] {
-        let mistakes = [mistake];
-        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let student = Student { exercise: &exercise, mistakes: &[mistake] };
         let short = |t: f64| Written { value: (t * 1e3).round() / 1e3, rounding: 0.0 };
         let grade = graded(&exercise, &only_t(student.hits(), short));
         assert_eq!(ids(&grade.diagnosis.mistakes), [mistake]);
@@ -159,8 +155,7 @@ fn one_number_for_every_miss_is_told_to_stand_for_it() {
     }
     // If there is another mistake, both are named.
     for mistake in ["far-root", "rows-from-bottom", "distance-added"] {
-        let mistakes = [mistake];
-        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let student = Student { exercise: &exercise, mistakes: &[mistake] };
         let hits = student.hits().into_iter().map(|answer| {
             let t = answer.hit.map_or(-1.0, |hit| hit.t.unwrap().value);
             let t = Some(Written::exactly(t));

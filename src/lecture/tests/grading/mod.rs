@@ -156,8 +156,7 @@ fn each_mistake_alone_is_found_by_name() {
     let exercise = general();
     for (id, ways) in MISTAKES {
         for way in ways {
-            let mistakes = [*way];
-            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let student = Student { exercise: &exercise, mistakes: &[*way] };
             if OF_BASIS.contains(&id) {
                 assert_eq!(found(&exercise, &basis_of(&student)), [[id]], "{way}");
             } else {
@@ -196,8 +195,7 @@ fn each_slip_alone_is_found_by_name() {
     let exercise = telling();
     for (id, ways) in ALONE {
         for way in ways {
-            let mistakes = [*way];
-            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let student = Student { exercise: &exercise, mistakes: &[*way] };
             assert_right(&exercise, &basis_of(&student));
             if ["viewport-swapped", "viewport-scaled", "eye-in-direction"].contains(&id) {
                 assert_eq!(found(&exercise, &rays_of(&student)), [[id]], "rays, {way}");
@@ -205,7 +203,7 @@ fn each_slip_alone_is_found_by_name() {
                 assert_right(&exercise, &rays_of(&student));
             }
             assert_eq!(found(&exercise, &hits_of(&student)), [[id]], "hits, {way}");
-            let student = single::Student { exercise: &exercise, mistakes: &mistakes };
+            let student = single::Student { exercise: &exercise, mistakes: &[*way] };
             let hits = Answers::Hits(student.hits());
             assert_eq!(found(&exercise, &hits), [[id]], "hits in f32, {way}");
         }
@@ -229,8 +227,7 @@ fn what_may_be_another_mistake_says_so() {
         ),
         (&ahead, hits_of, "sign-of-b", "b-for-half-b", "far-root; last-object; sign-of-b"),
     ] {
-        let mistakes = [way];
-        let answers = answers_of(&Student { exercise, mistakes: &mistakes });
+        let answers = answers_of(&Student { exercise, mistakes: &[way] });
         let grade = graded(exercise, &answers);
         assert_eq!(ids(&grade.diagnosis.mistakes), [named]);
         let image = camera_of(exercise).image;
@@ -425,14 +422,13 @@ fn single_precision_is_found_where_it_does_not_suffice() {
     assert_eq!(found(&exercise, &Answers::Hits(student.hits())), [["single-precision"]]);
     assert_right(&exercise, &hits_of(&Student { exercise: &exercise, mistakes: &[] }));
     for mistake in ["far-root", "rows-from-bottom", "distance-dropped", "t-for-distance"] {
-        let mistakes = [mistake];
-        let student = single::Student { exercise: &exercise, mistakes: &mistakes };
+        let student = single::Student { exercise: &exercise, mistakes: &[mistake] };
         let sets = found(&exercise, &Answers::Hits(student.hits()));
         let mut wanted = vec![mistake, "single-precision"];
         wanted.sort_by_key(|id| mistake_of(id));
         assert_eq!(sets[0], wanted);
         // In double precision, `f32` is not mentioned.
-        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let student = Student { exercise: &exercise, mistakes: &[mistake] };
         assert_eq!(found(&exercise, &hits_of(&student))[0], [mistake]);
     }
 }

@@ -90,8 +90,7 @@ fn slips_that_show_in_a_picture_are_found() {
     let exercise = telling();
     for (id, ways) in ALONE {
         for way in ways {
-            let mistakes = [*way];
-            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let student = Student { exercise: &exercise, mistakes: &[*way] };
             let Diagnosis { mistakes, alternatives, .. } =
                 graded(&exercise, &painted(&student, Shade::Lambert)).diagnosis;
             assert!(

@@ -75,8 +75,7 @@ proptest! {
         let all = [&MISTAKES.map(|(id, ways)| (id, &ways[..1]))[..], &ALONE].concat();
         let (id, ways) = all[which];
         for way in ways {
-            let mistakes = [*way];
-            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            let student = Student { exercise: &exercise, mistakes: &[*way] };
             for answers in [rays_of(&student), hits_of(&student)] {
                 let sets = found(&exercise, &answers);
                 prop_assert!(sets == [["right"]] || sets.contains(&vec![id]), "{way}: {sets:?}");

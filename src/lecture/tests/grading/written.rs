@@ -66,8 +66,7 @@ fn what_is_said_of_answers_reads_as_it_did() {
     let right = Student { exercise: &exercise, mistakes: &[] };
     say(&mut text, "right", &exercise, basis_of(&right), 0);
     for (id, _) in MISTAKES {
-        let mistakes = [id];
-        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let student = Student { exercise: &exercise, mistakes: &[id] };
         if OF_BASIS.contains(&id) {
             say(&mut text, id, &exercise, basis_of(&student), 0);
         }
@@ -77,8 +76,7 @@ fn what_is_said_of_answers_reads_as_it_did() {
     }
     let telling = telling();
     for (id, _) in ALONE {
-        let mistakes = [id];
-        let student = Student { exercise: &telling, mistakes: &mistakes };
+        let student = Student { exercise: &telling, mistakes: &[id] };
         say(&mut text, id, &telling, hits_of(&student), 0);
     }
     let single = single::Student { exercise: &far_out(), mistakes: &[] };
