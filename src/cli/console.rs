@@ -2,7 +2,7 @@
 //! status.
 
 use std::fmt;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -15,14 +15,19 @@ pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads a file, or standard input if the path is `-`, of at most `most` bytes. Also returns the name to use
-/// in messages.
-pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
-    if is_standard(path) {
-        let path = Path::new("standard input");
-        return Ok((path, limits::read_from(io::stdin().lock(), path, most)?));
+/// Opens a file of at most `most` bytes, or standard input if the path is `-`. Also returns the name to use in
+/// messages.
+pub(super) fn open(path: &Path, most: u64) -> Result<(&Path, Box<dyn Read>), FileError> {
+    match is_standard(path) {
+        true => Ok((Path::new("standard input"), Box::new(io::stdin()))),
+        false => Ok((path, limits::open(path, most)?)),
     }
-    Ok((path, limits::read(path, most)?))
+}
+
+/// Reads what [`open`] opens.
+pub(super) fn read(path: &Path, most: u64) -> Result<(&Path, Vec<u8>), FileError> {
+    let (path, source) = open(path, most)?;
+    Ok((path, limits::read_from(source, path, most)?))
 }
 
 /// Returns the rows of a table as lines, in columns that are as wide as their widest cells.

@@ -7,7 +7,7 @@ use pinhole_exchange::csv;
 use pinhole_exchange::{atomic, limits};
 use rayon::prelude::*;
 
-use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
+use super::console::{CommandError, is_standard, open, scene_fault, to_stdout};
 use super::load::{files_of, load, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::TraceArguments;
 
@@ -20,8 +20,8 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     // All rays are read before the first is traced, to avoid partial output if a row is invalid.
-    let (path, bytes) = read(&arguments.rays, limits::TABLE)?;
-    let rays = csv::rays(path, &bytes)?;
+    let (path, source) = open(&arguments.rays, limits::TABLE)?;
+    let rays = csv::rays(path, source)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());
     let output = arguments.output.as_deref().filter(|output| !is_standard(output));

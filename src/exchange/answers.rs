@@ -17,7 +17,7 @@ use pinhole_lecture::grading::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
 
-use crate::csv::{CsvRow, CsvTable, NO_DIRECTION, separated_by};
+use crate::csv::{CsvTable, NO_DIRECTION, other_separator};
 use crate::error::is_hidden;
 use crate::images::png;
 use crate::{FileError, Location};
@@ -106,10 +106,9 @@ pub fn parse(
 
 fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
     let names = header(bytes);
-    let separator = [(';', "semicolons"), ('\t', "tabs")];
-    let separator = separator.iter().find(|(c, _)| names.iter().any(|name| name.contains(*c)));
-    if let Some((_, separator)) = separator {
-        return FileError::at(path, Location::START, separated_by(separator));
+    let has = |separator| names.iter().any(|name| name.contains(char::from(separator)));
+    if let Some(problem) = other_separator(has) {
+        return FileError::at(path, Location::START, problem);
     }
     if bytes.trim_ascii().is_empty() {
         return FileError::of_file(
@@ -186,7 +185,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
         let pixel = pixels.read(row)?;
         let answered: Vec<usize> = (T..=OBJECT).filter(|column| has(*column)).collect();
         let is_empty = |column: &usize| row.cell(*column).is_empty();
-        let is_infinite = |column: &usize| stands_for_a_miss(row.cell(*column));
+        let is_infinite = |column: &usize| stands_for_a_miss(row.text(*column));
         let is_none = has(OBJECT) && number_in(row, OBJECT) == Some(-1.0);
         if is_none || answered.iter().all(|column| is_empty(column) || is_infinite(column)) {
             hits.push(HitAnswer { pixel, hit: None });
@@ -225,21 +224,20 @@ const NO_NUMBER: &str =
 
 /// Returns true for the texts that programming languages print when nothing is hit: `inf`, `nan`, C's
 /// `-nan(ind)`. A number that is too large for an `f64` is not accepted.
-fn stands_for_a_miss(cell: &[u8]) -> bool {
-    let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
+fn stands_for_a_miss(text: &str) -> bool {
+    let text = text.to_ascii_lowercase();
     let word = text.trim_start_matches(['+', '-']);
     !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
 }
 
 /// Returns the number in a cell, which may be `inf`, `nan` or C's `-nan(ind)`; `None` if the cell
 /// contains no number.
-fn number_in(row: &CsvRow, column: usize) -> Option<f64> {
-    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
-    text.trim_end_matches("(ind)").parse().ok()
+fn number_in(row: &CsvTable, column: usize) -> Option<f64> {
+    row.text(column).trim_end_matches("(ind)").parse().ok()
 }
 
 /// Returns the integer in a cell, which may be in NumPy's notation: `12`, `1.2e+01`.
-fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
+fn whole(row: &CsvTable, column: usize) -> Result<u32, FileError> {
     match number_in(row, column) {
         Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
             Ok(number as u32)
@@ -248,13 +246,12 @@ fn whole(row: &CsvRow, column: usize) -> Result<u32, FileError> {
     }
 }
 
-fn number(row: &CsvRow, column: usize) -> Result<Written<f64>, FileError> {
+fn number(row: &CsvTable, column: usize) -> Result<Written<f64>, FileError> {
     let value = row.number(column)?;
-    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
-    Ok(Written { value, rounding: rounding_of(text, value) })
+    Ok(Written { value, rounding: rounding_of(row.text(column), value) })
 }
 
-fn vector(row: &CsvRow, first: usize) -> Result<WrittenVector, FileError> {
+fn vector(row: &CsvTable, first: usize) -> Result<WrittenVector, FileError> {
     let [x, y, z] = [number(row, first)?, number(row, first + 1)?, number(row, first + 2)?];
     let rounding = x.rounding.max(y.rounding).max(z.rounding);
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
@@ -314,7 +311,7 @@ impl AnsweredPixels {
         AnsweredPixels { image, count_from, answered_bits, has_zero: false, beyond: None }
     }
 
-    fn read(&mut self, row: &CsvRow) -> Result<Pixel, FileError> {
+    fn read(&mut self, row: &CsvTable) -> Result<Pixel, FileError> {
         let coordinate = |column: usize| {
             let value = whole(row, column)?;
             let below = || self.outside(row, column, None);
@@ -343,7 +340,7 @@ impl AnsweredPixels {
         Ok(pixel)
     }
 
-    fn outside(&self, row: &CsvRow, column: usize, pixel: Option<Pixel>) -> FileError {
+    fn outside(&self, row: &CsvTable, column: usize, pixel: Option<Pixel>) -> FileError {
         let (what, count) = match column {
             ROW => ("rows", self.image.height()),
             _ => ("columns", self.image.width()),

@@ -1,11 +1,13 @@
-//! Reads CSV tables without allocating memory per row: many spheres (header `x,y,z,r`, optionally
-//! `color` and `name`), and rays (header `ox,oy,oz,dx,dy,dz`). Columns may be in any order.
+//! Reads CSV tables row by row, of which one is in memory at a time: many spheres (header `x,y,z,r`,
+//! optionally `color` and `name`), and rays (header `ox,oy,oz,dx,dy,dz`). Columns may be in any order.
 
+use std::io::{self, Read};
+use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
-use pinhole_core::{DVec3, Ray, Sphere};
+use pinhole_core::{DVec3, Ray, Rgb, Sphere};
 
-use crate::document::Item;
 use crate::error::{nearest, one_line};
 use crate::fields::no_number;
 use crate::images;
@@ -17,51 +19,77 @@ const COLOR: usize = 4;
 const NAME: usize = 5;
 const RAY: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
 
-/// Reads the spheres of a CSV file.
-///
-/// # Errors
-/// Returns an error if the file cannot be read or a row is invalid. The error for a row has its line,
-/// column and value.
-pub fn load_spheres(path: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
-    spheres(path, &limits::read(path, limits::TABLE)?)
+/// The spheres of a table, with their names and colours. A column that the table does not have takes no
+/// memory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SphereTable {
+    /// Spheres in the file's order, which a scene shares.
+    pub spheres: Arc<Vec<Sphere>>,
+    colors: Vec<Option<Rgb>>,
+    /// All names, one after another, in UTF-8.
+    names: Vec<u8>,
+    /// The end of each sphere's name in `names`.
+    name_ends: Vec<u32>,
 }
 
-/// Reads spheres from a file's content; `path` is used in messages.
+impl SphereTable {
+    /// Returns the name and the colour of a sphere, if it has them.
+    pub fn look(&self, index: usize) -> (Option<&str>, Option<Rgb>) {
+        let end = |index: usize| self.name_ends.get(index).map_or(0, |end| *end as usize);
+        let name = &self.names[index.checked_sub(1).map_or(0, end)..end(index)];
+        let name = std::str::from_utf8(name).ok().filter(|name| !name.is_empty());
+        (name, self.colors.get(index).copied().flatten())
+    }
+}
+
+/// Reads the spheres of a table; `path` is used in messages.
 ///
 /// # Errors
-/// Returns an error for the first invalid row, with its line, column and value.
-pub fn spheres(path: &Path, bytes: &[u8]) -> Result<Vec<Item<Sphere>>, FileError> {
-    let mut spheres = Vec::new();
-    CsvTable::new(path, bytes, SPHERE, R + 1)?.for_each(|row| {
+/// Returns an error if the source cannot be read, if there is too little memory, or for the first invalid
+/// row, with its line, column and value.
+pub fn spheres(path: &Path, source: impl Read) -> Result<SphereTable, FileError> {
+    let (mut spheres, mut found) = (Vec::new(), SphereTable::default());
+    CsvTable::new(path, source, SPHERE, R + 1)?.for_each(|row| {
         let (center, radius) = (row.vector(0)?, row.number(R)?);
         if radius <= 0.0 {
             return Err(row.error(R, "it must be greater than 0"));
         }
-        let right = "it must be a colour such as #e69f00";
-        let color = |text| images::parse_color(text).ok_or_else(|| row.error(COLOR, right));
-        let color = row.text(COLOR)?.map(color).transpose()?;
-        let name = row.text(NAME)?.map(str::to_owned);
-        spheres.push(Item { name, color, shape: Sphere { center, radius } });
+        row.append(&mut spheres, &[Sphere { center, radius }])?;
+        if row.fields[COLOR].is_some() {
+            let color = images::parse_color(row.text(COLOR));
+            if color.is_none() && !row.cell(COLOR).is_empty() {
+                return Err(row.error(COLOR, "it must be a colour such as #e69f00"));
+            }
+            row.append(&mut found.colors, &[color])?;
+        }
+        if row.fields[NAME].is_some() {
+            let name = row.text(NAME);
+            if name.is_empty() && !row.cell(NAME).is_empty() {
+                return Err(row.error(NAME, "it must be UTF-8 text"));
+            }
+            // Two quotes stand for one.
+            row.append(&mut found.names, name.replace("\"\"", "\"").as_bytes())?;
+            row.append(&mut found.name_ends, &[found.names.len() as u32])?;
+        }
         Ok(())
     })?;
     spheres.shrink_to_fit();
-    Ok(spheres)
+    Ok(SphereTable { spheres: Arc::new(spheres), ..found })
 }
 
-/// Reads rays from a file's content; `path` is used in messages.
+/// Reads the rays of a table; `path` is used in messages.
 ///
 /// # Errors
-/// Returns an error for the first invalid row, with its line, column and value. A row is invalid if a
-/// cell is not a finite number, or if the direction is zero.
-pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
+/// Returns the errors of [`spheres`]. A row is invalid if a cell is not a finite number, or if the
+/// direction is zero.
+pub fn rays(path: &Path, source: impl Read) -> Result<Vec<Ray>, FileError> {
     let mut rays = Vec::new();
-    CsvTable::new(path, bytes, RAY, RAY.len())?.for_each(|row| {
+    CsvTable::new(path, source, RAY, RAY.len())?.for_each(|row| {
         let (origin, direction) = (row.vector(0)?, row.vector(3)?);
         if direction == DVec3::ZERO {
             return Err(row.error(3, NO_DIRECTION));
         }
-        rays.push(Ray { origin, direction });
-        Ok(())
+        row.append(&mut rays, &[Ray { origin, direction }])
     })?;
     Ok(rays)
 }
@@ -69,22 +97,31 @@ pub fn rays(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
 /// The error message for a direction of zero.
 pub(crate) const NO_DIRECTION: &str = "the direction (dx, dy, dz) is zero: it must point somewhere";
 
-/// A CSV file in memory, with its header parsed.
+const UNCLOSED: &str = "this quote is not closed: a second one must end its cell";
+const TOO_MANY: &str = "there are too many rows: at most 10000000 are read";
+const TOO_LONG: &str = "the row is too long: at most 64 kB are read";
+
+/// Number of bytes that are read at once.
+const BLOCK: u64 = 256 << 10;
+
+/// A CSV file, of which one row at a time is known: at first its header.
 pub(crate) struct CsvTable<'a> {
     file: &'a Path,
-    bytes: &'a [u8],
-    reader: csv::Reader<&'a [u8]>,
+    source: io::Take<Box<dyn Read + 'a>>,
+    /// True if the source is at its end.
+    is_ended: bool,
+    /// The part of the file around the row.
+    bytes: Vec<u8>,
+    /// The byte in `bytes` at which the row begins, and its line, counted from 0.
+    row: (usize, usize),
+    /// The same for the next row.
+    next: (usize, usize),
+    /// The row's cells, as they are written.
+    cells: Vec<Range<usize>>,
     /// For each known column name, the index of the column in the file; `None` if the file has no such
     /// column.
     fields: Vec<Option<usize>>,
     names: &'static [&'static str],
-    width: usize,
-}
-
-/// One row of a [`CsvTable`].
-pub(crate) struct CsvRow<'t, 'a> {
-    table: &'t CsvTable<'a>,
-    record: &'t csv::ByteRecord,
 }
 
 impl<'a> CsvTable<'a> {
@@ -92,33 +129,37 @@ impl<'a> CsvTable<'a> {
     /// order and case. `names` lists all of them: first the `required` ones, then the optional ones.
     pub(crate) fn new(
         file: &'a Path,
-        bytes: &'a [u8],
+        source: impl Read + 'a,
         names: &'static [&'static str],
         required: usize,
     ) -> Result<CsvTable<'a>, FileError> {
-        if let Some((at, problem)) = no_row(bytes) {
-            return Err(FileError::at(file, Location::of_byte(bytes, at), problem));
-        }
-        let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(bytes);
-        let header = match reader.byte_headers() {
-            Ok(header) => header.clone(),
-            Err(error) => return Err(FileError::of_file(file, error.to_string())),
+        let mut table = CsvTable {
+            file,
+            source: (Box::new(source) as Box<dyn Read>).take(limits::TABLE + 1),
+            is_ended: false,
+            bytes: Vec::new(),
+            row: (0, 0),
+            next: (0, 0),
+            cells: Vec::new(),
+            fields: vec![None; names.len()],
+            names,
         };
-        let mut table =
-            CsvTable { file, bytes, reader, fields: vec![None; names.len()], names, width: 0 };
-        table.width = header.len();
-        if let Some(problem) = no_header(&header, names) {
-            return Err(table.error(Some(Location::START), problem));
+        table.fill()?;
+        limits::not_utf_16(file, &table.bytes)?;
+        if table.bytes.starts_with("\u{feff}".as_bytes()) {
+            table.next.0 = 3;
         }
-        for (field, cell) in header.iter().enumerate() {
-            let location = table.location_of(&header, field);
-            let name = String::from_utf8_lossy(plain(cell));
-            let Some(column) = names.iter().position(|known| known.eq_ignore_ascii_case(&name))
-            else {
-                return Err(table.error(Some(location), unknown_column(&name, names)));
+        while table.read_row()? && table.cells.is_empty() {}
+        if let Some(problem) = table.no_header() {
+            return Err(FileError::at(file, Location::START, problem));
+        }
+        for (field, cell) in table.cells.iter().enumerate() {
+            let name = String::from_utf8_lossy(plain(&table.bytes[cell.clone()]));
+            let Some(column) = table.column_of(name.as_bytes()) else {
+                return Err(table.error_at(cell.start, unknown_column(&name, names)));
             };
             if table.fields[column].replace(field).is_some() {
-                return Err(table.error(Some(location), format!("column {name} is there twice")));
+                return Err(table.error_at(cell.start, format!("column {name} is there twice")));
             }
         }
         if let Some(missing) = table.fields[..required].iter().position(Option::is_none) {
@@ -126,7 +167,7 @@ impl<'a> CsvTable<'a> {
             let problem = format!(
                 "column {missing} is missing: the first line must name the columns {needed}"
             );
-            return Err(table.error(Some(Location::START), problem));
+            return Err(FileError::at(file, Location::START, problem));
         }
         Ok(table)
     }
@@ -134,130 +175,130 @@ impl<'a> CsvTable<'a> {
     /// Calls `each` for every row.
     pub(crate) fn for_each(
         mut self,
-        mut each: impl FnMut(&CsvRow) -> Result<(), FileError>,
+        mut each: impl FnMut(&Self) -> Result<(), FileError>,
     ) -> Result<(), FileError> {
-        let mut record = csv::ByteRecord::new();
-        for count in 0_usize.. {
-            match self.reader.read_byte_record(&mut record) {
-                Ok(true) => {}
-                Ok(false) => return Ok(()),
-                Err(error) => return Err(self.error(None, error.to_string())),
+        let (width, mut count) = (self.cells.len(), 0);
+        while self.read_row()? {
+            match self.cells.len() {
+                0 => continue,
+                _ if count == limits::ROWS => return Err(self.error_at(self.row.0, TOO_MANY)),
+                cells if cells != width => {
+                    let right = format!("it must have {width}, as the first line has");
+                    let problem = format!("the row has {cells} cells: {right}");
+                    return Err(self.error_at(self.row.0, problem));
+                }
+                _ => each(&self)?,
             }
-            if count == limits::ROWS {
-                let problem = format!("there are too many rows: at most {} are read", limits::ROWS);
-                return Err(self.error(Some(self.location_of(&record, 0)), problem));
-            }
-            if record.len() != self.width {
-                let problem = format!(
-                    "the row has {} cells: it must have {}, as the first line has",
-                    record.len(),
-                    self.width
-                );
-                return Err(self.error(Some(self.location_of(&record, 0)), problem));
-            }
-            each(&CsvRow { table: &self, record: &record })?;
+            count += 1;
         }
         Ok(())
     }
 
-    fn error(&self, location: Option<Location>, problem: String) -> FileError {
-        FileError { location, ..FileError::of_file(self.file, problem) }
-    }
-
-    /// Returns the line and column of a field, by searching its row again. This is only needed for
-    /// errors.
-    fn location_of(&self, record: &csv::ByteRecord, field: usize) -> Location {
-        let start = record.position().map_or(0, |p| p.byte() as usize).min(self.bytes.len());
-        // The reader's position includes the empty lines before the row.
-        let is_row = |b: &u8| !matches!(b, b'\r' | b'\n');
-        let start = start + self.bytes[start..].iter().position(is_row).unwrap_or(0);
-        let (mut left, mut quoted, mut byte) = (field, false, start);
-        while left > 0 && byte < self.bytes.len() {
-            match self.bytes[byte] {
-                b'"' => quoted = !quoted,
-                b',' if !quoted => left -= 1,
+    /// Reads the next row, which has no cells if the line is empty. Returns false at the end of the file.
+    fn read_row(&mut self) -> Result<bool, FileError> {
+        self.fill()?;
+        self.row = self.next;
+        self.cells.clear();
+        let start = self.row.0;
+        let bytes = &self.bytes[..self.bytes.len().min(start + limits::ROW + 1)];
+        let (mut cell, mut is_quoted, mut closed) = (start, false, usize::MAX);
+        let end = (start..bytes.len()).find(|&at| {
+            match bytes[at] {
+                b'"' if is_quoted => (is_quoted, closed) = (false, at + 1),
+                // Of two quotes inside a quoted cell, which stand for one, the second opens it again.
+                b'"' if at == cell || at == closed => is_quoted = true,
+                b',' if !is_quoted => {
+                    self.cells.push(cell..at);
+                    cell = at + 1;
+                }
+                b'\r' | b'\n' if !is_quoted => return true,
+                b'\n' => self.next.1 += 1,
                 _ => {}
             }
-            byte += 1;
-        }
-        Location::of_byte(self.bytes, byte)
+            false
+        });
+        let end = match end {
+            Some(end) => end,
+            None if is_quoted => return Err(self.error_at(cell, UNCLOSED)),
+            None if bytes.len() - start > limits::ROW => return Err(self.error_at(start, TOO_LONG)),
+            None => bytes.len(),
+        };
+        self.cells.extend((end > start).then_some(cell..end));
+        let rest = &self.bytes[end..];
+        let line_end = if rest.starts_with(b"\r\n") { 2 } else { rest.len().min(1) };
+        self.next = (end + line_end, self.next.1 + 1);
+        Ok(self.next.0 > start)
     }
-}
 
-/// Returns the byte at which a table can no longer be split into rows, and the reason (an unclosed
-/// quote, or a row that is too long), or `None` if the whole table can be split. Without this check,
-/// the CSV reader would load all remaining bytes into memory.
-fn no_row(bytes: &[u8]) -> Option<(usize, String)> {
-    let (mut row, mut quote, mut passed) = (0, None, 0);
-    let marks = memchr::memchr3_iter(b'"', b'\n', b'\r', bytes);
-    for at in marks.chain([bytes.len()]) {
-        if at - row > limits::ROW {
-            let problem = format!("the row is too long: at most {} kB are read", limits::ROW >> 10);
-            return Some(quote.map(unclosed).unwrap_or((row, problem)));
+    /// Reads on until the longest possible row and its line end are there.
+    fn fill(&mut self) -> Result<(), FileError> {
+        if self.is_ended || self.bytes.len() - self.next.0 > limits::ROW + 1 {
+            return Ok(());
         }
-        match (bytes.get(at), quote) {
-            // The second of two quotes, which together stand for one.
-            _ if at < passed => (),
-            (Some(b'"'), None) if at == row || bytes[at - 1] == b',' => quote = Some(at),
-            (Some(b'"'), Some(_)) if bytes.get(at + 1) == Some(&b'"') => passed = at + 2,
-            (Some(b'"'), Some(_)) => quote = None,
-            (Some(b'\r' | b'\n'), None) => row = at + 1,
-            _ => (),
+        self.bytes.drain(..self.next.0);
+        self.next.0 = 0;
+        let read = self.source.by_ref().take(BLOCK).read_to_end(&mut self.bytes);
+        let read = read.map_err(|error| FileError::unreadable(self.file, &error))?;
+        self.is_ended = (read as u64) < BLOCK;
+        match self.source.limit() {
+            0 => Err(FileError::too_large(self.file, limits::TABLE)),
+            _ => Ok(()),
         }
     }
-    quote.map(unclosed)
-}
 
-/// Returns the error message for a first line that has none of the column names; `None` if it has one.
-/// The message does not quote the line, because a scene may refer to any file as its table.
-fn no_header(header: &csv::ByteRecord, names: &[&'static str]) -> Option<String> {
-    let is_known = |cell: &[u8]| {
-        let cell = String::from_utf8_lossy(plain(cell));
-        names.iter().any(|known| known.eq_ignore_ascii_case(&cell))
-    };
-    let has_known =
-        |separator: u8| header.iter().any(|cell| cell.split(|b| *b == separator).any(is_known));
-    if header.is_empty() || has_known(b',') {
-        return None;
+    /// Returns the known column that a cell of the header names.
+    fn column_of(&self, cell: &[u8]) -> Option<usize> {
+        self.names.iter().position(|name| name.as_bytes().eq_ignore_ascii_case(plain(cell)))
     }
-    let other =
-        [(b';', "semicolons"), (b'\t', "tabs")].into_iter().find(|(sign, _)| has_known(*sign));
-    Some(match other {
-        Some((_, separators)) => separated_by(separators),
-        None => format!("the first line must be a header with columns out of {}", names.join(",")),
-    })
-}
 
-fn unclosed(quote: usize) -> (usize, String) {
-    (quote, "this quote is not closed: a second one must end its cell".to_owned())
-}
+    /// Returns the error message for a first line that has none of the column names; `None` if it has one.
+    /// The message does not quote the line, because a scene may refer to any file as its table.
+    fn no_header(&self) -> Option<String> {
+        let line = &self.bytes[self.row.0..self.cells.last()?.end];
+        let is_known = |part: &[u8]| self.column_of(part).is_some();
+        let has_known = |separator| line.split(|b| [separator, b','].contains(b)).any(is_known);
+        if has_known(b',') {
+            return None;
+        }
+        let unknown = || {
+            format!("the first line must be a header with columns out of {}", self.names.join(","))
+        };
+        Some(other_separator(has_known).unwrap_or_else(unknown))
+    }
 
-/// Returns the error message for a table whose cells are separated by `separators` instead of commas.
-pub(crate) fn separated_by(separators: &str) -> String {
-    format!(
-        "the first line has {separators}: commas must stand between cells, and a point in a number"
-    )
-}
+    /// Creates an error located at a byte of `bytes` in the row.
+    fn error_at(&self, byte: usize, problem: impl Into<String>) -> FileError {
+        let mut location = Location::of_byte(&self.bytes[self.row.0..], byte - self.row.0);
+        location.line += self.row.1;
+        FileError::at(self.file, location, problem)
+    }
 
-/// Returns a cell without surrounding spaces and quotes. The CSV reader does not remove quotes that
-/// follow a space.
-fn plain(cell: &[u8]) -> &[u8] {
-    let cell = cell.trim_ascii();
-    let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
-    inside.map_or(cell, <[u8]>::trim_ascii)
-}
+    /// Appends items to a list that grows with the table.
+    fn append<T: Copy>(&self, list: &mut Vec<T>, items: &[T]) -> Result<(), FileError> {
+        list.try_reserve(items.len()).map_err(|_| {
+            let bytes = size_of_val(list.as_slice()) as u64;
+            let problem = limits::too_little_memory("the table up to this row", bytes);
+            self.error_at(self.row.0, problem)
+        })?;
+        list.extend_from_slice(items);
+        Ok(())
+    }
 
-impl CsvRow<'_, '_> {
-    /// Returns the cell of a known column without surrounding spaces; it is empty if the file has no
+    /// Returns the row's cell of a known column without surrounding spaces; it is empty if the file has no
     /// such column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
-        let field = self.table.fields[column];
-        plain(field.and_then(|field| self.record.get(field)).unwrap_or_default())
+        let cell = self.fields[column].map(|field| self.cells[field].clone());
+        plain(cell.map_or(&[], |cell| &self.bytes[cell]))
+    }
+
+    /// Returns the text in a cell; it is empty if it is not UTF-8.
+    pub(crate) fn text(&self, column: usize) -> &str {
+        std::str::from_utf8(self.cell(column)).unwrap_or_default()
     }
 
     /// Returns the number in a column, which must be finite.
     pub(crate) fn number(&self, column: usize) -> Result<f64, FileError> {
-        let text = std::str::from_utf8(self.cell(column)).unwrap_or_default();
+        let text = self.text(column);
         match text.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(number),
             Ok(_) => Err(self.error(column, "it must be a finite number")),
@@ -270,23 +311,28 @@ impl CsvRow<'_, '_> {
         Ok(DVec3::new(self.number(first)?, self.number(first + 1)?, self.number(first + 2)?))
     }
 
-    /// Returns the text in a column; `None` if the cell is empty.
-    pub(crate) fn text(&self, column: usize) -> Result<Option<&str>, FileError> {
-        match std::str::from_utf8(self.cell(column)) {
-            Ok("") => Ok(None),
-            Ok(text) => Ok(Some(text)),
-            Err(_) => Err(self.error(column, "it must be UTF-8 text")),
-        }
-    }
-
     /// Creates an error such as `column r is "-1": it must be greater than 0`, located at the cell,
     /// where `right` is the part after the colon.
     pub(crate) fn error(&self, column: usize, right: &str) -> FileError {
-        let location = self.table.fields[column].map(|f| self.table.location_of(self.record, f));
+        let start = self.fields[column].map_or(self.row.0, |field| self.cells[field].start);
         let value = one_line(&String::from_utf8_lossy(self.cell(column)));
-        let problem = format!("column {} is {value:?}: {right}", self.table.names[column]);
-        self.table.error(location, problem)
+        self.error_at(start, format!("column {} is {value:?}: {right}", self.names[column]))
     }
+}
+
+/// Returns the error message for a first line that has other separators than commas, if `has` is true of one.
+pub(crate) fn other_separator(has: impl Fn(u8) -> bool) -> Option<String> {
+    let names = [(b';', "semicolons"), (b'\t', "tabs")];
+    let (_, name) = names.into_iter().find(|(separator, _)| has(*separator))?;
+    let right = "commas must stand between cells, and a point in a number";
+    Some(format!("the first line has {name}: {right}"))
+}
+
+/// Returns a cell without surrounding spaces and quotes.
+fn plain(cell: &[u8]) -> &[u8] {
+    let cell = cell.trim_ascii();
+    let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
+    inside.map_or(cell, <[u8]>::trim_ascii)
 }
 
 fn unknown_column(name: &str, names: &[&'static str]) -> String {

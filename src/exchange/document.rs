@@ -7,6 +7,7 @@ use std::sync::Arc;
 use pinhole_core::{Camera, DVec3, Object, Plane, Rgb, Scene, SceneError, Sphere};
 use serde::Serialize;
 
+use crate::csv::SphereTable;
 use crate::host::Stamp;
 
 /// The contents of a scene file: a camera and the objects of the scene.
@@ -107,8 +108,8 @@ pub struct CsvSpheres {
     pub file: PathBuf,
     /// The file's stamp before it was read.
     pub stamp: Option<Stamp>,
-    /// Spheres in the file's order.
-    pub items: Arc<Vec<Item<Sphere>>>,
+    /// The spheres.
+    pub items: Arc<SphereTable>,
 }
 
 impl PartialEq for CsvSpheres {
@@ -161,15 +162,10 @@ impl Default for Document {
 }
 
 impl Document {
-    /// Returns the spheres of the CSV file; empty if there is no CSV file.
-    fn csv_items(&self) -> &[Item<Sphere>] {
-        self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
-    }
-
     /// Returns the number of spheres, including those of the CSV file. This is also the index of the
     /// first plane.
     pub fn sphere_count(&self) -> usize {
-        self.spheres.len() + self.csv_items().len()
+        self.spheres.len() + self.csv_spheres.as_ref().map_or(0, |csv| csv.items.spheres.len())
     }
 
     /// Returns the number of objects.
@@ -221,8 +217,13 @@ impl Document {
     /// # Errors
     /// Returns an error for the first invalid object.
     pub fn scene(&self) -> Result<Scene, SceneError> {
-        let spheres = self.spheres.iter().chain(self.csv_items()).map(|item| item.shape).collect();
-        Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
+        let csv = self.csv_spheres.as_ref().map(|csv| Arc::clone(&csv.items.spheres));
+        let mut spheres = csv.unwrap_or_default();
+        if !self.spheres.is_empty() {
+            let own = self.spheres.iter().map(|item| item.shape);
+            spheres = Arc::new(own.chain(spheres.iter().copied()).collect());
+        }
+        Scene::of_shared(spheres, self.planes.iter().map(|item| item.shape).collect())
     }
 
     /// Returns the name of the object with this index; `None` if the object has no name.
@@ -242,12 +243,11 @@ impl Document {
         fn look<S>(item: &Item<S>) -> (Option<&str>, Option<Rgb>) {
             (item.name.as_deref(), item.color)
         }
-        let index = index as usize;
-        let csv = self.csv_items();
-        let sphere = self.spheres.get(index).or_else(|| csv.get(index - self.spheres.len()));
-        match sphere {
-            Some(sphere) => look(sphere),
-            None => self.planes.get(index - self.sphere_count()).map_or((None, None), look),
+        let (index, own) = (index as usize, self.spheres.len());
+        match (index.checked_sub(self.sphere_count()), &self.csv_spheres) {
+            (Some(plane), _) => self.planes.get(plane).map_or((None, None), look),
+            (None, Some(csv)) if index >= own => csv.items.look(index - own),
+            _ => look(&self.spheres[index]),
         }
     }
 }

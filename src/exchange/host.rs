@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::env;
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Read as _, Write as _};
+use std::io::{self, Read, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::SystemTime;
@@ -31,23 +31,12 @@ pub type Lock = Box<dyn Any + Send + Sync>;
 
 /// What keeps the program's files, and what differs between an operating system and a browser.
 pub trait Host: Send + Sync {
-    /// Reads the first `most` bytes of a file; the whole file if it is smaller.
+    /// Opens a file to read it.
     ///
     /// # Errors
-    /// Returns an error if the file cannot be read.
-    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError>;
-
-    /// Reads a whole file of at most `most` bytes.
-    ///
-    /// # Errors
-    /// Returns an error if the file cannot be read, or if it is larger.
-    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-        if self.stamp(path).is_some_and(|stamp| stamp.length > most) {
-            return Err(FileError::too_large(path, most));
-        }
-        let bytes = self.read_start(path, most + 1)?;
-        if bytes.len() as u64 > most { Err(FileError::too_large(path, most)) } else { Ok(bytes) }
-    }
+    /// Returns an error if there is no such file, or if it is a device, or a pipe that was not opened for the
+    /// program: reading such a source may block forever.
+    fn open(&self, path: &Path) -> Result<Box<dyn Read>, FileError>;
 
     /// Writes a file completely or not at all.
     ///
@@ -125,24 +114,15 @@ struct OperatingSystem;
 /// Unlike others, they may be pipes.
 const INHERITED: [&str; 4] = ["/dev/stdin", "/dev/fd", "/proc/self/fd", "/proc/thread-self/fd"];
 
-/// Opens a file. Rejects a device, and a pipe that was not opened for the program: reading such a source may
-/// block forever.
-fn open(path: &Path) -> Result<File, FileError> {
-    let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
-    let data = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
-    if !(data.is_file() || data.is_dir() || is_inherited) {
-        let problem = "cannot be read: it is a device or a pipe, and must be a file";
-        return Err(FileError::of_file(path, problem));
-    }
-    File::open(path).map_err(|error| FileError::unreadable(path, &error))
-}
-
 impl Host for OperatingSystem {
-    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-        let mut bytes = Vec::new();
-        let read = open(path)?.take(most).read_to_end(&mut bytes);
-        read.map_err(|error| FileError::unreadable(path, &error))?;
-        Ok(bytes)
+    fn open(&self, path: &Path) -> Result<Box<dyn Read>, FileError> {
+        let is_inherited = INHERITED.iter().any(|of_shell| path.starts_with(of_shell));
+        let data = path.metadata().map_err(|error| FileError::unreadable(path, &error))?;
+        if !(data.is_file() || data.is_dir() || is_inherited) {
+            let problem = "cannot be read: it is a device or a pipe, and must be a file";
+            return Err(FileError::of_file(path, problem));
+        }
+        Ok(Box::new(File::open(path).map_err(|error| FileError::unreadable(path, &error))?))
     }
 
     fn write(&self, path: &Path, content: &[u8]) -> Result<(), FileError> {

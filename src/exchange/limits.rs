@@ -44,22 +44,32 @@ pub fn too_little_memory(what: &str, bytes: u64) -> String {
     format!("there is too little memory: {what} takes {} MB", bytes.div_ceil(1_000_000))
 }
 
+/// Opens a file of at most `most` bytes.
+///
+/// # Errors
+/// Returns the errors of [`Host::open`](crate::host::Host::open), or an error if the file is larger.
+pub fn open(path: &Path, most: u64) -> Result<Box<dyn Read>, FileError> {
+    match host().stamp(path) {
+        Some(stamp) if stamp.length > most => Err(FileError::too_large(path, most)),
+        _ => host().open(path),
+    }
+}
+
 /// Reads a file of at most `most` bytes.
 ///
 /// # Errors
-/// Returns an error if the system cannot read the file, or if it is larger. Also returns an error for a
-/// device, and for a pipe that was not opened for the program: reading such a source may block forever.
+/// Returns the errors of [`open`] and [`read_from`].
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-    not_utf_16(path, host().read(path, most)?)
+    read_from(open(path, most)?, path, most)
 }
 
-/// Returns the bytes unless they begin as text in UTF-16 does.
-fn not_utf_16(path: &Path, bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
-    match &bytes[..] {
+/// Returns an error if these first bytes are those of a text in UTF-16.
+pub(crate) fn not_utf_16(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+    match bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
             Err(FileError::of_file(path, "it is text in UTF-16: save it as UTF-8"))
         }
-        _ => Ok(bytes),
+        _ => Ok(()),
     }
 }
 
@@ -77,7 +87,7 @@ pub fn read_text(path: &Path) -> Result<String, FileError> {
 /// Reads at most `most` bytes from a source. `path` is its name in messages.
 ///
 /// # Errors
-/// Returns an error if reading fails, or if the source contains more bytes.
+/// Returns an error if reading fails, if the source contains more bytes, or if it is text in UTF-16.
 pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     let read = source.take(most + 1).read_to_end(&mut bytes);
@@ -85,5 +95,6 @@ pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, F
     if bytes.len() as u64 > most {
         return Err(FileError::too_large(path, most));
     }
-    not_utf_16(path, bytes)
+    not_utf_16(path, &bytes)?;
+    Ok(bytes)
 }

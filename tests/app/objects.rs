@@ -11,6 +11,7 @@ use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
 use pinhole_core::{Camera, DVec3, NO_OBJECT, Plane, Scene, Shade, Sphere};
+use pinhole_exchange::csv;
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
@@ -34,10 +35,11 @@ fn document() -> Document {
     let part = |i: usize, by: f64| (i as f64 * by).fract() - 0.5;
     let pebble = |i| {
         let (x, y, z) = (part(i, 0.618_034), part(i, 0.754_878), part(i, 0.569_840));
-        Item::plain(ball(6.0 * x, 6.0 * y, 4.0 * z - 6.0, 0.05))
+        format!("{},{},{},0.05\n", 6.0 * x, 6.0 * y, 4.0 * z - 6.0)
     };
-    let items = Arc::new((1..=2000).map(pebble).collect());
+    let table = "x,y,z,r\n".to_owned() + &(1..=2000).map(pebble).collect::<String>();
     let (path, file) = ("pebbles.csv".to_owned(), PathBuf::from("pebbles.csv"));
+    let items = Arc::new(csv::spheres(&file, table.as_bytes()).unwrap());
     Document {
         camera: Camera::CANONICAL,
         spheres: vec![

@@ -6,7 +6,7 @@ use expect_test::expect;
 use pinhole_exchange::BuiltinScene;
 use serde_json::Value;
 
-use super::{Run, run, run_in};
+use super::{Run, finished, run, run_in};
 
 fn json(line: &str) -> Value {
     serde_json::from_str(&run(line).done()).unwrap()
@@ -358,4 +358,27 @@ fn an_observer_of_the_scene_is_told() {
     close(&observer, "/target", &[0.0, 0.5, -3.0]);
     close(&observer, "/elevation", &[-20.25]);
     assert_eq!(seen, other);
+}
+
+/// The limit is on memory that is not a file's. 300,000 spheres take 9.6 MB.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_table_takes_at_most_three_times_its_spheres_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = format!("x,y,z,r\n{}1,2,3,bad\n", "0,0,-9,1\n".repeat(300_000));
+    fs::write(folder.path().join("balls.csv"), table).unwrap();
+    let scene = "pinhole = 1\nspheres = \"balls.csv\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\n\
+                 up = [0, 1, 0]\n";
+    fs::write(folder.path().join("s.toml"), scene).unwrap();
+    for (megabytes, told) in [
+        (28, "error: balls.csv:300002:7: column r is \"bad\": it must be a number\n"),
+        (7, ":1: there is too little memory: the table up to this row takes "),
+    ] {
+        let script = format!("ulimit -d {megabytes}000; exec \"$0\" inspect s.toml --pixel 0,0");
+        let command = ["-c", &script, env!("CARGO_BIN_EXE_pinhole")];
+        let mut shell = std::process::Command::new("sh");
+        let run = finished(shell.args(command).current_dir(folder.path()).output().unwrap());
+        assert_eq!((run.status, run.stdout.as_str()), (1, ""), "{}", run.stderr);
+        assert!(run.stderr.contains(told), "{}", run.stderr);
+    }
 }

@@ -47,6 +47,15 @@ impl Scene {
     /// Returns an error that names the first invalid object: one with a centre, point or normal that is
     /// not finite, a radius that is not positive and finite, or a normal of zero.
     pub fn new(spheres: Vec<Sphere>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
+        Scene::of_shared(Arc::new(spheres), planes)
+    }
+
+    /// Creates a scene of these objects like [`Scene::new`]. The spheres stay shared, and are copied only if one
+    /// of them is [replaced](Scene::replace).
+    ///
+    /// # Errors
+    /// Returns the errors of [`Scene::new`].
+    pub fn of_shared(spheres: Arc<Vec<Sphere>>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
         let objects = spheres.iter().copied().map(Object::Sphere);
         let objects = objects.chain(planes.iter().copied().map(Object::Plane));
         for (index, object) in objects.enumerate() {

@@ -3,7 +3,7 @@
 //! index depends on the spheres alone, not on a camera; it is updated when a sphere is replaced.
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -47,30 +47,34 @@ impl SphereIndex {
     /// The result is the same for any number of threads.
     pub(crate) fn new(spheres: &[Sphere]) -> SphereIndex {
         let (keys, classes) = ordered(spheres);
-        let blocks: usize = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum();
-        let mut index = SphereIndex {
-            columns: [(); 4].map(|()| Vec::with_capacity(blocks * BLOCK)),
-            ids: Vec::with_capacity(blocks * BLOCK),
-            slot_of: vec![0; spheres.len()],
-            blocks: Vec::new(),
-            groups: Vec::new(),
-            first_block: Vec::new(),
-        };
+        let count = classes.iter().map(|class| class.len().div_ceil(BLOCK)).sum::<usize>();
+        let (mut ids, mut first_block) = (Vec::with_capacity(count * BLOCK), Vec::new());
         for class in classes {
-            let first = index.ids.len() / BLOCK;
-            for key in &keys[class.clone()] {
-                index.slot_of[key.id as usize] = index.ids.len() as u32;
-                index.push(&spheres[key.id as usize], key.id);
-            }
-            index.fill_up();
-            let end = index.ids.len() / BLOCK;
-            index.first_block.extend((first..end).step_by(GROUP).map(|block| block as u32));
+            let first = ids.len() / BLOCK;
+            ids.extend(keys[class].iter().map(|key| key.id));
+            ids.resize(ids.len().next_multiple_of(BLOCK), NO_SPHERE);
+            first_block.extend((first..ids.len() / BLOCK).step_by(GROUP).map(|block| block as u32));
         }
-        let groups = index.first_block.len();
-        index.first_block.push(blocks as u32);
+        first_block.push(count as u32);
+        // The keys take as much memory as the columns.
+        drop(keys);
+        let mut columns = [(); 4].map(|()| Vec::with_capacity(ids.len()));
+        let mut slot_of = vec![0; spheres.len()];
+        for (slot, &id) in ids.iter().enumerate() {
+            let shown = if id == NO_SPHERE { ids[slot / BLOCK * BLOCK] } else { id } as usize;
+            if id != NO_SPHERE {
+                slot_of[shown] = slot as u32;
+            }
+            for (column, value) in columns.iter_mut().zip(columns_of(&spheres[shown])) {
+                column.push(value);
+            }
+        }
+        let (blocks, groups) = (Vec::new(), Vec::new());
+        let mut index = SphereIndex { columns, ids, slot_of, blocks, groups, first_block };
         index.blocks =
-            (0..blocks).into_par_iter().map(|block| index.bound_of_block(block)).collect();
-        index.groups = (0..groups).map(|group| index.bound_of_group(group)).collect();
+            (0..count).into_par_iter().map(|block| index.bound_of_block(block)).collect();
+        index.groups =
+            (0..index.first_block.len() - 1).map(|group| index.bound_of_group(group)).collect();
         index
     }
 
@@ -132,24 +136,9 @@ impl SphereIndex {
         found
     }
 
-    fn push(&mut self, sphere: &Sphere, id: u32) {
-        for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
-            column.push(value);
-        }
-        self.ids.push(id);
-    }
-
     fn put(&mut self, slot: usize, sphere: &Sphere) {
         for (column, value) in self.columns.iter_mut().zip(columns_of(sphere)) {
             column[slot] = value;
-        }
-    }
-
-    /// Pads the last block with copies of its first sphere.
-    fn fill_up(&mut self) {
-        let first = (self.ids.len() - 1) / BLOCK * BLOCK;
-        while !self.ids.len().is_multiple_of(BLOCK) {
-            self.push(&self.sphere(first), NO_SPHERE);
         }
     }
 
@@ -228,12 +217,12 @@ pub(crate) const INDEX_FROM: usize = 256;
 /// on the spheres alone.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Spheres {
-    pub(crate) list: Vec<Sphere>,
+    pub(crate) list: Arc<Vec<Sphere>>,
     index: OnceLock<SphereIndex>,
 }
 
 impl Spheres {
-    pub(crate) fn new(list: Vec<Sphere>) -> Spheres {
+    pub(crate) fn new(list: Arc<Vec<Sphere>>) -> Spheres {
         Spheres { list, index: OnceLock::new() }
     }
 
@@ -253,7 +242,7 @@ impl Spheres {
 
     /// Replaces a sphere by another checked one.
     pub(crate) fn replace(&mut self, index: u32, sphere: Sphere) {
-        self.list[index as usize] = sphere;
+        Arc::make_mut(&mut self.list)[index as usize] = sphere;
         if let Some(known) = self.index.get_mut() {
             known.replace(index, &sphere);
         }

@@ -9,7 +9,7 @@ use toml_edit::Document as Toml;
 use toml_parser::lexer::TokenKind;
 
 use super::{VERSION, note_of_block, split_note};
-use crate::csv::load_spheres;
+use crate::csv::{self, SphereTable};
 use crate::document::{CsvSpheres, Document, Item, StoredObserver};
 use crate::error::one_line;
 use crate::fields::{Section, TomlField, TomlSource};
@@ -45,7 +45,8 @@ pub(super) fn document(
     };
     tables(&root, &mut document)?;
     document.observer = root.get("observer").map(|field| observer(&field)).transpose()?;
-    document.csv_spheres = root.get("spheres").map(|field| csv(&field, base)).transpose()?;
+    document.csv_spheres =
+        root.get("spheres").map(|field| csv_spheres(&field, base)).transpose()?;
     Ok(document)
 }
 
@@ -314,13 +315,14 @@ fn read_color(field: &TomlField) -> Result<Rgb, FileError> {
     images::parse_color(text).ok_or_else(|| field.error(RIGHT))
 }
 
-fn csv(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
+fn csv_spheres(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
     let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
     let stamp = host().stamp(&file);
+    let read = || csv::spheres(&file, limits::open(&file, limits::TABLE)?);
     let items = match base {
-        None => Vec::new(),
-        Some(_) => load_spheres(&file).map_err(|error| match error.location {
+        None => SphereTable::default(),
+        Some(_) => read().map_err(|error| match error.location {
             Some(_) => error,
             // The path is wrong, so the error points to the scene file's field with the path.
             None => {

@@ -2,6 +2,7 @@
 //! and the program's own files are in the browser's storage.
 
 use std::collections::BTreeMap;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
@@ -83,15 +84,13 @@ fn stored(path: &Path) -> Option<(SystemTime, String)> {
 }
 
 impl Host for Browser {
-    fn read_start(&self, path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
-        let start = |content: &[u8]| {
-            content[..content.len().min(usize::try_from(most).unwrap_or(usize::MAX))].to_vec()
-        };
+    fn open(&self, path: &Path) -> Result<Box<dyn Read>, FileError> {
         let found = if is_own(path) {
-            stored(path).map(|(_, content)| start(content.as_bytes()))
+            stored(path).map(|(_, content)| content.into_bytes())
         } else {
-            files().get(&plain(path)).map(|file| start(&file.content))
+            files().get(&plain(path)).map(|file| file.content.clone())
         };
+        let found = found.map(|content| Box::new(Cursor::new(content)) as Box<dyn Read>);
         found.ok_or_else(|| {
             let problem = "is not in this page: drop it into the window, together with the file \
                            that names it";

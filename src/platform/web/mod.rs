@@ -16,9 +16,8 @@ use std::sync::{Arc, OnceLock};
 
 use eframe::{CreationContext, WebOptions, WebRunner};
 use egui::{Context, FullOutput, RawInput, Ui, ViewportCommand, ViewportId};
-use pinhole_exchange::host::{self, host};
 use pinhole_exchange::page::PagePart;
-use pinhole_exchange::{FileError, limits};
+use pinhole_exchange::{FileError, host, limits};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
@@ -231,7 +230,7 @@ impl egui::DroppedFile for Dropped {
     }
 
     fn bytes_async(&self) -> Pin<Box<dyn Future<Output = Result<Vec<u8>, String>> + '_>> {
-        let bytes = host().read(&self.0, limits::TABLE).map_err(|error| error.to_string());
+        let bytes = limits::read(&self.0, limits::TABLE).map_err(|error| error.to_string());
         Box::pin(async { bytes })
     }
 }

@@ -1,6 +1,7 @@
 //! Reads and writes files other than scenes: the translator's text, a student's answers, and figures of the
 //! views on the screen.
 
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -124,9 +125,10 @@ const ANSWERS: FileQuestion = FileQuestion {
 /// tell whether it is a link, answers to grade, a glTF to take the camera from, or a scene to open.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
-    match host().read_start(&path, FIRST) {
-        Ok(bytes) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
-        Ok(bytes) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
+    let mut bytes = Vec::new();
+    match host().open(&path).map(|file| file.take(FIRST).read_to_end(&mut bytes)) {
+        Ok(Ok(_)) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
+        Ok(Ok(_)) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
         _ if is_gltf(&path) => ExchangeAction::Import(path).into(),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }

@@ -2,7 +2,7 @@
 //! equation, which then is an equation for t; its coefficients, its roots, the hit and the normal.
 
 use pinhole_core::{Object, Plane, Ray, Root, Sphere};
-use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
 };
@@ -47,12 +47,12 @@ pub(super) fn givens(document: &Document, object: u32, numbers: NumberFormat) ->
             line(N, numbers.given_vector(GivenVector::Normal(object), normal)),
         ],
         None => {
-            let row = document.csv_spheres.iter().flat_map(|csv| csv.items.iter());
-            let row = row.skip(index - document.spheres.len()).take(1);
-            row.flat_map(|Item { shape: Sphere { center, radius }, .. }| {
-                [line(CENTRE, numbers.vector(*center)), line(R, numbers.scalar(*radius))]
-            })
-            .collect()
+            let rows = document.csv_spheres.iter();
+            rows.filter_map(|csv| csv.items.spheres.get(index - document.spheres.len()))
+                .flat_map(|Sphere { center, radius }| {
+                    [line(CENTRE, numbers.vector(*center)), line(R, numbers.scalar(*radius))]
+                })
+                .collect()
         }
     }
 }

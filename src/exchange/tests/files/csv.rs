@@ -10,7 +10,12 @@ use pinhole_exchange::document::Item;
 use pinhole_exchange::{FileError, scene_file};
 
 fn parse(text: &str) -> Result<Vec<Item<Sphere>>, FileError> {
-    spheres(Path::new("balls.csv"), text.as_bytes())
+    let table = spheres(Path::new("balls.csv"), text.as_bytes())?;
+    let item = |(index, shape): (usize, &Sphere)| {
+        let (name, color) = table.look(index);
+        Item { name: name.map(str::to_owned), color, shape: *shape }
+    };
+    Ok(table.spheres.iter().enumerate().map(item).collect())
 }
 
 fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Item<Sphere> {
@@ -80,7 +85,7 @@ fn bad_files_are_told_line_column_and_value() {
         let message = parse(text).unwrap_err().to_string();
         assert_eq!(message, format!("balls.csv:{expected}"), "in:\n{text}");
     }
-    let message = spheres(Path::new("b.csv"), b"x,y,z,r,name\n1,2,3,4,\xff\n").unwrap_err();
+    let message = spheres(Path::new("b.csv"), &b"x,y,z,r,name\n1,2,3,4,\xff\n"[..]).unwrap_err();
     assert_eq!(
         message.to_string(),
         "b.csv:2:9: column name is \"\u{fffd}\": it must be UTF-8 text"
