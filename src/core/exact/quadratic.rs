@@ -70,6 +70,16 @@ pub(crate) struct SureRoot<T> {
     pub(crate) swing: f64,
 }
 
+impl<T: Number> SphereTerms<T> {
+    /// Returns `b = q.d` and the bound of its error, see [`Quadratic::new`].
+    #[inline(always)]
+    pub(crate) fn ahead(&self, direction: &DirectionTerms<T>) -> (T, f64) {
+        let share = T::DOT + self.q_doubt + direction.doubt;
+        let reach = self.distance * direction.length;
+        (dot(self.q, direction.d), SECOND_ORDER * share * reach + UNDERFLOW)
+    }
+}
+
 impl<T: Number> Quadratic<T> {
     /// Computes the coefficients and their error bounds, in which k is the sum of the relative errors of
     /// q and d, B the bound of b's error, and M that of the error of the vector `m = q x d`:
@@ -87,9 +97,8 @@ impl<T: Number> Quadratic<T> {
         let (q, d) = (sphere.q, direction.d);
         let k = sphere.q_doubt + direction.doubt;
         let a = dot(d, d);
-        let b = dot(q, d);
+        let (b, b_doubt) = sphere.ahead(direction);
         let reach = sphere.distance * direction.length;
-        let b_doubt = SECOND_ORDER * (T::DOT + k) * reach + UNDERFLOW;
         let (discriminant, doubt) = match sphere.form {
             Form::Far => {
                 let m = cross(q, d);

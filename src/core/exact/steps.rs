@@ -6,6 +6,8 @@ use std::ops::Add;
 
 use serde::Serialize;
 
+use crate::exact::double_double::DoubleDouble;
+
 /// How many decisions each step of [the ladder](crate#the-ladder) made, or how many values of `t` each
 /// step computed.
 ///
@@ -67,6 +69,21 @@ impl Add for Steps {
             exact: self.exact + other.exact,
         }
     }
+}
+
+/// Returns the sign of a number, and the step that decides it, given the number and the bound of its error in
+/// `f64` and in double-double.
+pub(crate) fn sign_by_steps(
+    rough: (f64, f64),
+    fine: impl FnOnce() -> (DoubleDouble, f64),
+    exact: impl FnOnce() -> Ordering,
+) -> (Ordering, Step) {
+    let sure = |(x, doubt): (f64, f64)| (x.abs() > doubt).then(|| x.total_cmp(&0.0));
+    if let Some(sign) = sure(rough) {
+        return (sign, Step::F64);
+    }
+    let (x, doubt) = fine();
+    sure((x.hi, doubt)).map_or_else(|| (exact(), Step::Exact), |sign| (sign, Step::DoubleDouble))
 }
 
 /// Returns the sign of a number; both 0 and -0 give `Equal`.

@@ -25,7 +25,7 @@ use crate::scene::Scene;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::objects_from_origin::ObjectsFromOrigin;
-use crate::scene::plane_predicates::{PlaneFromOrigin, Rate};
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::SphereFromOrigin;
 use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
@@ -279,16 +279,8 @@ fn is_hit(hit: &Hit, ray: &ExactRay) -> Certificate {
         ObjectFromOrigin::Sphere(sphere) => {
             let rough = Signs::new(&Quadratic::new(&sphere.rough, &ray.rough), &sphere.rough);
             let fine = || Signs::new(&Quadratic::new(&sphere.fine, &ray.fine), &sphere.fine);
-            let by_ladder = |bounded: fn(&Signs) -> &Bounded| {
-                Certificate::decided(Step::F64, index, bounded(&rough)).unwrap_or_else(|| {
-                    let fine = fine();
-                    let fine = bounded(&fine);
-                    Certificate::decided(Step::DoubleDouble, index, fine).unwrap_or_else(|| {
-                        Certificate::exact(fine.question, index, fine.bound / fine.unit)
-                    })
-                })
-            };
-            side.and(by_ladder(|signs| &signs.meets)).and(by_ladder(|signs| &signs.ahead))
+            let meets = by_ladder(index, &rough.meets, || fine().meets).0;
+            side.and(meets).and(by_ladder(index, &rough.ahead, || fine().ahead).0)
         }
         ObjectFromOrigin::Plane(plane) => side.and(rate_of(index, plane, ray).0),
     }
@@ -400,24 +392,29 @@ fn side_of(index: u32, seen: &ObjectFromOrigin) -> Certificate {
 /// Returns the certificate of the decision whether the ray goes along a plane's normal or against it.
 /// Also returns the sign, or `None` if only exact numbers decide it.
 fn rate_of(index: u32, plane: &PlaneFromOrigin, ray: &ExactRay) -> (Certificate, Option<Ordering>) {
-    fn bounded<T: Number>(
-        plane: &PlaneFromOrigin,
-        rate: &Rate<T>,
-        direction: &DirectionTerms<T>,
-    ) -> Bounded {
-        let unit = plane.normal_length * direction.length;
-        let question = Question::Ahead;
-        Bounded { question, value: rate.value.near(), bound: rate.doubt, unit }
+    fn bounded<T: Number>(plane: &PlaneFromOrigin, direction: &DirectionTerms<T>) -> Bounded {
+        let (rate, unit) = (plane.rate_of(direction), plane.normal_length * direction.length);
+        Bounded { question: Question::Ahead, value: rate.value.near(), bound: rate.doubt, unit }
     }
-    let rough = bounded(plane, &plane.rate_of(&ray.rough), &ray.rough);
-    if let Some(found) = Certificate::decided(Step::F64, index, &rough) {
-        return (found, Some(rough.value.total_cmp(&0.0)));
-    }
-    let fine = bounded(plane, &plane.rate_of(&ray.fine), &ray.fine);
-    match Certificate::decided(Step::DoubleDouble, index, &fine) {
-        Some(found) => (found, Some(fine.value.total_cmp(&0.0))),
-        None => (Certificate::exact(Question::Ahead, index, fine.bound / fine.unit), None),
-    }
+    by_ladder(index, &bounded(plane, &ray.rough), || bounded(plane, &ray.fine))
+}
+
+/// Returns the certificate of a decision by the steps of the ladder, given its value in `f64` and in
+/// double-double. Also returns the sign, or `None` if only exact numbers decide it.
+fn by_ladder(
+    index: u32,
+    rough: &Bounded,
+    fine: impl FnOnce() -> Bounded,
+) -> (Certificate, Option<Ordering>) {
+    let decided = |step, bounded: &Bounded| {
+        let found = Certificate::decided(step, index, bounded)?;
+        Some((found, Some(bounded.value.total_cmp(&0.0))))
+    };
+    decided(Step::F64, rough).unwrap_or_else(|| {
+        let fine = fine();
+        let exact = || (Certificate::exact(fine.question, index, fine.bound / fine.unit), None);
+        decided(Step::DoubleDouble, &fine).unwrap_or_else(exact)
+    })
 }
 
 /// Returns the certificate of the statement that the line meets the object after the first hit or not at

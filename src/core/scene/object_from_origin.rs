@@ -8,11 +8,11 @@ use glam::DVec3;
 
 use crate::camera::ray::ExactRay;
 use crate::camera::ray::Ray;
-use crate::exact::big_ray::BigRoot;
+use crate::exact::big_ray::{BigRay, BigRoot};
 use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise, rounded};
-use crate::exact::quadratic::LARGEST_SHARE;
+use crate::exact::quadratic::{LARGEST_SHARE, Quadratic};
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
@@ -73,13 +73,10 @@ impl ObjectFromOrigin {
                 Ordering::Equal => &[RootSide::Near],
                 Ordering::Greater => &[RootSide::Near, RootSide::Far],
             },
-            ObjectFromOrigin::Plane(seen) => {
-                if seen.meets(ray, steps) {
-                    &[RootSide::Near]
-                } else {
-                    &[]
-                }
-            }
+            ObjectFromOrigin::Plane(seen) => match seen.rate(ray, steps) {
+                Ordering::Equal => &[],
+                _ => &[RootSide::Near],
+            },
         }
     }
 
@@ -107,7 +104,8 @@ impl ObjectFromOrigin {
             return low;
         }
         steps.count(Step::Exact);
-        let (big, root) = (ray.big(), self.big_root(ray, root));
+        let big = ray.big();
+        let root = self.big_root(&big, root);
         rounded([low, high], |middle| big.compare_t(&root, middle))
     }
 
@@ -123,7 +121,10 @@ impl ObjectFromOrigin {
     /// `t` is out of its range.
     pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
-            ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
+            ObjectFromOrigin::Sphere(seen) => {
+                let quadratic = Quadratic::new(&seen.rough, &ray.rough);
+                (quadratic.root(&seen.rough, root == RootSide::Far)?, seen.scale)
+            }
             ObjectFromOrigin::Plane(seen) => (seen.rough_t(&ray.rough)?, seen.scale),
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
@@ -142,10 +143,10 @@ impl ObjectFromOrigin {
         }
     }
 
-    fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
+    fn big_root(&self, ray: &BigRay, root: RootSide) -> BigRoot {
         match self {
             ObjectFromOrigin::Sphere(seen) => seen.big_root(ray, root),
-            ObjectFromOrigin::Plane(seen) => seen.big_root(ray),
+            ObjectFromOrigin::Plane(seen) => ray.plane_root(&seen.plane),
         }
     }
 
@@ -251,9 +252,9 @@ impl Hit<'_> {
             return order;
         }
         steps.count(Step::Exact);
-        let (one, other) =
-            (self.object.big_root(ray, self.root), other.object.big_root(ray, other.root));
-        ray.big().compare(&one, &other)
+        let big = ray.big();
+        let [one, other] = [self, other].map(|hit| hit.object.big_root(&big, hit.root));
+        big.compare(&one, &other)
     }
 
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
@@ -270,7 +271,8 @@ impl Hit<'_> {
         if low == high {
             return low;
         }
-        let (big, root) = (ray.big(), self.object.big_root(ray, self.root));
+        let big = ray.big();
+        let root = self.object.big_root(&big, self.root);
         rounded([low, high], |middle| big.compare_distance(&root, middle))
     }
 }

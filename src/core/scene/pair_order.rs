@@ -49,8 +49,11 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 /// (2 u + doubt of C) |C| + 2 t (|e||d| (DOT + p + u) + |e.d| (s + PRODUCT + SUM))
 /// ```
 ///
-/// which in `f64`, for a camera's rays (p = 7 u) and an accurate t (s = 8 u), is below
-/// 2.5e-15 (|C| + 2 |e||d| t).
+/// times 1.05 for the products of these errors, which in `f64`, for a camera's rays (p = 7 u) and an
+/// accurate t (s = 8 u), is below 2.5e-15 (|C| + 2 |e||d| t). In double-double, u stands for SUM, which
+/// covers the rounding of e and C to 105 bits. The coefficients e and C are scaled by one power of two,
+/// after which the largest is at least 2^-256. One that is then below [`PairOrder::TINY`] is taken for 0:
+/// that changes C by at most TINY, and `2 (e.d) t` by less than the error above.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PairOrder {
     /// The vector e, in units of `2^scale` and of the first sphere's unit of length. The signs of e and C
@@ -72,6 +75,9 @@ pub(crate) struct PairOrder {
 impl PairOrder {
     const STEP: i32 = 512;
 
+    /// Coefficients below this number are set to 0. The largest one is at least 2^-256.
+    const TINY: f64 = 1e-290;
+
     /// Returns the order of two objects, or `None` if it does not follow from their difference: for a
     /// sphere and a plane, and for spheres of which the origin is on different sides.
     pub(crate) fn new(
@@ -80,9 +86,10 @@ impl PairOrder {
         origin: DVec3,
     ) -> Option<PairOrder> {
         match (one, other) {
-            (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
-                let is_one_side = one.side == other.side;
-                is_one_side.then(|| PairOrder::of_spheres(one, other, origin))
+            (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other))
+                if one.side == other.side =>
+            {
+                Some(PairOrder::of_spheres(one, other, origin))
             }
             (ObjectFromOrigin::Plane(one), ObjectFromOrigin::Plane(other)) => {
                 Some(PairOrder::of_planes(one, other, origin))
@@ -138,7 +145,9 @@ impl PairOrder {
         let scale = PairOrder::STEP * (top + PairOrder::STEP / 2).div_euclid(PairOrder::STEP);
         let near = |x: &Dyadic, unit: i32| {
             let (mantissa, k) = x.to_double_double();
-            mantissa.scaled(k - unit - scale)
+            let x = mantissa.scaled(k - unit - scale);
+            // Where products underflow, many processors take a hundred times as long.
+            if x.hi.abs() < PairOrder::TINY { DoubleDouble::default() } else { x }
         };
         let (e, c) = (e.each_ref().map(|x| near(x, unit)), near(c, 2 * unit));
         PairOrder::rounded((e, c, 2.0 * U2), [scale, unit], side)
@@ -183,7 +192,7 @@ impl PairOrder {
         let g = (c - (swing + swing)).near();
         let doubt = (self.c_doubt + 2.0 * T::SUM) * c.near().abs()
             + 2.0 * (t.near() * rate.doubt + (share + T::PRODUCT + T::SUM) * swing.near().abs());
-        Some((g, 1.05 * doubt, rate))
+        Some((g, 1.05 * doubt + PairOrder::TINY, rate))
     }
 
     /// Returns a lower bound of `g = C - 2 e.p` over the points p of a box, each of which is known with an
@@ -202,7 +211,8 @@ impl PairOrder {
     /// Returns the bound of the error of `C - 2 e.p`, see [`PairOrder::least`].
     #[inline(always)]
     pub(crate) fn slack(&self, off: f64) -> f64 {
-        1.05 * ((self.c_doubt + 4.0 * UNIT) * self.c.hi.abs() + 2.0 * self.length * off)
+        let doubt = (self.c_doubt + 4.0 * UNIT) * self.c.hi.abs() + 2.0 * self.length * off;
+        1.05 * doubt + PairOrder::TINY
     }
 
     /// Returns `|e|` in units of the first sphere; 0 if no chord's middle matters, because the origin is

@@ -6,14 +6,13 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::ray::ExactRay;
-use crate::exact::big_ray::BigRoot;
 use crate::exact::bounded::{Number, UNIT, Vector, dot, length, scaled};
 use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
 use crate::exact::dyadic::{Dyadic, cross, exact3};
 use crate::exact::precise::Precise;
 use crate::exact::quadratic::DirectionTerms;
 use crate::exact::scale::{ldexp, split, unit};
-use crate::exact::steps::{Step, Steps};
+use crate::exact::steps::{Step, Steps, sign_by_steps};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
@@ -62,9 +61,8 @@ impl<T: Number> Rate<T> {
         Rate { value, doubt: factor * share * normal_length * direction.length + least }
     }
 
-    pub(crate) fn sign(&self) -> Option<Ordering> {
-        let value = self.value.near();
-        (value.abs() > self.doubt).then(|| value.total_cmp(&0.0))
+    fn bounded(&self) -> (T, f64) {
+        (self.value, self.doubt)
     }
 }
 
@@ -124,30 +122,20 @@ impl PlaneFromOrigin {
         self.offset_doubt = 2.0 * U2;
     }
 
-    /// Returns the exact sign of `normal . direction`.
-    fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = self.rate_of(&ray.rough);
-        if let Some(sign) = rough.sign() {
-            steps.count(Step::F64);
-            return sign;
-        }
-        let fine = self.rate_of(&ray.fine);
-        if let Some(sign) = fine.sign() {
-            steps.count(Step::DoubleDouble);
-            return sign;
-        }
-        steps.count(Step::Exact);
-        ray.big().rate(&self.plane)
+    /// Returns the exact sign of `normal . direction`, `Equal` for a ray parallel to the plane.
+    pub(crate) fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
+        let (sign, step) = sign_by_steps(
+            self.rate_of(&ray.rough).bounded(),
+            || self.rate_of(&ray.fine).bounded(),
+            || ray.big().rate(&self.plane),
+        );
+        steps.count(step);
+        sign
     }
 
     /// Returns `normal . direction` in the direction's precision.
     pub(crate) fn rate_of<T: Number>(&self, direction: &DirectionTerms<T>) -> Rate<T> {
         Rate::new(self.normal.map(T::from), self.normal_length, direction)
-    }
-
-    /// Returns whether the line meets the plane, that is, is not parallel to it.
-    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
-        self.rate(ray, steps) != Ordering::Equal
     }
 
     /// Returns whether the ray hits the plane at a `t > 0`.
@@ -172,7 +160,8 @@ impl PlaneFromOrigin {
             let t = Precise::new(t.times(ray.stretch), self.scale - ray.scale);
             return (t, Step::DoubleDouble);
         }
-        (ray.big().t(&self.big_root(ray)), Step::Exact)
+        let big = ray.big();
+        (big.t(&big.plane_root(&self.plane)), Step::Exact)
     }
 
     /// Returns `t` in `f64`, in units of `stretch 2^(scale of the plane - scale of the ray)`, where
@@ -180,14 +169,8 @@ impl PlaneFromOrigin {
     /// line may be parallel to the plane.
     pub(crate) fn rough_t(&self, direction: &DirectionTerms<f64>) -> Option<(f64, f64)> {
         let rate = self.rate_of(direction);
-        rate.sign()?;
         let share = rate.doubt / rate.value.abs();
         (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
-    }
-
-    /// Returns the root in exact numbers.
-    pub(crate) fn big_root(&self, ray: &ExactRay) -> BigRoot {
-        ray.big().plane_root(&self.plane)
     }
 
     /// Returns `normal . direction`, rounded, with its exact sign, in the units of the inputs.

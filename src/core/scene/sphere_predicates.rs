@@ -7,14 +7,15 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::ray::ExactRay;
-use crate::exact::big_ray::{BigQuadratic, BigRoot};
+use crate::exact::big_ray::{BigQuadratic, BigRay, BigRoot};
 use crate::exact::bounded::{Number, PLAIN, UNIT, dot, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2, difference_with_rest};
 use crate::exact::dyadic::exact3;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
 use crate::exact::quadratic::{Form, Quadratic, SphereTerms, SureRoot, sphere_normal};
 use crate::exact::scale::ldexp;
-use crate::exact::steps::{Step, Steps, sign_of};
+use crate::exact::steps::{Step, Steps, sign_by_steps, sign_of};
+use crate::exact::surd::Surd;
 use crate::scene::big_roots::big_c;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 
@@ -129,35 +130,33 @@ impl SphereFromOrigin {
             steps.count(Step::F64);
             return Ordering::Greater;
         }
-        if let Some(sign) = sure_sign(&Quadratic::new(&self.rough, &ray.rough)) {
-            steps.count(Step::F64);
-            return sign;
-        }
-        if let Some(sign) = sure_sign(&Quadratic::new(&self.fine, &ray.fine)) {
-            steps.count(Step::DoubleDouble);
-            return sign;
-        }
-        steps.count(Step::Exact);
-        let big = ray.big();
-        big.quadratic(&self.sphere).discriminant.sign(&big.radicands)
+        let (sign, step) = sign_by_steps(
+            discriminant_of(&Quadratic::new(&self.rough, &ray.rough)),
+            || discriminant_of(&Quadratic::new(&self.fine, &ray.fine)),
+            || self.exact_sign(ray, |quadratic| quadratic.discriminant),
+        );
+        steps.count(step);
+        sign
     }
 
     /// Returns the sign of `b = q.d`, for a line that meets the sphere: `Greater` if the centre lies
     /// ahead of the origin.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
-        let rough = Quadratic::new(&self.rough, &ray.rough);
-        if let Some(sign) = sure(rough.b, rough.b_doubt) {
-            return sign;
+        let (sign, step) = sign_by_steps(
+            self.rough.ahead(&ray.rough),
+            || self.fine.ahead(&ray.fine),
+            || self.exact_sign(ray, |quadratic| quadratic.b),
+        );
+        if step > Step::F64 {
+            steps.count(step);
         }
-        let fine = Quadratic::new(&self.fine, &ray.fine);
-        if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
-            steps.count(Step::DoubleDouble);
-            return sign;
-        }
-        steps.count(Step::Exact);
+        sign
+    }
+
+    /// Returns the sign of a coefficient, in exact numbers.
+    fn exact_sign(&self, ray: &ExactRay, of: fn(BigQuadratic) -> Surd) -> Ordering {
         let big = ray.big();
-        big.quadratic(&self.sphere).b.sign(&big.radicands)
+        of(big.quadratic(&self.sphere)).sign(&big.radicands)
     }
 
     /// Finds the ray's first hit, the root with the smallest `t > 0`. Returns `None` if there is none.
@@ -166,9 +165,13 @@ impl SphereFromOrigin {
             steps.count(Step::F64);
             return Some(RootSide::Far);
         }
-        let is_hit =
-            self.meets(ray, steps) != Ordering::Less && self.ahead(ray, steps) == Ordering::Greater;
-        is_hit.then(|| self.root_of_hit())
+        if self.side == Ordering::Equal {
+            // Every line through a point of the sphere meets it.
+            steps.count(Step::F64);
+        } else if self.meets(ray, steps) == Ordering::Less {
+            return None;
+        }
+        (self.ahead(ray, steps) == Ordering::Greater).then(|| self.root_of_hit())
     }
 
     /// Returns the root at which any ray that hits the sphere hits it first: the far one if the origin
@@ -187,7 +190,8 @@ impl SphereFromOrigin {
             let t = Precise::new(value.times(ray.stretch), scale + self.scale - ray.scale);
             return (t, Step::DoubleDouble);
         }
-        (ray.big().t(&self.big_root(ray, root)), Step::Exact)
+        let big = ray.big();
+        (big.t(&self.big_root(&big, root)), Step::Exact)
     }
 
     /// Returns `t` at a root of a line that meets the sphere, rounded to the nearest `f64`. Returns
@@ -242,22 +246,19 @@ impl SphereFromOrigin {
         (1e-250..1e250).contains(&t.hi.abs()).then_some((Precise::new(t, scale), off))
     }
 
-    /// Returns `t` in `f64` and its relative error, in the units of [`SphereFromOrigin::fine_t`]; `None`
-    /// if the discriminant may be 0.
-    pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
-        Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
-    }
-
     /// Returns the root at which a ray that hits the sphere hits it first, in double-double, in the units
-    /// of [`SphereFromOrigin::fine_t`].
+    /// of [`SphereFromOrigin::fine_t`]; `None` for an origin on the sphere, where no order depends on it.
     pub(crate) fn fine_hit(&self, ray: &ExactRay) -> Option<SureRoot<DoubleDouble>> {
+        if self.side == Ordering::Equal {
+            return None;
+        }
         let is_far = self.root_of_hit() == RootSide::Far;
         Quadratic::new(&self.fine, &ray.fine).sure_root(&self.fine, is_far)
     }
 
     /// Returns the root in exact numbers.
-    pub(crate) fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
-        let BigQuadratic { b, discriminant } = ray.big().quadratic(&self.sphere);
+    pub(crate) fn big_root(&self, ray: &BigRay, root: RootSide) -> BigRoot {
+        let BigQuadratic { b, discriminant } = ray.quadratic(&self.sphere);
         BigRoot { x: b, sign: root.sign(), radicand: discriminant, y: None }
     }
 
@@ -275,7 +276,8 @@ impl SphereFromOrigin {
                 DoubleDouble::from(0.0)
             }
             _ => {
-                return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, root));
+                let big = ray.big();
+                return big.sphere_normal(&self.sphere, &self.big_root(&big, root));
             }
         };
         let normal = sphere_normal(self.fine.q, &ray.fine, t);
@@ -298,10 +300,9 @@ impl SphereFromOrigin {
     }
 }
 
-/// Returns the sign of the discriminant, or `None` if it is within its error bound.
-fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<Ordering> {
-    let discriminant = quadratic.discriminant.near();
-    (discriminant.abs() > quadratic.discriminant_doubt).then(|| discriminant.total_cmp(&0.0))
+/// Returns the discriminant and the bound of its error.
+fn discriminant_of<T: Number>(quadratic: &Quadratic<T>) -> (T, f64) {
+    (quadratic.discriminant, quadratic.discriminant_doubt)
 }
 
 /// Scales q and r by a common power of two. Returns them in units of `2^k`, and k, which is 0 unless the

@@ -191,7 +191,8 @@ fn largest_ratio<T: Number>(
         let Some(order) = PairOrder::new(&objects[0], &objects[1], DVec3::ZERO) else { continue };
         let Some((g, doubt, _)) = order.difference(&d, Some(root)) else { continue };
         // t to a hundred bits, everything else exactly.
-        let t = ray.big().t(&first.big_root(&ray, first.root_of_hit()));
+        let big = ray.big();
+        let t = big.t(&first.big_root(&big, first.root_of_hit()));
         let t =
             [t.value.hi, t.value.lo].map(|x| Dyadic::from(crate::exact::scale::ldexp(x, t.scale)));
         let t = &t[0] + &t[1];
