@@ -64,7 +64,9 @@ pub struct Frame<T = f64> {
     pub normal: Vec<DVec3>,
     /// Number of decisions that each step of [the ladder](crate#the-ladder) made. Testing a pixel
     /// against an object is one decision; a pixel that the ladder decides individually may take several:
-    /// whether the object is hit, whether the hit is in front of the eye, and whether it is first.
+    /// whether the object is hit, whether the hit is in front of the eye, and whether it is first. On which
+    /// side of an object the eye is, is decided once, and counted if `f64` does not decide it;
+    /// a [`Certificate`](crate::Certificate) names this decision for each pixel that depends on it.
     pub steps: Steps,
     /// Numbers of spheres and rows, in all and left out.
     pub counts: Counts,

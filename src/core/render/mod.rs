@@ -28,13 +28,15 @@
 //! Each pair of a pixel and a sphere that is in doubt costs 10 to 100 ns if `f64` decides it, as for
 //! spheres that are equal, nearly equal or nested, or on whose surface the eye lies: their order follows
 //! from their difference ([`PairOrder`](crate::scene::pair_order)), for eight pixels of a crowd at a time
-//! ([`row_band::segments`]). It costs half a microsecond if double-double is needed, and 10 microseconds
+//! ([`row_band::segments`]). It costs a quarter of a microsecond or more if double-double is needed, and 10 microseconds
 //! or more if exact numbers are: for exact tangents, and for ties between unequal objects.
 //! `cargo bench -p pinhole-core --bench worst` measures the worst families known. Those in which `f64`
 //! decides all but single pixels take, with 1,000 objects and 320 x 180 pixels, about a second at most on
 //! two cores. Those in which it does not take longer: spheres that touch in the eye, if all rays are
-//! within 1e-15 rad of the plane in which they touch, and spheres that meet in one circle, in a row of
-//! pixels that lies in the circle's plane.
+//! within 1e-15 rad of the plane in which they touch (4 s); spheres that meet in one circle, if a row of
+//! pixels lies in the circle's plane (3 s); and planes that coincide, but for less than 1e-15, with a
+//! sphere, which must be 1e15 times as large as its distance (9 s), because a plane and a sphere have no
+//! such difference.
 //!
 //! A frame in `f64` is drawn in `f32` to find the objects; then the ladder computes each pixel's `t`
 //! (`row_band::fallback::fill_exactly`).

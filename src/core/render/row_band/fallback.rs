@@ -11,6 +11,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::exact::quadratic::DirectionTerms;
+use crate::exact::scale::ldexp;
 use crate::exact::steps::{Step, Steps};
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
@@ -138,7 +139,9 @@ impl PixelLadder<'_> {
             ObjectFromOrigin::Sphere(sphere) => self.decide_roughly(query, sphere),
             ObjectFromOrigin::Plane(plane) => self.decide_planes_roughly(query, plane),
         };
-        if !is_decided {
+        if is_decided {
+            self.steps.f64 += 1;
+        } else {
             self.decide_exactly(query);
         }
     }
@@ -161,7 +164,6 @@ impl PixelLadder<'_> {
         if known_sphere == Some(&seen.sphere) {
             // The same sphere is listed twice, with the same t.
             self.object[offset] = known.min(index);
-            self.steps.f64 += 1;
             return true;
         }
         // Most hits are farther than the known one.
@@ -172,16 +174,12 @@ impl PixelLadder<'_> {
                 .order([kept.bounds.reference, index], after(kept.bounds.reference))
             && kept.bounds.are_before(order)
         {
-            self.steps.f64 += 1;
             return true;
         }
         let direction = plan.rays.rough_direction(row, column);
         let hit = match Rough::new(index, seen, &direction) {
             Rough::Doubt => return false,
-            Rough::Miss => {
-                self.steps.f64 += 1;
-                return true;
-            }
+            Rough::Miss => return true,
             Rough::Hit(hit) => hit,
         };
         if known != NO_OBJECT {
@@ -192,15 +190,11 @@ impl PixelLadder<'_> {
             });
             match order {
                 Some(Ordering::Greater) => {}
-                Some(Ordering::Less) => {
-                    self.steps.f64 += 1;
-                    return true;
-                }
+                Some(Ordering::Less) => return true,
                 _ => return false,
             }
         }
         let Some(t) = t.or_else(|| self.single_t(&hit)) else { return false };
-        self.steps.f64 += 1;
         self.object[offset] = index;
         self.t[offset] = to_single(f64::from(t));
         self.keep(offset, hit, query.seen, &direction);
@@ -230,7 +224,6 @@ impl PixelLadder<'_> {
                 _ => return false,
             }
         }
-        self.steps.f64 += 1;
         true
     }
 
@@ -277,9 +270,9 @@ impl PixelLadder<'_> {
 
     /// Returns `t` in the frame's precision; `None` if `f64` does not give it accurately enough.
     fn single_t(&self, hit: &RoughHit) -> Option<f32> {
-        let rays = &self.plan.rays;
-        let t = hit.t_of(rays.stretch, rays.scale);
-        (hit.root.share <= T_SHARE && is_in_range(t)).then(|| to_single(t))
+        let (rays, root) = (&self.plan.rays, hit.root);
+        let t = ldexp(root.t * rays.stretch, hit.scale - rays.scale);
+        (root.share <= T_SHARE && is_in_range(t)).then(|| to_single(t))
     }
 
     /// Decides a pixel by all steps of the ladder.
@@ -386,29 +379,24 @@ pub(crate) fn fill_exactly(
     let (camera, width) = (plan.rays.camera, plan.axes.width);
     let mut known: Option<(u32, ObjectFromOrigin)> = None;
     for (offset, object) in object.iter().copied().enumerate() {
-        if object == NO_OBJECT {
-            if let Some(t) = t.get_mut(offset) {
-                *t = f64::INFINITY;
-            }
-            if let Some(normal) = normals.get_mut(offset) {
-                *normal = DVec3::ZERO;
-            }
-            continue;
-        }
         if known.as_ref().is_none_or(|(index, _)| *index != object) {
             let given = plan.scene.object(object);
             known = given.map(|given| (object, ObjectFromOrigin::new(&given, camera.eye())));
         }
-        let Some((_, seen)) = &known else { continue };
-        let ray = camera.exact_ray(plan.rays.pixel(rows.start + offset / width, offset % width));
-        let root = seen.root_of_hit();
+        let pixel = plan.rays.pixel(rows.start + offset / width, offset % width);
+        let hit = known.as_ref().map(|(_, seen)| (seen, camera.exact_ray(pixel)));
         if let Some(t) = t.get_mut(offset) {
-            *t = seen.rounded_t(&ray, root, &mut steps);
+            *t = hit.map_or(f64::INFINITY, |(seen, ray)| {
+                seen.rounded_t(&ray, seen.root_of_hit(), &mut steps)
+            });
         }
         if let Some(normal) = normals.get_mut(offset) {
-            *normal = match seen {
-                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane.normal),
-                ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
+            *normal = match hit {
+                None => DVec3::ZERO,
+                Some((ObjectFromOrigin::Plane(seen), _)) => plane_normal(seen.plane.normal),
+                Some((ObjectFromOrigin::Sphere(seen), ray)) => {
+                    seen.normal(&ray, seen.root_of_hit())
+                }
             };
         }
     }

@@ -21,7 +21,7 @@ use crate::render::polynomial::{DOUBT, blend, is_in_doubt, pixel_hit, to_single}
 use crate::render::row_band::fallback::{KnownObjects, PixelQuery, seen_sphere};
 use crate::render::row_band::rough_hits::KeptHit;
 use crate::render::row_band::segments::Segments;
-use crate::render::rows::span::{Doubt, SpanTarget};
+use crate::render::rows::span::{Doubt, SpanTarget, Unhidden};
 use crate::render::rows::{VectorBounds, WrittenBlocks, clear};
 use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere_predicates::SphereFromOrigin;
@@ -141,7 +141,7 @@ impl<'a> RowBand<'a> {
         let RowBand { plan, rows, t, object, written, next, doubts, drawn, is_reached, .. } = self;
         let (plan, Some(from)) = (*plan, *next) else { return false };
         let mut segments = Segments::new(plan, &self.hits, &mut self.known_objects);
-        let mut hide = |index, offset, objects: &_| segments.hide(index, offset, objects);
+        let mut unhidden = |index, pixels, object: &_| segments.unhidden(index, pixels, object);
         let mut target = SpanTarget {
             axes: &plan.axes,
             rows: rows.clone(),
@@ -149,11 +149,10 @@ impl<'a> RowBand<'a> {
             object,
             written: written.as_mut(),
             doubts,
-            hide: &mut hide,
+            unhidden: (!self.hits.is_empty()).then_some(&mut unhidden as Unhidden),
             has_vector_bounds: plan.axes.are_whole()
                 && plan.visible.as_ref().is_some_and(|visible| visible.is_crowded),
             bounds: VectorBounds::NONE,
-            spheres: plan.scene.spheres(),
             is_reached,
             is_all_reached: false,
             decided: 0,
@@ -177,8 +176,7 @@ impl<'a> RowBand<'a> {
         }
         for slice in self.slices() {
             for (index, extent) in plan.others(slice.start / SLICE_ROWS) {
-                let rows = within(&extent.rows(), &slice);
-                self.add_sphere(index, rows, extent.columns());
+                self.add_sphere(index, &slice, &extent);
             }
             for (plane, seen) in plan.planes.iter().enumerate() {
                 if let Some(seen) = seen {
@@ -209,15 +207,17 @@ impl<'a> RowBand<'a> {
 
     fn add_in_slices(&mut self, index: u32, extent: &Extent) {
         for slice in self.slices() {
-            let rows = within(&extent.rows(), &slice);
-            if !rows.is_empty() {
-                self.add_sphere(index, rows, extent.columns());
-            }
+            self.add_sphere(index, &slice, extent);
         }
     }
 
-    /// Adds a sphere that covers no pixels outside these rows and columns of the raster.
-    fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
+    /// Adds a sphere that covers no pixels outside this extent to a slice.
+    fn add_sphere(&mut self, index: u32, slice: &Range<usize>, extent: &Extent) {
+        let (rows, columns) = (extent.rows(), extent.columns());
+        let rows = rows.start.max(slice.start)..rows.end.min(slice.end);
+        if rows.is_empty() {
+            return;
+        }
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
         let eye = self.plan.rays.camera.eye();
@@ -235,7 +235,8 @@ impl<'a> RowBand<'a> {
             Some(parts) => SphereKernel::new(rays, &parts, Ordering::Greater, 0, &patch),
             None => {
                 let seen = SphereFromOrigin::new(&sphere, eye);
-                if seen.side_step > Step::F64 {
+                // Counted once, in the sphere's first slice.
+                if seen.side_step > Step::F64 && rows.start == extent.rows().start {
                     self.steps.count(seen.side_step);
                 }
                 SphereKernel::new(rays, &seen.rough, seen.side, seen.scale, &patch)
@@ -276,9 +277,10 @@ impl<'a> RowBand<'a> {
 
     /// Adds a plane, unless the eye lies in the plane: then no ray hits it.
     fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectFromOrigin, rows: Range<usize>) {
-        let ObjectFromOrigin::Plane(seen) = seen_by_eye else {
-            return;
-        };
+        let ObjectFromOrigin::Plane(seen) = seen_by_eye else { return };
+        if seen.side_step > Step::F64 && rows.start == 0 {
+            self.steps.count(seen.side_step);
+        }
         if seen.side == Ordering::Equal {
             return;
         }
@@ -311,9 +313,7 @@ impl<'a> RowBand<'a> {
         let mut own = None;
         for row in rows {
             let k = self.plan.rays.l[row] - patch.l;
-            let Some([low, high]) = kernel.reach(k) else {
-                continue;
-            };
+            let Some([low, high]) = kernel.reach(k) else { continue };
             let m = &self.m[..columns.len()];
             let from = m.partition_point(|m| *m < low) / LANES * LANES;
             let to = m.partition_point(|m| *m <= high);
@@ -365,9 +365,4 @@ fn draw<S: Simd>(
         }
     }
     None
-}
-
-/// Returns the part of some rows that lies in a slice.
-fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
-    rows.start.max(slice.start)..rows.end.min(slice.end)
 }

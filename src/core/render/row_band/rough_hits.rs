@@ -15,9 +15,10 @@ use crate::scene::sphere_predicates::SphereFromOrigin;
 pub(crate) struct RoughHit {
     /// Index of the sphere.
     pub(crate) object: u32,
-    /// The root for the stretched direction (see [`RoughHit::t_of`]), in units of `2^scale`.
+    /// The root for the direction of [`FrameRays`](crate::render::polynomial::frame_rays::FrameRays), which
+    /// is longer than the ray's by its `stretch`, in units of `2^scale` of the sphere and of the rays.
     pub(crate) root: SureRoot<f64>,
-    scale: i32,
+    pub(crate) scale: i32,
 }
 
 /// The result of intersecting a pixel's ray with a sphere in `f64`.
@@ -61,12 +62,6 @@ impl Rough {
 }
 
 impl RoughHit {
-    /// Returns `t` for the ray itself. The direction used here is longer by the factor `stretch` and in
-    /// units of `2^scale`.
-    pub(crate) fn t_of(&self, stretch: f64, scale: i32) -> f64 {
-        ldexp(self.root.t * stretch, self.scale - scale)
-    }
-
     /// Compares the `t` of two hits of one ray; returns `None` if they are too close to call.
     pub(crate) fn compare_t(&self, other: &RoughHit) -> Option<Ordering> {
         // Both t are between 1e-60 and 1e60.

@@ -1,6 +1,9 @@
 //! Passes spheres over by segments of pixels: one comparison decides that a sphere is hidden in all pixels
 //! of a segment.
 
+use std::ops::Range;
+
+use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
 use crate::render::row_band::fallback::{KnownObjects, order_after, seen_sphere};
 use crate::render::row_band::rough_hits::{HitBounds, KeptHit};
@@ -9,11 +12,16 @@ use crate::render::row_band::rough_hits::{HitBounds, KeptHit};
 /// of them.
 const SEGMENT: usize = 8;
 
+/// The object of a pixel without a kept hit, different from any that a pixel shows.
+const NOT_KEPT: u32 = NO_OBJECT - 1;
+
 /// The hits kept for a band's pixels, with bounds for each segment of the pixels, which are computed when
 /// they are needed.
 pub(crate) struct Segments<'a> {
     plan: &'a Plan<'a>,
     hits: &'a [Option<KeptHit>],
+    /// The object of each pixel's kept hit.
+    objects: Vec<u32>,
     known_objects: &'a mut KnownObjects,
     /// For each segment, `Some` if its bounds have been computed: `None` if its hits have none.
     bounds: Vec<Option<Option<HitBounds>>>,
@@ -25,23 +33,36 @@ impl<'a> Segments<'a> {
         hits: &'a [Option<KeptHit>],
         known_objects: &'a mut KnownObjects,
     ) -> Segments<'a> {
+        let kept = |kept: &Option<KeptHit>| kept.map_or(NOT_KEPT, |kept| kept.hit.object);
+        let objects = hits.iter().map(kept).collect();
         let bounds = vec![None; hits.len().div_ceil(SEGMENT)];
-        Segments { plan, hits, known_objects, bounds }
+        Segments { plan, hits, objects, known_objects, bounds }
     }
 
-    /// Returns whether `f64` is certain that these objects, shown by the pixels from `offset` on, hide a
-    /// sphere.
-    pub(crate) fn hide(&mut self, index: u32, offset: usize, objects: &[u32]) -> bool {
-        let Some(hits) = self.hits.get(offset..offset + objects.len()) else { return false };
-        let is_kept = |(kept, object): (&Option<KeptHit>, &u32)| {
-            kept.as_ref().is_some_and(|kept| kept.hit.object == *object)
-        };
-        hits.iter().zip(objects).all(is_kept)
-            && (offset / SEGMENT..=(offset + objects.len() - 1) / SEGMENT)
-                .all(|segment| self.segment_hides(index, segment).unwrap_or(false))
+    /// Returns the first run of pixels in which `f64` is not certain that the objects that they show hide a
+    /// sphere; empty if there are none.
+    pub(crate) fn unhidden(
+        &mut self,
+        index: u32,
+        pixels: Range<usize>,
+        object: &[u32],
+    ) -> Range<usize> {
+        let mut run = pixels.start..pixels.start;
+        while run.end < pixels.end {
+            let segment = run.end / SEGMENT;
+            let part = run.end..pixels.end.min((segment + 1) * SEGMENT);
+            let is_kept = self.objects[part.clone()] == object[part.clone()];
+            let is_hidden = is_kept && self.hides(index, segment).unwrap_or(false);
+            if is_hidden && !run.is_empty() {
+                break;
+            }
+            run = if is_hidden { part.end..part.end } else { run.start..part.end };
+        }
+        run
     }
 
-    fn segment_hides(&mut self, index: u32, segment: usize) -> Option<bool> {
+    /// Returns whether the kept hits of a segment hide a sphere; `None` if they have no bounds.
+    fn hides(&mut self, index: u32, segment: usize) -> Option<bool> {
         let (plan, hits) = (self.plan, self.hits);
         let bounds = self.bounds[segment].get_or_insert_with(|| {
             let hits = &hits[segment * SEGMENT..hits.len().min((segment + 1) * SEGMENT)];

@@ -406,9 +406,8 @@ fn take_over_last(found: &[f32; PIXELS], index: u32, t: &mut [f32], object: &mut
 }
 
 /// Adds to the pixels in doubt those whose bits are set in `doubtful`, where bit 0 stands for the pixel
-/// at `offset`. In these pixels, the sphere's hit and the known hit are too close to call. A pixel that
-/// already shows an equal sphere is not added. Returns the number of pixels added, whose decisions the
-/// ladder counts.
+/// at `offset`. In these pixels, the sphere's hit and the known hit are too close to call. Returns the
+/// number of pixels added, whose decisions the ladder counts.
 #[cold]
 #[inline(never)]
 fn note_ties(
@@ -417,17 +416,12 @@ fn note_ties(
     found: [f32; PIXELS],
     index: u32,
 ) -> usize {
-    let mut count = 0;
     let width = target.axes.width;
     for lane in lanes_of(doubtful) {
         let offset = offset + lane;
-        if target.is_same_as_known(offset, index) {
-            continue;
-        }
-        count += 1;
         let (row, column) = (target.rows.start + offset / width, offset % width);
         let (row, column) = (row as u32, column as u32);
         target.doubts.push(Doubt { index, row, column, t: Some(found[lane]) });
     }
-    count
+    doubtful.count_ones() as usize
 }

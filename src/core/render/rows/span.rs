@@ -12,7 +12,6 @@ use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::small_outlines::Singles;
 use crate::render::outline::{MARGIN, MOST_LANES, Outline};
 use crate::render::rows::{RowBuffers, TIE, VectorBounds, WrittenBlocks, draw_row};
-use crate::scene::sphere::Sphere;
 
 /// A sphere that can be drawn by rows.
 #[derive(Clone, Copy, Debug)]
@@ -70,6 +69,10 @@ fn two_parts(x: f64) -> [f32; 2] {
     [high, (x - f64::from(high)) as f32]
 }
 
+/// Returns the first run of pixels of a range of the target, in which the objects that they show do not
+/// certainly hide a sphere. Its arguments are the sphere, the range, and the objects of all pixels.
+pub(crate) type Unhidden<'a> = &'a mut dyn FnMut(u32, Range<usize>, &[u32]) -> Range<usize>;
+
 /// The rows of the raster that spans are drawn into.
 pub(crate) struct SpanTarget<'a> {
     pub(crate) axes: &'a RasterAxes,
@@ -80,15 +83,13 @@ pub(crate) struct SpanTarget<'a> {
     /// at the start.
     pub(crate) written: Option<&'a mut WrittenBlocks>,
     pub(crate) doubts: &'a mut Vec<Doubt>,
-    /// Returns whether the objects that the pixels from an offset on show certainly hide a sphere.
-    pub(crate) hide: &'a mut dyn FnMut(u32, usize, &[u32]) -> bool,
+    /// Passes over hidden pixels; `None` if no pixel's hit is known so well.
+    pub(crate) unhidden: Option<Unhidden<'a>>,
     /// True if the raster has no gaps, as the bounds require, and spheres overlap so much that it pays
     /// to test whether each SIMD vector of pixels of a row is hidden.
     pub(crate) has_vector_bounds: bool,
     /// The bounds of the current row, if it has any.
     pub(crate) bounds: VectorBounds,
-    /// The scene's spheres.
-    pub(crate) spheres: &'a [Sphere],
     /// For each row of the target, true if an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
     /// True if all rows are reached, so that no more need to be marked.
@@ -115,17 +116,6 @@ impl SpanTarget<'_> {
         let row = row as u32;
         let doubt = |column| Doubt { index, row, column: column as u32, t: None };
         self.doubts.extend(columns.map(doubt));
-    }
-
-    /// Returns whether the sphere equals the sphere that the pixel shows. If so, makes the pixel show
-    /// whichever of the two spheres is listed first, so that nothing is left to decide.
-    pub(crate) fn is_same_as_known(&mut self, offset: usize, index: u32) -> bool {
-        let known = self.object[offset];
-        let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
-        if is_same {
-            self.object[offset] = known.min(index);
-        }
-        is_same
     }
 
     /// Returns whether so many pixels have been left to the ladder that they should be decided before
@@ -160,11 +150,8 @@ impl Span {
             for lane in lanes_of(ends.is_drawn & there) {
                 let (row, (from, to)) = (base + lane, ends.columns(lane));
                 let columns = (from.max(between.start), to.min(between.end - 1));
-                if columns.0 > columns.1 {
-                    continue;
-                }
-                if self.draw_row(simd, target, row, &ends.row(lane), columns) {
-                    self.find_doubts(simd, target, row, columns, &ends.row(lane));
+                if columns.0 <= columns.1 {
+                    self.draw_row(simd, target, row, &ends.row(lane), columns);
                 }
             }
             for lane in lanes_of(ends.is_doubtful & there) {
@@ -174,7 +161,7 @@ impl Span {
         }
     }
 
-    /// Draws the part of a row between two columns of the raster. Returns whether there is a pixel in
+    /// Draws the part of a row between two columns of the raster, and adds to the pixels in doubt those in
     /// which the sphere's hit and the known hit are too close to call.
     #[inline(always)]
     fn draw_row<S: Simd>(
@@ -183,36 +170,51 @@ impl Span {
         target: &mut SpanTarget,
         row: usize,
         span_row: &SpanRow,
-        columns: (usize, usize),
-    ) -> bool {
-        let lanes = SpanLanes::new(simd, self, span_row);
-        let start = (row - target.rows.start) * target.axes.width;
-        let mut buffers = RowBuffers {
-            columns: &target.axes.columns,
-            t: &mut target.t[start..],
-            object: &mut target.object[start..],
-            is_written: match &mut target.written {
-                Some(written) => written.row(row - target.rows.start),
-                None => &mut [],
-            },
-        };
-        if target.has_vector_bounds {
-            let (first, last) = columns;
-            if last - first >= SHORT {
-                let numbers = (self.numerator[0], self.outline.b_column as f32, span_row);
-                let column = target.axes.columns[first];
-                target.bounds.find(simd, numbers, (column, last + 1 - first));
-            } else {
-                target.bounds.clear();
-            }
-        }
-        let own = (self.index, span_row.nearest, &target.bounds);
-        target.decided += (columns.1 - columns.0 + 1) as u64;
+        (from, to): (usize, usize),
+    ) {
+        target.decided += (to + 1 - from) as u64;
         target.is_reached[row - target.rows.start] = true;
-        if self.outline.corrects_root {
-            draw_row::<S, true>(simd, &mut buffers, columns, own, &lanes)
-        } else {
-            draw_row::<S, false>(simd, &mut buffers, columns, own, &lanes)
+        let start = (row - target.rows.start) * target.axes.width;
+        let mut left = start + from..start + to + 1;
+        while !left.is_empty() {
+            let run = match &mut target.unhidden {
+                Some(unhidden) => unhidden(self.index, left.clone(), target.object),
+                None => left.clone(),
+            };
+            if run.is_empty() {
+                return;
+            }
+            left.start = run.end;
+            let columns = (run.start - start, run.end - 1 - start);
+            let lanes = SpanLanes::new(simd, self, span_row);
+            let mut buffers = RowBuffers {
+                columns: &target.axes.columns,
+                t: &mut target.t[start..],
+                object: &mut target.object[start..],
+                is_written: match &mut target.written {
+                    Some(written) => written.row(row - target.rows.start),
+                    None => &mut [],
+                },
+            };
+            if target.has_vector_bounds {
+                let (first, last) = columns;
+                if last - first >= SHORT {
+                    let numbers = (self.numerator[0], self.outline.b_column as f32, span_row);
+                    let column = target.axes.columns[first];
+                    target.bounds.find(simd, numbers, (column, last + 1 - first));
+                } else {
+                    target.bounds.clear();
+                }
+            }
+            let own = (self.index, span_row.nearest, &target.bounds);
+            let is_in_doubt = if self.outline.corrects_root {
+                draw_row::<S, true>(simd, &mut buffers, columns, own, &lanes)
+            } else {
+                draw_row::<S, false>(simd, &mut buffers, columns, own, &lanes)
+            };
+            if is_in_doubt {
+                self.find_doubts(simd, target, row, columns, span_row);
+            }
         }
     }
 
@@ -231,10 +233,6 @@ impl Span {
         let lanes = SpanLanes::new(simd, self, span_row);
         let start = (row - target.rows.start) * target.axes.width;
         for at in (from..=to).step_by(S::f32s::LEN) {
-            let shown = start + at..start + (at + S::f32s::LEN).min(to + 1);
-            if (target.hide)(self.index, shown.start, &target.object[shown]) {
-                continue;
-            }
             // A function that is not inlined does not get the level's instructions automatically.
             let found = simd.vectorize(
                 #[inline(always)]
@@ -248,8 +246,7 @@ impl Span {
                 let offset = start + column;
                 let (known, object) = (target.t[offset], target.object[offset]);
                 let is_apart = t < known * (1.0 - TIE) || t > known * (1.0 + TIE);
-                if object != self.index && !is_apart && !target.is_same_as_known(offset, self.index)
-                {
+                if object != self.index && !is_apart {
                     let (row, column) = (row as u32, column as u32);
                     target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });
                     target.decided -= 1;
@@ -295,9 +292,7 @@ impl Span {
                 offset: (left * right) as f32,
                 nearest: self.outline.nearest as f32,
             };
-            if self.draw_row(simd, target, row, &span_row, columns) {
-                self.find_doubts(simd, target, row, columns, &span_row);
-            }
+            self.draw_row(simd, target, row, &span_row, columns);
         }
         let in_doubt = [
             (outer_first, first.min(outer_last + 1.0) - 1.0),
