@@ -74,6 +74,9 @@ pub fn spheres(path: &Path, source: impl Read) -> Result<SphereTable, FileError>
         Ok(())
     })?;
     spheres.shrink_to_fit();
+    // A scene's index takes this much for each of many spheres; whoever makes it has no way to say so.
+    limits::memory("the index of the table's spheres", 48 * spheres.len() as u64)
+        .map_err(|problem| FileError::of_file(path, problem))?;
     Ok(SphereTable { spheres: Arc::new(spheres), ..found })
 }
 

@@ -365,15 +365,16 @@ fn an_observer_of_the_scene_is_told() {
 #[test]
 fn a_table_takes_at_most_three_times_its_spheres_memory() {
     let folder = tempfile::tempdir().unwrap();
-    let table = format!("x,y,z,r\n{}1,2,3,bad\n", "0,0,-9,1\n".repeat(300_000));
-    fs::write(folder.path().join("balls.csv"), table).unwrap();
     let scene = "pinhole = 1\nspheres = \"balls.csv\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\n\
                  up = [0, 1, 0]\n";
     fs::write(folder.path().join("s.toml"), scene).unwrap();
-    for (megabytes, told) in [
-        (28, "error: balls.csv:300002:7: column r is \"bad\": it must be a number\n"),
-        (7, ":1: there is too little memory: the table up to this row takes "),
+    for (megabytes, last, told) in [
+        (28, "1,2,3,bad", "error: balls.csv:300002:7: column r is \"bad\": it must be a number\n"),
+        (22, "", "there is too little memory: the index of the table's spheres takes 15 MB\n"),
+        (7, "", ":1: there is too little memory: the table up to this row takes "),
     ] {
+        let table = format!("x,y,z,r\n{}{last}\n", "0,0,-9,1\n".repeat(300_000));
+        fs::write(folder.path().join("balls.csv"), table).unwrap();
         let script = format!("ulimit -d {megabytes}000; exec \"$0\" inspect s.toml --pixel 0,0");
         let command = ["-c", &script, env!("CARGO_BIN_EXE_pinhole")];
         let mut shell = std::process::Command::new("sh");
