@@ -8,7 +8,7 @@
 use pinhole_core::{DVec3, Pixel, RankedRoot, Scene};
 
 use super::diagnosis::GradingContext;
-use super::first_hits::{Acceptable, FirstHits};
+use super::first_hits::{Finding, FirstHits};
 use crate::mistakes::PipelineCamera;
 
 /// Whether an accepted answer is known to be right.
@@ -35,7 +35,7 @@ impl GradingContext<'_> {
         (pixel, truth): (Pixel, Option<u32>),
         tolerance: f64,
         says_t: bool,
-        is_given: impl Fn(DVec3, Acceptable) -> bool,
+        is_given: impl Fn(DVec3, Finding) -> bool,
     ) -> Certainty {
         let direction =
             |camera: &PipelineCamera| camera.direction(pixel.row.into(), pixel.column.into());
@@ -45,11 +45,10 @@ impl GradingContext<'_> {
             // The numbers are beyond the range in which their errors are estimated.
             return Certainty::Doubtful;
         }
-        let object = |outcome: Acceptable| outcome.map(|hit| hit.object);
+        let object = |outcome: Finding| outcome.map(|hit| hit.object);
         // A t says nothing if it may be 0, or if it may be off by itself.
-        let is_vague = |hit: &Acceptable| {
-            says_t && hit.is_some_and(|h| h.least <= 0.0 || h.most - h.least > h.t)
-        };
+        let is_vague =
+            |hit: &Finding| says_t && hit.is_some_and(|h| h.least <= 0.0 || h.most - h.least > h.t);
         let (given, mut others): (Vec<_>, Vec<_>) =
             first.outcomes().partition(|outcome| is_given(direction, *outcome));
         let mut own: Vec<_> = given.iter().map(|hit| object(*hit)).collect();
@@ -77,7 +76,7 @@ impl GradingContext<'_> {
                 || other.is_some_and(|hit| hit.least <= 0.0) && roots.iter().any(is_zero)
         });
         let is_open = |first: &FirstHits| {
-            let is_own = |outcome: &Acceptable| own.contains(&object(*outcome));
+            let is_own = |outcome: &Finding| own.contains(&object(*outcome));
             first.outcomes().any(|hit| is_own(&hit))
                 && others.iter().any(|other| first.may_be(object(*other)))
                 || may_be_vague && first.outcomes().any(|hit| is_own(&hit) && is_vague(&hit))

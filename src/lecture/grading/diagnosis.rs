@@ -58,9 +58,6 @@ pub(super) struct GradingContext<'a> {
 /// Answers of one kind, which can be compared with the right ones and with those of a pipeline (a
 /// program that may make mistakes).
 pub(super) trait Fits: Sync {
-    /// Returns the number of answers.
-    fn len(&self) -> usize;
-
     /// Returns true if the answers are the basis vectors u, v and w themselves, not rays or hits.
     fn shows_basis(&self) -> bool {
         false
@@ -112,7 +109,7 @@ pub(super) fn diagnose(
     is_right: &[bool],
     may_be_single: bool,
 ) -> Diagnosis {
-    let looks = first_looks(is_right);
+    let search = Search { given, answers, count: is_right.len(), looks: first_looks(is_right) };
     let named = |found: Vec<_>| {
         let may_be_unseen = !found.is_empty()
             && (0..is_right.len())
@@ -130,11 +127,10 @@ pub(super) fn diagnose(
     let alone = known.iter().chain(Mistake::ALONE);
     let mut sets: Vec<(Vec<Mistake>, Vec<Pipeline>)> =
         alone.map(|mistake| (vec![*mistake], mistake.pipelines().collect())).collect();
-    let found = explaining(given, answers, &looks, &sets);
+    let found = search.explaining(&sets);
     if !found.is_empty() {
         let is_found = |way: Way| {
-            found[0].0 == [Mistake::CountedFromOne]
-                && explains(given, answers, &looks, &Pipeline::RIGHT.with(way))
+            found[0].0 == [Mistake::CountedFromOne] && search.explains(&Pipeline::RIGHT.with(way))
         };
         let counted_from_one = is_found(Pipeline::count_pixels_from_one);
         let objects_from_one = !counted_from_one
@@ -152,11 +148,10 @@ pub(super) fn diagnose(
             sets.push((both, pipelines.collect()));
         }
     }
-    let explains_all = |mistake: &&Mistake| {
-        mistake.pipelines().any(|pipeline| explains(given, answers, &looks, &pipeline))
-    };
+    let explains_all =
+        |mistake: &&Mistake| mistake.pipelines().any(|pipeline| search.explains(&pipeline));
     let other = OTHERS.iter().find(explains_all).copied();
-    Diagnosis { other, ..named(explaining(given, answers, &looks, &sets)) }
+    Diagnosis { other, ..named(search.explaining(&sets)) }
 }
 
 /// Mistakes that, in rays, look like two of [`Mistake::GRADED`].
@@ -171,35 +166,40 @@ impl Diagnosis {
     }
 }
 
-/// Returns those sets of mistakes for which some pipeline gives all the answers, each with the step
-/// between the answers that were compared.
-fn explaining(
-    given: &GivenCamera,
-    answers: &dyn Fits,
-    looks: &[usize],
-    sets: &[(Vec<Mistake>, Vec<Pipeline>)],
-) -> Vec<(Vec<Mistake>, usize)> {
-    let explains = |pipeline: &&Pipeline| explains(given, answers, looks, pipeline);
-    let found = sets.iter().filter_map(|(mistakes, pipelines)| {
-        let pipeline = pipelines.iter().find(explains)?;
-        Some((mistakes.clone(), stride(answers, pipeline)))
-    });
-    found.collect()
+/// The answers that are compared with pipelines.
+struct Search<'a> {
+    given: &'a GivenCamera,
+    answers: &'a dyn Fits,
+    count: usize,
+    /// The indices of those that are compared first.
+    looks: Vec<usize>,
 }
 
-/// Returns true if the pipeline gives all the answers.
-fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], pipeline: &Pipeline) -> bool {
-    let mut camera = given.camera_of(*pipeline);
-    answers.prepare(&mut camera);
-    let stride = stride(answers, pipeline);
-    looks.iter().all(|index| answers.fits(&camera, *index))
-        && (0..answers.len()).into_par_iter().step_by(stride).all(|k| answers.fits(&camera, k))
-}
+impl Search<'_> {
+    /// Returns those sets of mistakes for which some pipeline gives all the answers, each with the step
+    /// between the answers that were compared.
+    fn explaining(&self, sets: &[(Vec<Mistake>, Vec<Pipeline>)]) -> Vec<(Vec<Mistake>, usize)> {
+        let found = sets.iter().filter_map(|(mistakes, pipelines)| {
+            let pipeline = pipelines.iter().find(|pipeline| self.explains(pipeline))?;
+            Some((mistakes.clone(), self.stride(pipeline)))
+        });
+        found.collect()
+    }
 
-/// Returns the step between the answers that are compared with a pipeline: 1 if all are, more if there
-/// are too many.
-fn stride(answers: &dyn Fits, pipeline: &Pipeline) -> usize {
-    answers.len().saturating_mul(answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
+    /// Returns true if the pipeline gives all the answers.
+    fn explains(&self, pipeline: &Pipeline) -> bool {
+        let mut camera = self.given.camera_of(*pipeline);
+        self.answers.prepare(&mut camera);
+        let all = (0..self.count).into_par_iter().step_by(self.stride(pipeline));
+        self.looks.iter().all(|index| self.answers.fits(&camera, *index))
+            && all.all(|index| self.answers.fits(&camera, index))
+    }
+
+    /// Returns the step between the answers that are compared with a pipeline: 1 if all are, more if
+    /// there are too many.
+    fn stride(&self, pipeline: &Pipeline) -> usize {
+        self.count.saturating_mul(self.answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
+    }
 }
 
 /// Returns the indices of some wrong and some right answers, spread evenly. Comparing these first

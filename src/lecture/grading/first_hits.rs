@@ -26,7 +26,7 @@ pub(super) struct PossibleHit {
 }
 
 /// An acceptable hit or, as `None`, an acceptable miss.
-pub(super) type Acceptable<'a> = Option<&'a PossibleHit>;
+pub(super) type Finding<'a> = Option<&'a PossibleHit>;
 
 /// All hits that are acceptable as the first hit of a ray (see the module's documentation).
 #[derive(Clone, Debug, Default)]
@@ -73,7 +73,7 @@ impl FirstHits {
     }
 
     /// Returns all that is acceptable.
-    pub(super) fn outcomes(&self) -> impl Iterator<Item = Acceptable<'_>> {
+    pub(super) fn outcomes(&self) -> impl Iterator<Item = Finding<'_>> {
         self.hits.iter().map(Some).chain(self.may_miss.then_some(None))
     }
 

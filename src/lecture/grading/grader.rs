@@ -232,7 +232,7 @@ impl<'a> Grader<'a> {
             let is_right = error <= self.tolerance || answers.fits(right, index);
             Judged { is_right, error }
         };
-        (0..answers.len()).into_par_iter().map(judged).collect()
+        (0..self.answers.len()).into_par_iter().map(judged).collect()
     }
 
     fn graded(&self, answers: &dyn Fits, right: &PipelineCamera) -> Grade {

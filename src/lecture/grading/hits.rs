@@ -1,12 +1,12 @@
 //! Compares a student's basis, rays and hits with those of pipelines (programs that may make mistakes).
 
 use pinhole_core::arithmetic::{length, unit};
-use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
+use pinhole_core::{DVec3, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
 
 use crate::grading::answers::{GivenHit, HitAnswer, RayAnswer, WrittenVector};
 use crate::grading::certainty::Certainty;
 use crate::grading::diagnosis::{Fits, GradingContext};
-use crate::grading::first_hits::{Acceptable, FirstHits, PossibleHit, hits_of_each, work};
+use crate::grading::first_hits::{Finding, FirstHits, PossibleHit, hits_of_each, work};
 use crate::grading::grade::{AnswerValue, Hit, Truth};
 use crate::mistakes::{Measure, Pipeline, PipelineCamera};
 
@@ -19,10 +19,6 @@ pub(super) struct Hits<'a> {
 }
 
 impl Fits for Hits<'_> {
-    fn len(&self) -> usize {
-        self.answers.len()
-    }
-
     fn work(&self, pipeline: &Pipeline) -> usize {
         work(self.scene, pipeline)
     }
@@ -42,7 +38,7 @@ impl Fits for Hits<'_> {
         let GradingContext { right, tolerance, .. } = &self.context;
         let about = (pixel, self.first[index].map(|hit| hit.object));
         let says_t = hit.is_some_and(|hit| hit.t.is_some() || hit.point.is_some());
-        let is = |direction, outcome: Acceptable| self.is(right, direction, outcome, hit);
+        let is = |direction, outcome: Finding| self.is(right, direction, outcome, hit);
         self.context.certainty(self.scene, about, *tolerance, says_t, is)
     }
 
@@ -87,7 +83,7 @@ impl Hits<'_> {
         &self,
         camera: &PipelineCamera,
         direction: DVec3,
-        outcome: Acceptable,
+        outcome: Finding,
         answer: Option<GivenHit>,
     ) -> bool {
         let (Some(hit), Some(given)) = (outcome, answer) else {
@@ -159,25 +155,16 @@ pub(super) fn truth_of(
     resolved: &ResolvedCamera,
     pixels: &[Pixel],
 ) -> Vec<Option<Hit>> {
-    /// Number of rows that are traced at a time, to limit the memory for large images.
-    const ROWS: usize = 256;
+    /// Maximum number of rows that are traced at a time, to limit the memory for large images.
+    const ROWS: u32 = 256;
     let image = resolved.image();
-    let in_image = |pixel: &&Pixel| image.contains(**pixel);
-    let mut rows: Vec<u32> = pixels.iter().filter(in_image).map(|pixel| pixel.row).collect();
-    let mut columns: Vec<u32> = pixels.iter().filter(in_image).map(|pixel| pixel.column).collect();
-    for indices in [&mut rows, &mut columns] {
-        indices.sort_unstable();
-        indices.dedup();
-    }
     let mut hits = vec![None; pixels.len()];
     let mut by_row: Vec<usize> = (0..pixels.len()).filter(|i| image.contains(pixels[*i])).collect();
     by_row.sort_by_key(|index| pixels[*index].row);
-    let mut rest = &by_row[..];
-    for rows in rows.chunks(ROWS) {
-        let last = rows.last().copied().unwrap_or_default();
-        let (here, after) = rest.split_at(rest.partition_point(|i| pixels[*i].row <= last));
-        rest = after;
-        if here.len() * 16 < rows.len() * columns.len() {
+    for here in by_row.chunk_by(|a, b| pixels[*a].row / ROWS == pixels[*b].row / ROWS) {
+        let [first, last] = [here[0], here[here.len() - 1]].map(|index| pixels[index].row);
+        let raster = Raster::part(first..last + 1, 0..image.width());
+        if here.len() * 16 < raster.len() {
             // The pixels are few and far apart.
             for index in here {
                 let hit = truth.scene.first_hit_of(&resolved.exact_ray(pixels[*index]));
@@ -185,15 +172,12 @@ pub(super) fn truth_of(
             }
             continue;
         }
-        let raster = Raster::from_cells(rows.to_vec(), columns.clone());
         let frame = trace(truth.scene, resolved, &raster, Outputs::default());
         for index in here {
             let pixel = pixels[*index];
-            let row = rows.partition_point(|row| *row < pixel.row);
-            let offset = row * columns.len() + columns.partition_point(|c| *c < pixel.column);
-            let (t, object) = (frame.t[offset], frame.object[offset]);
-            let point = resolved.ray_of_pixel(pixel).at(t);
-            hits[*index] = (object != NO_OBJECT).then_some(Hit { t, point, object });
+            let traced = frame.at((pixel.row - first) as usize, pixel.column as usize);
+            let (t, point) = (traced.t, resolved.ray_of_pixel(pixel).at(traced.t));
+            hits[*index] = traced.object.map(|object| Hit { t, point, object });
         }
     }
     hits
@@ -205,10 +189,6 @@ pub(super) struct Vectors<'a> {
 }
 
 impl Fits for Vectors<'_> {
-    fn len(&self) -> usize {
-        3
-    }
-
     fn shows_basis(&self) -> bool {
         true
     }
@@ -244,10 +224,6 @@ pub(super) struct Rays<'a> {
 }
 
 impl Fits for Rays<'_> {
-    fn len(&self) -> usize {
-        self.answers.len()
-    }
-
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let GradingContext { tolerance, digits, .. } = self.context;

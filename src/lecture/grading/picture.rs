@@ -10,7 +10,7 @@ use pinhole_core::{
 
 use super::certainty::Certainty;
 use super::diagnosis::{Fits, GradingContext};
-use super::first_hits::{Acceptable, FirstHits, normal_at, work};
+use super::first_hits::{Finding, FirstHits, normal_at, work};
 use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
@@ -52,10 +52,6 @@ pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
 }
 
 impl Fits for Picture<'_> {
-    fn len(&self) -> usize {
-        self.pixels.len()
-    }
-
     fn prepare(&self, camera: &mut PipelineCamera) {
         if self.shade == Shade::T
             && let Some(brightest) = self.brightest
@@ -79,9 +75,8 @@ impl Fits for Picture<'_> {
         let pixel = Pixel { row: index as u32 / width, column: index as u32 % width };
         let about = (pixel, Some(self.objects[index]).filter(|object| *object != NO_OBJECT));
         let (camera, says_t) = (&self.context.right, self.shade != Shade::Object);
-        let is = |direction, outcome: Acceptable| {
-            self.is(self.pixels[index], camera, direction, outcome)
-        };
+        let is =
+            |direction, outcome: Finding| self.is(self.pixels[index], camera, direction, outcome);
         self.context.certainty(self.scene, about, RELATIVE_TOLERANCE, says_t, is)
     }
 
@@ -103,13 +98,7 @@ impl Picture<'_> {
     }
 
     /// Returns true if a pixel has a colour that the acceptable `outcome` has.
-    fn is(
-        &self,
-        pixel: Rgb,
-        camera: &PipelineCamera,
-        direction: DVec3,
-        outcome: Acceptable,
-    ) -> bool {
+    fn is(&self, pixel: Rgb, camera: &PipelineCamera, direction: DVec3, outcome: Finding) -> bool {
         let Some(hit) = outcome else { return self.is_near(pixel, [BACKGROUND; 2]) };
         let color = |t: f64| self.color(camera, direction, hit.object, t);
         // A t of the opposite sign, on the other side of the eye, would have a different colour.
