@@ -143,14 +143,6 @@ impl BasisDerivation {
             Orientation::Basis(basis) => BasisDerivation::ByHand(BasisByHand::new(camera, basis)),
         }
     }
-
-    /// Returns the basis, or the reason why there is none, as [`Camera::basis`] does.
-    pub fn basis(&self) -> Result<Basis, BasisError> {
-        match self {
-            BasisDerivation::FromUp(from_up) => from_up.basis,
-            BasisDerivation::ByHand(by_hand) => by_hand.basis,
-        }
-    }
 }
 
 impl BasisFromUp {

@@ -78,27 +78,6 @@ pub struct Crossing {
 }
 
 impl ImplicitLine {
-    /// Returns the line through two points, directed from the first to the second, so that
-    /// [`f`](ImplicitLine::f) is positive on its left: `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2
-    /// y1`, each rounded once.
-    ///
-    /// # Errors
-    /// Returns an error if a coordinate is not finite or both points are the same.
-    pub fn through(first: DVec2, second: DVec2) -> Result<ImplicitLine, String> {
-        for (field, value) in [("x1", first.x), ("y1", first.y), ("x2", second.x), ("y2", second.y)]
-        {
-            finite(field, value)?;
-        }
-        if first == second {
-            let (x, y) = (shortest(first.x), shortest(first.y));
-            return Err(format!("both points are ({x}, {y}): many lines go through one point"));
-        }
-        let [x1, y1, x2, y2] = [first.x, first.y, second.x, second.y].map(Dyadic::from);
-        let c = (&(&x1 * &y2) - &(&x2 * &y1)).rounded_times(0);
-        let line = ImplicitLine { a: first.y - second.y, b: second.x - first.x, c };
-        line.check().map(|()| line)
-    }
-
     /// Returns the slope m and the intercept q of `y = m x + q`: `m = -a / b`, `q = -c / b`. Returns
     /// `None` for a vertical line, which has no such form, and if m or q is outside the range of `f64`.
     pub fn slope_form(&self) -> Option<(f64, f64)> {

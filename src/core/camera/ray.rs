@@ -188,14 +188,6 @@ impl<'a> ExactRay<'a> {
         self.origin
     }
 
-    /// Returns the pixel through whose centre this view ray passes; `None` for any other ray.
-    pub fn pixel(&self) -> Option<Pixel> {
-        match self.source {
-            Source::View(_, Selection::Pixel(pixel)) => Some(pixel),
-            _ => None,
-        }
-    }
-
     /// Returns the direction of a ray that was given by its direction; `None` for a camera's view ray.
     pub(crate) fn given_direction(&self) -> Option<DVec3> {
         match self.source {

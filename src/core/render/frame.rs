@@ -300,8 +300,6 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug {
     /// Zero.
     #[doc(hidden)]
     const ZERO: Self;
-    /// The value of `t` for a pixel where nothing is hit.
-    const NONE: Self;
     /// True for `f32`, the type in which frames are drawn. In `f64`, `t` is computed afterwards, when
     /// each pixel's object is known.
     #[doc(hidden)]
@@ -351,7 +349,6 @@ macro_rules! fill {
 
 impl Depth for f32 {
     const ZERO: f32 = 0.0;
-    const NONE: f32 = f32::INFINITY;
     const IS_DRAWN: bool = true;
 
     #[inline(always)]
@@ -372,7 +369,6 @@ impl Depth for f32 {
 
 impl Depth for f64 {
     const ZERO: f64 = 0.0;
-    const NONE: f64 = f64::INFINITY;
     const IS_DRAWN: bool = false;
 
     #[inline(always)]

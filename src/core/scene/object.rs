@@ -77,15 +77,6 @@ impl Object {
         let kind = if matches!(self, Object::Sphere(_)) { "sphere" } else { "plane" };
         self.check().map_err(|error| SceneError { kind, index, error })
     }
-
-    /// Returns the object's implicit function at a point, see [`Sphere::implicit`] and
-    /// [`Plane::implicit`].
-    pub fn implicit(&self, q: DVec3) -> f64 {
-        match self {
-            Object::Sphere(sphere) => sphere.implicit(q),
-            Object::Plane(plane) => plane.implicit(q),
-        }
-    }
 }
 
 /// The roots of a ray's line with a surface, in ascending order. A `t` too large for `f64` (for example,

@@ -191,17 +191,6 @@ impl PlaneFromOrigin {
 }
 
 impl Plane {
-    /// Returns the implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
-    /// that the normal points to; its sign is exact. The value is in world units times the normal's
-    /// length. It is infinite if it overflows, and NaN if a number is not finite or the normal is zero.
-    pub fn implicit(&self, q: DVec3) -> f64 {
-        if self.check().is_err() || !q.is_finite() {
-            return f64::NAN;
-        }
-        // Subtracting from 0, unlike negating, gives 0 on the plane, not -0.
-        0.0 - PlaneFromOrigin::new(self, q).offset_given()
-    }
-
     /// Returns the terms of the intersection for display, each rounded once from more digits. They may
     /// overflow or underflow even if `t` does not. For an invalid plane, they are NaN.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {

@@ -16,7 +16,7 @@ use crate::steering::{CONE, SteerError, Steered, Turn, orthonormal, steady};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Keep {
-    /// The point that the camera looks at, its [pivot](Camera::pivot): the view turns.
+    /// The point that the camera looks at, its [pivot](Camera::orbited): the view turns.
     At,
     /// The view direction: `at` moves with the eye.
     View,
@@ -65,7 +65,7 @@ impl Camera {
     ///
     /// With [`Keep::At`], up turns with the view while the view is close to up (within [`CONE`]), and
     /// otherwise stays. A basis set by hand is turned by the smallest angle that aims it at its
-    /// [pivot](Camera::pivot) again. With [`Keep::View`], the basis stays.
+    /// [pivot](Camera::orbited) again. With [`Keep::View`], the basis stays.
     ///
     /// If this camera has no basis, the result is `moved`, which may have one.
     ///

@@ -31,28 +31,10 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
-    /// Returns the pivot, the point around which [`Camera::orbited`] turns: `at` for a camera given by
-    /// at; `eye + view` for one given by view; the middle of the viewport, `eye - distance*w`, for a
-    /// basis set by hand.
+    /// Returns the camera after it has orbited around its pivot, by angles in radians. The pivot is `at`
+    /// for a camera given by at; `eye + view` for one given by view; the middle of the viewport, `eye -
+    /// distance*w`, for a basis set by hand.
     ///
-    /// # Errors
-    /// Returns an error if the camera has no basis, or if its basis is set by hand and its viewport is
-    /// invalid.
-    pub fn pivot(&self) -> Result<DVec3, SteerError> {
-        let w = self.basis()?.w;
-        let (field, value) = match self.orientation {
-            Orientation::At { at, .. } => ("at", at),
-            Orientation::View { view, .. } => ("eye + view", self.eye + view),
-            Orientation::Basis(_) => ("eye - distance*w", self.eye - self.reach()? * w),
-        };
-        if value.is_finite() {
-            Ok(value)
-        } else {
-            Err(BasisError::NotFinite { field, value }.into())
-        }
-    }
-
-    /// Returns the camera after it has orbited around its [pivot](Camera::pivot), by angles in radians.
     /// The basis turns as in [`Camera::looked_round`], and the eye moves with it, so that the pivot
     /// stays where it is in the picture. A positive yaw moves the eye to the camera's right, a positive
     /// pitch moves it down.

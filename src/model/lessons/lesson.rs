@@ -175,11 +175,6 @@ impl OpenLesson {
         &self.lesson.steps[self.id.step]
     }
 
-    /// Returns `Lesson 2: Warm-up`, or only the title of a lesson without a number.
-    pub fn title(&self) -> String {
-        title_of(self.id.lesson, &self.lesson)
-    }
-
     /// Returns `Lesson 2`, or the title of a lesson without a number.
     pub fn short_title(&self) -> String {
         match self.id.lesson {

@@ -114,7 +114,7 @@ pub struct Start {
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
     /// The distance from the eye to the point around which [`Kind::Orbit`] moves the camera; `None` for the
-    /// usual point, [`Camera::pivot`].
+    /// usual point, see [`Camera::orbited`].
     pub orbit: Option<f64>,
 }
 

@@ -55,7 +55,7 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
     assert!(window.state().lesson().is_none());
     drop_file(&mut window, &good);
     let lesson = window.state().lesson().unwrap();
-    assert_eq!((lesson.title().as_str(), lesson.id().lesson), ("Mine", Which::File));
+    assert_eq!((lesson.short_title().as_str(), lesson.id().lesson), ("Mine", Which::File));
     assert!(
         window
             .state()
