@@ -3,11 +3,13 @@
 
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{Basis, Camera, DVec3};
+use serde::Deserialize;
 use serde_json::Value;
 
 use super::derived::{affine, image_of, image_of_ratio, right_handed, viewport_of_radians};
+use crate::FileError;
 use crate::format::{Imported, Input};
-use crate::{FileError, Location};
+use crate::template::n;
 
 /// The bytes with which a binary glTF begins.
 pub(super) const MAGIC: &[u8] = b"glTF";
@@ -48,82 +50,126 @@ pub(super) fn json_of(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(chunk).map_err(|_| "binary glTF: the JSON must be UTF-8".to_owned())
 }
 
+/// What is read of a glTF.
+#[derive(Deserialize)]
+struct Gltf {
+    nodes: Vec<Node>,
+    cameras: Vec<GltfCamera>,
+}
+
+/// A node, placed in its parent by a matrix, or by translation, rotation (a quaternion x, y, z, w) and scale.
+#[derive(Deserialize)]
+struct Node {
+    name: Option<String>,
+    camera: Option<usize>,
+    mesh: Option<usize>,
+    #[serde(default)]
+    children: Vec<usize>,
+    matrix: Option<[f64; 16]>,
+    translation: Option<DVec3>,
+    rotation: Option<[f64; 4]>,
+    scale: Option<DVec3>,
+}
+
+#[derive(Deserialize)]
+struct GltfCamera {
+    perspective: Option<Lens>,
+    /// Any program's own values, here those that this one writes.
+    #[serde(default)]
+    extras: Value,
+}
+
+#[derive(Deserialize)]
+struct Lens {
+    yfov: f64,
+    #[serde(rename = "aspectRatio")]
+    aspect: Option<f64>,
+}
+
 /// Reads the camera of a glTF text. Values that it does not specify are those of the camera `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
-    let value = parse(input)?;
-    let root = JsonNode { input, path: String::new(), value: &value };
+    let gltf: Gltf = serde_json::from_str(input.text).map_err(|error| fault(input, &error))?;
     let mut notes = Vec::new();
-    let nodes = root.need("nodes", "the camera must be in a node")?.items();
-    let cameras = root.need("cameras", "it must hold the camera")?.items();
-    let taken = node_of_camera(&nodes, &cameras, &mut notes);
-    let (index, number) = taken.ok_or_else(|| {
+    let (index, number) = node_of_camera(&gltf, &mut notes).ok_or_else(|| {
         FileError::of_file(input.path, "nodes: none has a camera: one must have \"camera\": 0")
     })?;
-    let camera = number.index().and_then(|number| cameras.get(number));
-    let camera =
-        camera.ok_or_else(|| number.fault("it must be the number of one of the cameras"))?;
-    let lens = camera.need("perspective", "the camera must be a perspective one")?;
-    let yfov = lens.need("yfov", "it must be the vertical field of view in radians")?;
-    let fov = yfov.number()?;
-    if !(fov > 0.0 && fov < std::f64::consts::PI) {
-        return Err(yfov.fault("it must be between 0 and pi, in radians"));
-    }
-    let aspect = lens.get("aspectRatio").map(|aspect| aspect.positive()).transpose()?;
-    let extra = |name: &str| camera.get("extras").and_then(|extras| extras.get(name));
-    let image = match extra("imageWidth").zip(extra("imageHeight")) {
-        Some((width, height)) => {
-            image_of(width.number()?, height.number()?).map_err(|right| width.fault(&right))?
+    let wrong = |value: f64, path: &str, right: &str| {
+        let problem = format!("{path} is {}: {right}", n(value));
+        let key = format!("\"{}\"", path.rsplit('.').next().unwrap_or_default());
+        let mut found = input.text.match_indices(&key);
+        match (found.next(), found.next()) {
+            (Some((at, _)), None) => input.error_at(at, problem),
+            _ => FileError::of_file(input.path, problem),
         }
+    };
+    let right = "it must be the number of one of the cameras";
+    let camera = gltf.cameras.get(number);
+    let camera =
+        camera.ok_or_else(|| wrong(number as f64, &format!("nodes[{index}].camera"), right))?;
+    let path = format!("cameras[{number}].perspective");
+    let Some(Lens { yfov, aspect }) = camera.perspective else {
+        let problem = format!("{path} is missing: the camera must be a perspective one");
+        return Err(FileError::of_file(input.path, problem));
+    };
+    if !(yfov > 0.0 && yfov < std::f64::consts::PI) {
+        let right = "it must be between 0 and pi, in radians";
+        return Err(wrong(yfov, &format!("{path}.yfov"), right));
+    }
+    if let Some(aspect) = aspect.filter(|aspect| *aspect <= 0.0) {
+        return Err(wrong(aspect, &format!("{path}.aspectRatio"), "it must be greater than 0"));
+    }
+    let extra = |name: &str| camera.extras.get(name).and_then(Value::as_f64);
+    let image = match extra("imageWidth").zip(extra("imageHeight")) {
+        Some((width, height)) => image_of(width, height).map_err(|right| {
+            wrong(width, &format!("cameras[{number}].extras.imageWidth"), &right)
+        })?,
         None => {
             let aspect = aspect.unwrap_or(at_hand.image.aspect());
             image_of_ratio(at_hand.image, aspect, "glTF", &mut notes)
         }
     };
-    let distance = extra("distance").map(|d| d.positive()).transpose()?;
+    let distance = extra("distance").filter(|distance| *distance > 0.0);
     let distance = distance.unwrap_or(at_hand.viewport.distance);
-    let viewport = viewport_of_radians(fov, aspect.unwrap_or(image.aspect()), distance);
+    let viewport = viewport_of_radians(yfov, aspect.unwrap_or(image.aspect()), distance);
     // The scale of the frame does not matter.
-    let (orientation, eye) = right_handed(&world_of(&nodes, index)?, &mut notes)
-        .map_err(|right| nodes[index].fault(&format!("it is no rotation: {right}")))?;
-    if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
+    let placed = world_of(&gltf.nodes, index).and_then(|world| {
+        let placed = right_handed(&world, &mut notes);
+        placed.map_err(|right| format!("nodes[{index}]: it is no rotation: {right}"))
+    });
+    let (orientation, eye) = placed.map_err(|problem| FileError::of_file(input.path, problem))?;
+    if gltf.nodes.iter().any(|node| node.mesh.is_some()) {
         notes.push("meshes are left out: Pinhole has spheres and planes".to_owned());
     }
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-/// Returns the node whose camera is imported, and its field with that camera's index. It is the first
-/// node with a perspective camera, or otherwise the first node with any camera. Returns `None` if no
-/// node has a camera.
-fn node_of_camera<'a>(
-    nodes: &[JsonNode<'a>],
-    cameras: &[JsonNode],
-    notes: &mut Vec<String>,
-) -> Option<(usize, JsonNode<'a>)> {
-    let all = nodes.iter().enumerate().filter_map(|(k, node)| Some((k, node.get("camera")?)));
-    let all: Vec<(usize, JsonNode)> = all.collect();
-    let is_perspective = |(_, number): &&(usize, JsonNode)| {
-        let camera = number.index().and_then(|number| cameras.get(number));
-        camera.is_some_and(|camera| camera.value.get("perspective").is_some())
+/// Returns the first node with a perspective camera, or if there is none, the first with any camera; and the
+/// number of its camera. Returns `None` if no node has a camera. If there are several, a note says which one
+/// is returned.
+fn node_of_camera(gltf: &Gltf, notes: &mut Vec<String>) -> Option<(usize, usize)> {
+    let all = gltf.nodes.iter().enumerate().filter_map(|(k, node)| Some((k, node.camera?)));
+    let all: Vec<(usize, usize)> = all.collect();
+    let is_perspective = |(_, number): &&(usize, usize)| {
+        gltf.cameras.get(*number).is_some_and(|camera| camera.perspective.is_some())
     };
-    let taken = all.iter().find(is_perspective).or(all.first())?;
+    let taken = *all.iter().find(is_perspective).or(all.first())?;
     if all.len() > 1 {
-        let node = &nodes[taken.0];
-        let name = node.value.get("name").and_then(Value::as_str);
-        let name = name.map_or_else(|| node.path.clone(), |name| format!("node \"{name}\""));
+        let name = gltf.nodes[taken.0].name.as_ref();
+        let name = name.map_or(format!("nodes[{}]", taken.0), |name| format!("node \"{name}\""));
         let more = all.len() - 1;
         let (cameras, are) = if more == 1 { ("camera", "is") } else { ("cameras", "are") };
         notes.push(format!("{name} is taken; {more} more {cameras} {are} left out"));
     }
-    Some(taken.clone())
+    Some(taken)
 }
 
-/// Returns the map from a node's coordinates to the world's, which combines the transforms of its
-/// ancestors.
-fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
+/// Returns the map from a node's coordinates to the world's. Returns a message if the node, or one above it,
+/// has several parents or is below itself.
+fn world_of(nodes: &[Node], index: usize) -> Result<DAffine3, String> {
     let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for (parent, node) in nodes.iter().enumerate() {
-        for child in node.indices("children") {
-            if let Some(parents) = parents.get_mut(child) {
+        for child in &node.children {
+            if let Some(parents) = parents.get_mut(*child) {
                 parents.push(parent);
             }
         }
@@ -131,125 +177,46 @@ fn world_of(nodes: &[JsonNode], index: usize) -> Result<DAffine3, FileError> {
     let mut passed = vec![false; nodes.len()];
     let (mut above, mut world) = (index, DAffine3::IDENTITY);
     loop {
-        world = local(&nodes[above])? * world;
+        world = local(&nodes[above]).map_err(|right| format!("nodes[{above}].{right}"))? * world;
         passed[above] = true;
         above = match parents[above][..] {
             [] => return Ok(world),
             [parent] if !passed[parent] => parent,
-            [_] => return Err(nodes[above].fault("it is below itself: it must be no child of it")),
-            _ => return Err(nodes[above].fault("it must be a child of one node only")),
+            [_] => {
+                return Err(format!("nodes[{above}] is below itself: it must be no child of it"));
+            }
+            _ => return Err(format!("nodes[{above}] must be a child of one node only")),
         };
     }
 }
 
-/// Returns the map from a node's coordinates to those of its parent.
-fn local(node: &JsonNode) -> Result<DAffine3, FileError> {
-    if let Some(matrix) = node.get("matrix") {
-        return affine(&matrix.numbers::<16>()?)
-            .ok_or_else(|| matrix.fault("it must be affine, column after column"));
+/// Returns the map from a node's coordinates to its parent's.
+fn local(node: &Node) -> Result<DAffine3, &'static str> {
+    if let Some(matrix) = &node.matrix {
+        return affine(matrix).ok_or("matrix: it must be affine, column after column");
     }
-    let vector = |name, default| {
-        node.get(name).map_or(Ok(default), |v| v.numbers::<3>().map(DVec3::from_array))
-    };
-    let mut local = DAffine3::from_translation(vector("translation", DVec3::ZERO)?);
-    if let Some(rotation) = node.get("rotation") {
-        let [x, y, z, w] = rotation.numbers::<4>()?;
+    let mut local = DAffine3::from_translation(node.translation.unwrap_or_default());
+    if let Some([x, y, z, w]) = node.rotation {
         let Basis { u, v, w } = Basis::of_quaternion([w, x, y, z])
-            .ok_or_else(|| rotation.fault("it must be a unit quaternion x, y, z, w"))?;
+            .ok_or("rotation: it must be a unit quaternion x, y, z, w")?;
         local *= DAffine3::from_cols(u, v, w, DVec3::ZERO);
     }
-    Ok(local * DAffine3::from_scale(vector("scale", DVec3::ONE)?))
+    Ok(local * DAffine3::from_scale(node.scale.unwrap_or(DVec3::ONE)))
 }
 
-/// Parses the text as JSON.
-fn parse(input: &Input) -> Result<Value, FileError> {
-    serde_json::from_str(input.text).map_err(|error| {
-        let said = error.to_string();
-        let said = said.split(" at line ").next().unwrap_or_default();
-        let problem = match said.strip_prefix("EOF while parsing ") {
-            Some(inside) => format!("the text ends inside {inside}: is all of the file there?"),
-            None if said == "recursion limit exceeded" => {
-                "brackets are nested more than 127 deep here".to_owned()
-            }
-            None => said.to_owned(),
-        };
-        // serde_json counts columns in bytes. Column 0 is before the first byte.
-        let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
-        let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
-        let location = Location::of_byte(input.text.as_bytes(), byte);
-        FileError::at(input.path, location, format!("no JSON: {problem}"))
-    })
-}
-
-/// A JSON value and its path, such as `cameras[0].perspective.yfov`.
-#[derive(Clone)]
-struct JsonNode<'a> {
-    input: &'a Input<'a>,
-    path: String,
-    value: &'a Value,
-}
-
-impl<'a> JsonNode<'a> {
-    fn path_of(&self, key: &str) -> String {
-        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
-    }
-
-    fn get(&self, key: &str) -> Option<JsonNode<'a>> {
-        let value = self.value.get(key)?;
-        Some(JsonNode { input: self.input, path: self.path_of(key), value })
-    }
-
-    fn need(&self, key: &str, right: &str) -> Result<JsonNode<'a>, FileError> {
-        let problem = || format!("{} is missing: {right}", self.path_of(key));
-        self.get(key).ok_or_else(|| FileError::of_file(self.input.path, problem()))
-    }
-
-    fn items(&self) -> Vec<JsonNode<'a>> {
-        let items = self.value.as_array().map_or(&[][..], Vec::as_slice).iter().enumerate();
-        let node =
-            |(k, value)| JsonNode { input: self.input, path: format!("{}[{k}]", self.path), value };
-        items.map(node).collect()
-    }
-
-    /// Returns the indices in the list that is the value of the key `list`.
-    fn indices(&self, list: &str) -> impl Iterator<Item = usize> {
-        let list = self.value.get(list).and_then(Value::as_array);
-        let list = list.map_or(&[][..], Vec::as_slice).iter();
-        list.filter_map(|index| usize::try_from(index.as_u64()?).ok())
-    }
-
-    /// Creates the error `path is value: right`, where `path` names the value, such as
-    /// `nodes[0].camera`. The error is located at the last name of the path if the text contains that
-    /// name only once.
-    fn fault(&self, right: &str) -> FileError {
-        let value: String = self.value.to_string().chars().take(60).collect();
-        let problem = format!("{} is {value}: {right}", self.path);
-        let name = self.path.rsplit('.').next().unwrap_or_default();
-        let quoted = format!("\"{}\"", name.split('[').next().unwrap_or_default());
-        let mut matches = self.input.text.match_indices(&quoted);
-        match (matches.next(), matches.next()) {
-            (Some((at, _)), None) => self.input.error_at(at, problem),
-            _ => FileError::of_file(self.input.path, problem),
+/// Returns serde's error about a text, with its place in characters.
+fn fault(input: &Input, error: &serde_json::Error) -> FileError {
+    let said = error.to_string();
+    let said = said.split(" at line ").next().unwrap_or_default();
+    let problem = match said.strip_prefix("EOF while parsing ") {
+        Some(inside) => {
+            format!("no JSON: the text ends inside {inside}: is all of the file there?")
         }
-    }
-
-    fn number(&self) -> Result<f64, FileError> {
-        let number = self.value.as_f64().filter(|number| number.is_finite());
-        number.ok_or_else(|| self.fault("it must be a finite number"))
-    }
-
-    fn positive(&self) -> Result<f64, FileError> {
-        let number = self.number()?;
-        if number > 0.0 { Ok(number) } else { Err(self.fault("it must be greater than 0")) }
-    }
-
-    fn numbers<const N: usize>(&self) -> Result<[f64; N], FileError> {
-        let numbers: Result<Vec<f64>, FileError> =
-            self.items().iter().map(JsonNode::number).collect();
-        numbers?.try_into().map_err(|_| self.fault(&format!("it must be {N} numbers")))
-    }
-
-    fn index(&self) -> Option<usize> {
-        self.value.as_u64().and_then(|index| usize::try_from(index).ok())
-    }
+        None if error.is_data() => format!("no glTF with a camera: {said}"),
+        None => format!("no JSON: {said}"),
+    };
+    // serde_json counts columns in bytes. Column 0 is before the first byte.
+    let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
+    let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
+    input.error_at(byte, problem)
 }

@@ -67,44 +67,37 @@ const OF_NUMBERS: &str = "it must be given by numbers, without names or calculat
 
 /// Returns true if a text looks like a camera that is given by literal numbers.
 pub(super) fn detect(text: &str) -> bool {
-    let gives = |names: &[&str], signs: &[char], begins: &dyn Fn(&str) -> bool| {
-        let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == '.' && signs != ['='];
-        names.iter().flat_map(|name| text.match_indices(name)).any(|(at, name)| {
-            let rest = text[at + name.len()..].trim_start_matches([' ', '"', '\'']);
-            let value = rest.strip_prefix(signs).map(|value| value.trim_start_matches(' '));
-            !text[..at].ends_with(is_of_name) && value.is_some_and(begins)
-        })
+    let tokens = tokens(text);
+    let solid: Vec<&str> = tokens.iter().map(|token| token.text).filter(|t| *t != "\n").collect();
+    let behind = |is_name: &dyn Fn(&str) -> bool, signs: &[&str]| {
+        let mut found = solid.windows(3).filter(|three| is_name(three[0]));
+        found.find(|three| signs.contains(&three[1])).map(|three| three[2])
     };
-    let is_list = |value: &str| value.starts_with(['[', '(', 'n', '\n']);
     let of_numbers =
         |c: char| c.is_ascii_digit() || c.is_whitespace() || "()[],.;+-eE\u{feff}".contains(c);
-    let is_point = |value: &str| {
-        is_list(value) || value.starts_with(|c: char| of_numbers(c) || c == 'g' || c == 'v')
-    };
-    gives(&["gluLookAt", "lookAt"], &['('], &|_| true)
-        || POINTS.iter().all(|name| gives(&[name], &['=', ':'], &is_point))
-        || gives(&K_NAMES, &['=', ':'], &is_list)
-        || gives(&MATRICES, &['='], &|_| true)
+    behind(&is_look_at, &["("]).is_some()
+        || POINTS.iter().all(|point| behind(&|name| name == *point, &["=", ":"]).is_some())
+        || behind(&|name| K_NAMES.contains(&name), &["=", ":"])
+            .is_some_and(|value| value.starts_with(['[', '(', 'n']))
+        || behind(&|name| MATRICES.contains(&last_segment(name)), &["="]).is_some()
         || text.chars().all(of_numbers) && text.contains(|c: char| c.is_ascii_digit())
 }
 
 /// Reads the camera of a text. The field of view and the image size are those of the camera `at_hand`
 /// if the text does not specify them.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
-    let plain = unquoted(without_comments(input)?);
-    let source = Statements { input, statements: statements(input, &plain)? };
+    let source = Source { input, statements: statements(input)? };
     if source.statements.is_empty() {
         return Err(source.missing("a number", RIGHT));
     }
     if source.statements.iter().any(|statement| is_of_intrinsics(statement.target)) {
         return by_intrinsics(&source, at_hand);
     }
-    if let Some(call) = source.statements.iter().find(|s| is_look_at(s.called)) {
-        let numbers = source.numbers(call)?;
-        let points = numbers.try_into();
+    if let Some(k) = source.statements.iter().position(|s| is_look_at(s.called)) {
+        let call = &source.statements[k];
+        let points = source.numbers(call)?.try_into();
         let points = points.map_err(|_| source.refused(call, "it must have 9 numbers"))?;
-        let mut others = source.statements.iter().filter(|other| other.piece.at != call.piece.at);
-        return match others.next() {
+        return match source.statements.get(usize::from(k == 0)) {
             Some(other) => Err(source.refused(other, ONE_LOOK_AT)),
             None => Ok(look_at(points, None, at_hand)),
         };
@@ -129,7 +122,7 @@ fn is_of_intrinsics(name: &str) -> bool {
 }
 
 /// Reads eye, at and up, each of them with its name.
-fn by_names(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
+fn by_names(source: &Source, at_hand: &Camera) -> Result<Imported, FileError> {
     let mut points = [None; 3];
     for statement in &source.statements {
         let place = POINTS.iter().position(|name| *name == statement.target);
@@ -151,7 +144,7 @@ fn by_names(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError
 }
 
 /// Reads numbers without names: eye, at and up, or a camera-to-world matrix.
-fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
+fn by_numbers(source: &Source, at_hand: &Camera) -> Result<Imported, FileError> {
     let (first, mut numbers) = (&source.statements[0], Vec::new());
     let is_alone = source.statements.len() == 1;
     for statement in &source.statements {
@@ -165,8 +158,7 @@ fn by_numbers(source: &Statements, at_hand: &Camera) -> Result<Imported, FileErr
     let refused = |right: &str| source.refused(first, right);
     let is_named = !first.target.is_empty();
     // A rotation alone, such as [[1, 0, 0], ...], is not a camera.
-    let mut signs = first.piece.text.chars().filter(|c| !c.is_whitespace());
-    let is_rotation = [signs.next(), signs.next()].iter().flatten().all(|c| "([{".contains(*c))
+    let is_rotation = first.tokens.iter().take(2).all(|token| token.turn() > 0)
         && is_alone
         && first.arguments.len() == 1;
     let look_at = |points, degrees| {
@@ -247,7 +239,7 @@ fn affine_of_rows(m: &[f64]) -> Option<DAffine3> {
 /// s (x, y, 1) = K (R q + t)        x = j, y = i at the centre of pixel (row i, column j)
 /// R = (u, -v, -w) as rows          t = -R eye
 /// ```
-fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, FileError> {
+fn by_intrinsics(source: &Source, at_hand: &Camera) -> Result<Imported, FileError> {
     for statement in &source.statements {
         let is_value = statement.called.is_empty() && statement.arguments.len() == 1;
         if !(is_value && is_of_intrinsics(statement.target)) {
@@ -287,7 +279,7 @@ fn by_intrinsics(source: &Statements, at_hand: &Camera) -> Result<Imported, File
     Ok(Imported { camera: Camera { eye, orientation, viewport, image }, notes })
 }
 
-fn intrinsics(source: &Statements) -> Result<Intrinsics, FileError> {
+fn intrinsics(source: &Source) -> Result<Intrinsics, FileError> {
     let (field, k) = source
         .given(&K_NAMES, &[9], "it must be 3 × 3 numbers")?
         .ok_or_else(|| source.missing("K", "it must be nine numbers"))?;
@@ -315,7 +307,7 @@ fn viewport_of(k: &Intrinsics, image: ImageSize, distance: f64) -> Viewport {
 const SMALLEST: f64 = 4.0;
 
 fn size(
-    source: &Statements,
+    source: &Source,
     k: &Intrinsics,
     at_hand: &Camera,
     notes: &mut Vec<String>,
@@ -352,7 +344,7 @@ fn size(
 
 /// Returns the three rows of OpenCV's R, followed by t, which are given separately or as one 3 × 4 or 4
 /// × 4 matrix. If neither is given, returns the identity: the camera's coordinates are the world's.
-fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
+fn pose(source: &Source, notes: &mut Vec<String>) -> Result<[DVec3; 4], FileError> {
     let whole = source.given(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
     let matrix = source.given(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
     let translation = source.given(&T_NAMES, &[3], "it must be three numbers")?;
@@ -361,14 +353,14 @@ fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], File
             return Err(source.given_too(other, field));
         }
         let right = "its last row must be 0 0 0 1";
-        let affine = affine_of_rows(numbers).ok_or_else(|| source.value_fault(field, right))?;
+        let affine = affine_of_rows(&numbers).ok_or_else(|| source.value_fault(field, right))?;
         let rows = affine.matrix3.transpose();
         return Ok([rows.x_axis, rows.y_axis, rows.z_axis, affine.translation]);
     }
     match (matrix, translation) {
         (Some((_, m)), Some((_, t))) => {
             let [x, y, z] = [0, 3, 6].map(|k| DVec3::from_slice(&m[k..]));
-            Ok([x, y, z, DVec3::from_slice(t)])
+            Ok([x, y, z, DVec3::from_slice(&t)])
         }
         (Some(_), None) => Err(source.missing("t", "the translation must be three numbers")),
         (None, Some(_)) => Err(source.missing("R", "the rotation must be nine numbers")),
@@ -382,45 +374,48 @@ fn pose(source: &Statements, notes: &mut Vec<String>) -> Result<[DVec3; 4], File
 }
 
 /// The statements of a text, and its path for errors.
-struct Statements<'s> {
+struct Source<'s> {
     input: &'s Input<'s>,
     statements: Vec<Statement<'s>>,
 }
 
 /// A statement: a call, an assignment, or numbers alone.
 struct Statement<'s> {
-    piece: Piece<'s>,
+    /// The whole statement, which is not empty.
+    tokens: Vec<Token<'s>>,
     /// The name that is assigned to, such as `view` in `glm::mat4 view = ...`; empty if there is none.
     target: &'s str,
     /// The name of the called function; empty if nothing is called.
     called: &'s str,
     /// The arguments of the call; without a call, the values.
-    arguments: Vec<Argument<'s>>,
+    arguments: Vec<Vec<Token<'s>>>,
 }
 
-/// An argument of a call, or a value.
-struct Argument<'s> {
-    piece: Piece<'s>,
-    /// The numbers in the argument as a flat list, whatever its brackets; `None` if it contains
-    /// anything but literal numbers.
-    numbers: Option<Vec<f64>>,
-}
-
-impl Statements<'_> {
-    /// Creates the error `statement: right`, located at the statement.
-    fn refused(&self, statement: &Statement, right: &str) -> FileError {
-        refused(self.input, statement.piece, right)
+impl Source<'_> {
+    /// Returns a part of a statement on one line, and the index of its first byte, for an error.
+    fn shown(&self, statement: &Statement, part: &[Token]) -> (String, usize) {
+        let (Some(first), Some(last)) = (part.first(), part.last()) else {
+            return (String::new(), statement.tokens[0].at);
+        };
+        let text = one_line(&self.input.text[first.at..last.at + last.text.len()]);
+        (text.replace(QUOTES, ""), first.at)
     }
 
-    /// Creates the error `field is value: right`, located at the value.
-    fn fault(&self, field: &str, argument: &Argument, right: &str) -> FileError {
-        let value = one_line(argument.piece.text);
-        self.input.error_at(argument.piece.at, format!("{field} is {value}: {right}"))
+    /// Creates the error `statement: right`, located at the statement.
+    fn refused(&self, statement: &Statement, right: &str) -> FileError {
+        let (text, at) = self.shown(statement, &statement.tokens);
+        self.input.error_at(at, format!("{}: {right}", text.trim_end_matches(':')))
+    }
+
+    /// Creates the error `field is value: right` about an argument, located at the value.
+    fn fault(&self, field: &str, of: &Statement, value: &[Token], right: &str) -> FileError {
+        let (value, at) = self.shown(of, value);
+        self.input.error_at(at, format!("{field} is {value}: {right}"))
     }
 
     /// Creates the error of [`Self::fault`] for a statement that assigns one value to a name.
     fn value_fault(&self, statement: &Statement, right: &str) -> FileError {
-        self.fault(statement.target, &statement.arguments[0], right)
+        self.fault(statement.target, statement, &statement.arguments[0], right)
     }
 
     fn missing(&self, field: &str, right: &str) -> FileError {
@@ -437,8 +432,8 @@ impl Statements<'_> {
         let field = if statement.called.is_empty() { "this" } else { statement.called };
         let mut all = Vec::new();
         for argument in &statement.arguments {
-            let numbers = argument.numbers.as_ref();
-            all.extend(numbers.ok_or_else(|| self.fault(field, argument, OF_NUMBERS))?);
+            let fault = || self.fault(field, statement, argument, OF_NUMBERS);
+            all.extend(literal(argument).ok_or_else(fault)?);
         }
         Ok(all)
     }
@@ -450,14 +445,13 @@ impl Statements<'_> {
         names: &[&str],
         counts: &[usize],
         right: &str,
-    ) -> Result<Option<(&Statement<'_>, &[f64])>, FileError> {
-        let mut taken: Option<(&Statement, &[f64])> = None;
+    ) -> Result<Option<(&Statement<'_>, Vec<f64>)>, FileError> {
+        let mut taken: Option<(&Statement, Vec<f64>)> = None;
         for statement in self.statements.iter().filter(|s| names.contains(&s.target)) {
             let value = &statement.arguments[0];
-            let numbers = value.numbers.as_deref().filter(|numbers| {
-                // In C, the quotient of two integers is rounded towards 0.
-                counts.contains(&numbers.len()) && !value.piece.text.contains('/')
-            });
+            // In C, the quotient of two integers is rounded towards 0.
+            let is_quotient = value.iter().any(|token| token.text == "/");
+            let numbers = literal(value).filter(|n| counts.contains(&n.len()) && !is_quotient);
             let numbers = numbers.ok_or_else(|| self.value_fault(statement, right))?;
             if let Some((first, _)) = taken {
                 return Err(self.given_too(statement, first));
@@ -468,219 +462,200 @@ impl Statements<'_> {
     }
 }
 
-/// Creates the error `statement: right` about a statement, which is quoted on one line and without a
-/// colon at its end.
-fn refused(input: &Input, piece: Piece, right: &str) -> FileError {
-    let statement = one_line(piece.text);
-    input.error_at(piece.at, format!("{}: {right}", statement.trim_end_matches(':')))
-}
-
-/// A part of the imported text, and the index of its first byte in the text.
+/// A word, such as a name or a number, or a sign; and the index of its first byte in the text.
 #[derive(Clone, Copy)]
-struct Piece<'s> {
+struct Token<'s> {
     text: &'s str,
     at: usize,
 }
 
-impl<'s> Piece<'s> {
-    /// Returns the part from byte `from` to byte `end`, without surrounding whitespace.
-    fn part(self, from: usize, end: usize) -> Piece<'s> {
-        let text = self.text[from..end].trim_start();
-        Piece { text: text.trim_end(), at: self.at + end - text.len() }
-    }
-
-    /// Splits the text at commas outside of brackets. A trailing comma is allowed.
-    fn split(self) -> Vec<Piece<'s>> {
-        let (mut depth, mut from, mut parts) = (0_i32, 0, Vec::new());
-        for (at, c) in self.text.char_indices().chain([(self.text.len(), ',')]) {
-            match c {
-                '(' | '[' | '{' => depth += 1,
-                ')' | ']' | '}' => depth -= 1,
-                ',' if depth == 0 => {
-                    parts.push(self.part(from, at));
-                    from = at + 1;
-                }
-                _ => (),
-            }
+impl Token<'_> {
+    /// Returns 1 for a bracket that opens, -1 for one that closes, and 0 for any other token.
+    fn turn(&self) -> i32 {
+        match self.text {
+            "(" | "[" | "{" => 1,
+            ")" | "]" | "}" => -1,
+            _ => 0,
         }
-        parts.pop_if(|last| last.text.is_empty());
-        parts
     }
 }
 
-/// Returns the text with each byte of a comment replaced by a space, so that positions do not change.
-fn without_comments(input: &Input) -> Result<String, FileError> {
-    let text = input.text;
-    let mut plain = String::with_capacity(text.len());
-    while let Some(c) = text[plain.len()..].chars().next() {
-        let rest = &text[plain.len()..];
+const QUOTES: [char; 2] = ['"', '\''];
+
+/// Splits a text into tokens, without its comments. The end of a line is a token, too; `//` is one behind a
+/// number, which it may divide. The outer braces and the quotes of a JSON object or of Python's `dict` are
+/// left out.
+fn tokens(text: &str) -> Vec<Token<'_>> {
+    const SIGNS: &str = "()[]{},;/=\"'#\n";
+    let (mut tokens, mut at): (Vec<Token>, usize) = (Vec::new(), 0);
+    while let Some(c) = text[at..].chars().next() {
+        let rest = &text[at..];
         let is_directive = DIRECTIVES.iter().any(|directive| rest.starts_with(directive));
-        let blank = if rest.starts_with("//") || c == '#' && !is_directive {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if let Some(inside) = rest.strip_prefix("/*") {
-            inside.find("*/").map_or(rest.len(), |end| end + 4)
-        } else if c == '\u{feff}' {
-            c.len_utf8()
-        } else {
-            plain.push(c);
-            continue;
+        let is_number =
+            |last: &Token| last.text.ends_with(|c: char| c.is_ascii_digit() || c == '.');
+        let is_colon = |k: usize| !rest[k..].starts_with("::") && !rest[..k].ends_with(':');
+        let ends = |(k, c): &(usize, char)| {
+            c.is_whitespace() || SIGNS.contains(*c) || *c == ':' && is_colon(*k)
         };
-        let before = plain.trim_end_matches([' ', '\t']);
-        if rest.starts_with("//") && before.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+        let word = rest.char_indices().skip(1).find(ends).map_or(rest.len(), |(k, _)| k);
+        let (length, is_token) = match c {
+            '/' if rest.starts_with("//") && tokens.last().is_some_and(is_number) => (2, true),
+            '/' if rest.starts_with("/*") => {
+                (rest[2..].find("*/").map_or(rest.len(), |k| k + 4), false)
+            }
+            '/' if rest.starts_with("//") => (rest.find('\n').unwrap_or(rest.len()), false),
+            '#' if !is_directive => (rest.find('\n').unwrap_or(rest.len()), false),
+            '\n' => (1, true),
+            c if c.is_whitespace() || c == '\u{feff}' => (c.len_utf8(), false),
+            ':' if is_colon(0) => (1, true),
+            c if c != '#' && SIGNS.contains(c) => (1, true),
+            _ => (word, true),
+        };
+        if is_token {
+            tokens.push(Token { text: &rest[..length], at });
+        }
+        at += length;
+    }
+    let solid: Vec<Token> = tokens.iter().filter(|token| token.text != "\n").copied().collect();
+    if let [first, second, .., last] = solid[..]
+        && (first.text, last.text) == ("{", "}")
+        && second.text.starts_with(QUOTES)
+    {
+        tokens
+            .retain(|one| ![first.at, last.at].contains(&one.at) && !one.text.starts_with(QUOTES));
+    }
+    tokens
+}
+
+/// Splits tokens at those outside of brackets for whose index `is_end` is true.
+fn parts<'s>(tokens: &[Token<'s>], is_end: impl Fn(usize) -> bool) -> Vec<Vec<Token<'s>>> {
+    let (mut depth, mut parts) = (0, vec![Vec::new()]);
+    for (k, token) in tokens.iter().enumerate() {
+        depth += token.turn();
+        if depth == 0 && is_end(k) {
+            parts.push(Vec::new());
+        } else if let Some(part) = parts.last_mut() {
+            part.push(*token);
+        }
+    }
+    parts
+}
+
+/// Splits tokens at commas outside of brackets. A trailing comma is allowed.
+fn list<'s>(tokens: &[Token<'s>]) -> Vec<Vec<Token<'s>>> {
+    let mut parts = parts(tokens, |k| tokens[k].text == ",");
+    parts.pop_if(|last| last.is_empty());
+    parts
+}
+
+/// Splits a text into its statements.
+fn statements<'s>(input: &Input<'s>) -> Result<Vec<Statement<'s>>, FileError> {
+    let tokens = tokens(input.text);
+    let fault = |at: usize, right: &str| {
+        let rest = input.text[at..].split([';', '\n']).next().unwrap_or_default();
+        input.error_at(at, format!("{}: {right}", one_line(rest).trim_end_matches(':')))
+    };
+    let mut open: Vec<Token> = Vec::new();
+    for token in &tokens {
+        let closes = |open: &mut Token| {
+            matches!((open.text, token.text), ("(", ")") | ("[", "]") | ("{", "}"))
+        };
+        if token.turn() > 0 {
+            open.push(*token);
+        } else if token.turn() < 0 && open.pop_if(closes).is_none() {
+            return Err(fault(token.at, "no bracket is open that it closes"));
+        } else if token.text == "//" {
             let right = "a number must not stand before //, which may divide it, as in Python";
-            return Err(fault_at(input, text, plain.len(), right));
-        }
-        plain.extend(std::iter::repeat_n(' ', blank));
-    }
-    Ok(plain)
-}
-
-/// Returns the text of a JSON object or of Python's `dict` as assignments: its outer braces and its quotes
-/// become spaces, so that positions do not change. Returns any other text unchanged.
-fn unquoted(plain: String) -> String {
-    let inside = plain.trim().strip_prefix('{').and_then(|rest| rest.strip_suffix('}'));
-    if !inside.is_some_and(|inside| inside.trim_start().starts_with(['"', '\''])) {
-        return plain;
-    }
-    let braces = [plain.find('{'), plain.rfind('}')];
-    let is_blank = |at, c| braces.contains(&Some(at)) || c == '"' || c == '\'';
-    plain.char_indices().map(|(at, c)| if is_blank(at, c) { ' ' } else { c }).collect()
-}
-
-/// Returns true if a text begins with `name =` or `name :`.
-fn assigns(text: &str) -> bool {
-    let text = text.trim_start();
-    let rest = text.trim_start_matches(|c: char| is_of_name(c) || c.is_numeric()).trim_start();
-    text.starts_with(is_of_name) && rest.starts_with(['=', ':']) && !rest.starts_with("::")
-}
-
-/// Creates an error that is located at byte `at` of the text, and quotes the rest of the statement from
-/// there, followed by `right`.
-fn fault_at(input: &Input, text: &str, at: usize, right: &str) -> FileError {
-    let rest = text[at..].split([';', '\n']).next().unwrap_or_default();
-    refused(input, Piece { text: rest, at }, right)
-}
-
-/// Splits a text into its statements. `plain` is the text without comments.
-fn statements<'s>(input: &Input, plain: &'s str) -> Result<Vec<Statement<'s>>, FileError> {
-    let (mut open, mut pieces): (Vec<(usize, char)>, Vec<Piece>) = Default::default();
-    let (mut from, mut last, whole) = (0, ' ', Piece { text: plain, at: 0 });
-    for (at, c) in plain.char_indices() {
-        match c {
-            '(' => open.push((at, ')')),
-            '[' => open.push((at, ']')),
-            '{' => open.push((at, '}')),
-            ')' | ']' | '}' if open.pop_if(|(_, close)| *close == c).is_none() => {
-                return Err(fault_at(input, plain, at, "no bracket is open that it closes"));
-            }
-            // A statement continues inside brackets, after a line that is incomplete, and after a comma
-            // that no assignment follows.
-            ';' | '\n' | ','
-                if open.is_empty()
-                    && (c != '\n' || !"=,:".contains(last))
-                    && (c != ',' || assigns(&plain[at + 1..])) =>
-            {
-                pieces.push(whole.part(from, at));
-                from = at + 1;
-            }
-            _ => (),
-        }
-        if !c.is_whitespace() {
-            last = c;
+            return Err(fault(token.at, right));
         }
     }
-    if let Some((at, _)) = open.first() {
-        return Err(fault_at(input, plain, *at, "this bracket is not closed"));
+    if let Some(first) = open.first() {
+        return Err(fault(first.at, "this bracket is not closed"));
     }
-    pieces.push(whole.part(from, plain.len()));
-    let is_import = |word: &str| ["import", "from"].contains(&word);
-    pieces
-        .into_iter()
-        .filter(|piece| piece.text.split_whitespace().next().is_some_and(|word| !is_import(word)))
-        .map(|piece| statement(piece).ok_or_else(|| fault_at(input, plain, piece.at, RIGHT)))
-        .collect()
+    // A statement continues after a line that is incomplete, and after a comma that no assignment follows.
+    let is_end = |k: usize| match tokens[k].text {
+        ";" => true,
+        "\n" => k == 0 || !["=", ",", ":"].contains(&tokens[k - 1].text),
+        "," => {
+            let mut next = tokens[k + 1..].iter().map(|token| token.text).filter(|t| *t != "\n");
+            next.next().is_some_and(is_name) && matches!(next.next(), Some("=" | ":"))
+        }
+        _ => false,
+    };
+    let mut parts = parts(&tokens, is_end);
+    parts.iter_mut().for_each(|part| part.retain(|token| token.text != "\n"));
+    parts.retain(|part| part.first().is_some_and(|one| !["import", "from"].contains(&one.text)));
+    let statement = |part: Vec<Token<'s>>| {
+        let at = part[0].at;
+        statement(part).ok_or_else(|| fault(at, RIGHT))
+    };
+    parts.into_iter().map(statement).collect()
 }
 
 /// Parses `name(...)`, `name = ...`, or numbers. Returns `None` for anything else.
-fn statement(piece: Piece) -> Option<Statement> {
-    let (mut target, mut value) = ("", piece);
-    // Find the first = or : outside of brackets that is not part of `::`.
-    let head = piece.text.split(['(', '[', '{']).next()?.replace("::", "..");
-    if let Some(at) = head.find(['=', ':']) {
-        let mut words: Vec<&str> = piece.text[..at].split_whitespace().collect();
-        target = words.pop().filter(|name| is_name(name))?;
-        if !words.iter().all(|word| DECLARATIONS.contains(word)) {
+fn statement(tokens: Vec<Token>) -> Option<Statement> {
+    let head = tokens.iter().take_while(|token| token.turn() == 0);
+    let (target, value) = match head.clone().position(|token| ["=", ":"].contains(&token.text)) {
+        None => ("", &tokens[..]),
+        Some(at) => {
+            let (target, words) = tokens[..at].split_last()?;
+            let are_declared = words.iter().all(|word| DECLARATIONS.contains(&word.text));
+            (Some(target.text).filter(|name| is_name(name) && are_declared)?, &tokens[at + 1..])
+        }
+    };
+    let mut depth = 0;
+    let closes = |token: &Token| {
+        depth += token.turn();
+        token.turn() < 0 && depth == 0
+    };
+    let is_whole = value.iter().position(closes).is_some_and(|close| close + 1 == value.len());
+    let (called, arguments) = match value {
+        [name, open, inside @ .., _]
+            if is_whole
+                && open.text == "("
+                && is_name(name.text)
+                && !MAKERS.contains(&last_segment(name.text)) =>
+        {
+            (name.text, list(inside))
+        }
+        _ if !target.is_empty() => ("", vec![value.to_vec()]),
+        [first, ..] if first.text.starts_with(is_of_name) && literal(value).is_none() => {
             return None;
         }
-        value = piece.part(at + 1, piece.text.len());
-    }
-    let (called, arguments) = match call_of(value) {
-        Some((name, inside)) if !MAKERS.contains(&last_segment(name)) => (name, inside.split()),
-        _ if !target.is_empty() => ("", vec![value]),
-        _ if value.text.starts_with(is_of_name) && literal(value.text).is_none() => return None,
-        _ => ("", value.split()),
+        _ => ("", list(value)),
     };
-    let arguments = arguments.into_iter().map(argument).collect();
-    Some(Statement { piece, target, called, arguments })
+    Some(Statement { target, called, arguments, tokens })
 }
 
-/// Returns the name of a called function and its arguments, if the whole piece is one call; otherwise
-/// `None`.
-fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
-    let open = piece.text.find('(')?;
-    let name = piece.text[..open].trim_end();
-    let mut depth = 0_usize;
-    let close = piece.text.char_indices().find(|(_, c)| {
-        depth += usize::from("([{".contains(*c));
-        depth -= usize::from(")]}".contains(*c)).min(depth);
-        ")]}".contains(*c) && depth == 0
-    });
-    let is_call = is_name(name) && close.is_some_and(|(at, _)| at + 1 == piece.text.len());
-    is_call.then(|| (name, piece.part(open + 1, piece.text.len() - 1)))
-}
-
-fn argument(piece: Piece) -> Argument {
-    let mut numbers = literal(piece.text);
-    // In GLM, a vector that is made from one number has it in all components.
-    let maker = call_of(piece).map(|(name, _)| last_segment(name));
-    if let (Some([one]), Some("vec3" | "dvec3")) = (numbers.as_deref(), maker) {
-        numbers = Some(vec![*one; 3]);
-    }
-    Argument { piece, numbers }
-}
-
-/// Returns the numbers in a text, if it is literal: apart from numbers, it contains only brackets,
-/// [`MAKERS`] before brackets, slashes in quotients of two numbers, commas and spaces. Returns `None`
-/// for any other text.
-fn literal(text: &str) -> Option<Vec<f64>> {
-    let mut spaced = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '(' | '[' | '{' => spaced.push_str(" ( "),
-            ')' | ']' | '}' => spaced.push_str(" ) "),
-            ',' | '/' => spaced.extend([' ', c, ' ']),
-            c => spaced.push(c),
-        }
-    }
+/// Returns the numbers of a value, if it is literal: apart from numbers, it contains only brackets,
+/// [`MAKERS`] before brackets, slashes in quotients of two numbers, and commas. Returns `None` for any other
+/// value.
+fn literal(value: &[Token]) -> Option<Vec<f64>> {
     let (mut numbers, mut commas, mut is_behind_value) = (Vec::new(), 0, false);
-    let mut cells = spaced.split_whitespace().peekable();
-    while let Some(cell) = cells.next() {
-        match cell {
-            "(" => (),
-            ")" => is_behind_value = true,
+    let mut tokens = value.iter().peekable();
+    while let Some(token) = tokens.next() {
+        let is_maker = || MAKERS.contains(&last_segment(token.text));
+        match token.text {
             // Two adjacent commas mean that a number is missing.
             "," if !is_behind_value => return None,
             "," => (commas, is_behind_value) = (commas + 1, false),
-            name if cells.peek() == Some(&"(") && MAKERS.contains(&last_segment(name)) => (),
-            cell => {
-                let mut value = number(cell)?;
-                if cells.next_if_eq(&"/").is_some() {
-                    value /= number(cells.next()?)?;
+            _ if token.turn() != 0 => is_behind_value |= token.turn() < 0,
+            _ if is_maker() && tokens.peek().is_some_and(|next| next.turn() > 0) => (),
+            text => {
+                let mut number_of = number(text)?;
+                if tokens.next_if(|next| next.text == "/").is_some() {
+                    number_of /= number(tokens.next()?.text)?;
                 }
-                numbers.push(Some(value).filter(|value| value.is_finite())?);
+                numbers.push(Some(number_of).filter(|number| number.is_finite())?);
                 is_behind_value = true;
             }
         }
+    }
+    // In GLM, a vector that is made from one number has it in all components.
+    if let ([one], Some("vec3" | "dvec3")) =
+        (&numbers[..], value.first().map(|first| last_segment(first.text)))
+    {
+        return Some(vec![*one; 3]);
     }
     // Either all numbers are separated by commas, with an optional trailing one, or all by blanks.
     let count = numbers.len();

@@ -59,15 +59,15 @@ fn a_ring_of_nodes_and_two_parents_are_refused() {
     for (nodes, message) in [
         (
             r#"{"children": [1]}, {"children": [0], "camera": 1}"#,
-            "nodes[0] is {\"children\":[1]}: it is below itself: it must be no child of it",
+            "nodes[0] is below itself: it must be no child of it",
         ),
         (
             r#"{"children": [0], "camera": 1}"#,
-            "nodes[0] is {\"camera\":1,\"children\":[0]}: it is below itself: it must be no child of it",
+            "nodes[0] is below itself: it must be no child of it",
         ),
         (
             r#"{"children": [2]}, {"children": [2]}, {"camera": 1}"#,
-            "nodes[2] is {\"camera\":1}: it must be a child of one node only",
+            "nodes[2] must be a child of one node only",
         ),
     ] {
         assert_eq!(read(&gltf("", nodes)).unwrap_err().problem, message);
@@ -85,11 +85,11 @@ fn long_chains_and_rings_end() {
     let scene = "\"scenes\": [{\"nodes\": [0]}],";
     assert_taken(&gltf(scene, &format!("{chain}, {{\"camera\": 1}}")), [0.0, 0.0, 1e5], &[]);
     let ring = gltf(scene, &format!("{chain}, {{\"camera\": 1, \"children\": [0]}}"));
-    assert!(read(&ring).unwrap_err().problem.contains("it is below itself"));
+    assert!(read(&ring).unwrap_err().problem.contains("is below itself"));
 
     let deep = format!("{{\"object\": {}{}}}", "{\"children\": [".repeat(many), "]}".repeat(many));
     let error = read(&deep).unwrap_err();
-    assert_eq!(error.to_string(), "in:1:894: no JSON: brackets are nested more than 127 deep here");
+    assert!(error.problem.starts_with("no glTF with a camera: missing field"), "{error}");
 }
 
 #[test]

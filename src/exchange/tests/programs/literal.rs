@@ -107,7 +107,7 @@ fn k_r_and_t_are_taken_on_one_line_and_as_json() {
     assert_eq!(taken(&json.replace('"', "'")), taken(K_R_T));
     let distorted = json.replace("0, 0]\n}", "0, 0.1]\n}");
     assert_refused(&distorted, "in:4:17: distortion is [0, 0, 0, 0, 0.1]: it must be 0");
-    assert_refused(&json.replace("\"R", "\"S"), "in:3:2: S : [[1, 0, 0], [0, -1, 0]");
+    assert_refused(&json.replace("\"R", "\"S"), "in:3:2: S: [[1, 0, 0], [0, -1, 0]");
 }
 
 /// Except for the viewport's distance, which K, R and t do not tell.
