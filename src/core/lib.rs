@@ -197,6 +197,7 @@ pub mod methods;
 mod render;
 mod scene;
 pub mod steering;
+mod texts;
 
 /// Runs the README's example as a doc test.
 #[cfg(doctest)]

@@ -28,38 +28,25 @@ const FINE: f32 = 300.0 / 96.0;
 /// Maximum side of a fine picture, in pixels, so that it stays small enough for a file.
 const LARGEST: f32 = 8192.0;
 
-/// The subject of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FigureSubject {
+pinhole_core::texts! {
+    /// The subject of a figure.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum FigureSubject[2];
+    {
+        /// Returns the title of the subject's view.
+        title,
+        /// Returns the subject's name on the command line.
+        name,
+    }
     /// The world view: the scene with the camera in it, as seen by an observer outside.
-    World,
+    World: "World view", "world";
     /// The camera's picture.
-    Camera,
+    Camera: "Camera view", "camera";
     /// The derivation of every number.
-    Derivation,
+    Derivation: "Derivation", "derivation";
     /// The lines lab: two lines in the plane, one implicit and one parametric, and the substitution
     /// that intersects them.
-    Lines,
-}
-
-impl FigureSubject {
-    /// All subjects.
-    pub const ALL: [FigureSubject; 4] = [
-        FigureSubject::World,
-        FigureSubject::Camera,
-        FigureSubject::Derivation,
-        FigureSubject::Lines,
-    ];
-
-    /// Returns the title of the subject's view.
-    pub fn title(self) -> &'static str {
-        ["World view", "Camera view", "Derivation", "Lines"][self as usize]
-    }
-
-    /// Returns the subject's name on the command line.
-    pub fn name(self) -> &'static str {
-        ["world", "camera", "derivation", "lines"][self as usize]
-    }
+    Lines: "Lines", "lines";
 }
 
 /// The kind of content in a file.

@@ -5,38 +5,22 @@ use std::sync::Arc;
 
 use crate::model::Concept;
 
-/// A section of the derivation. The variants are in their order on the screen, from top to bottom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum DerivationSection {
+pinhole_core::texts! {
+    /// A section of the derivation. The variants are in their order on the screen, from top to bottom.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum DerivationSection[2];
+    {
+        /// Returns the label of the section's checkbox.
+        label,
+        /// Returns the section's name in files.
+        name,
+    }
     /// The steps from view and up to u, v, w.
-    Basis,
+    Basis: "Basis", "basis";
     /// The steps from a pixel to its view ray.
-    PixelToRay,
+    PixelToRay: "Pixel to ray", "pixel-to-ray";
     /// The intersection of the view ray with every object.
-    Objects,
-}
-
-impl DerivationSection {
-    /// All sections, in order.
-    pub const ALL: [DerivationSection; 3] = [Self::Basis, Self::PixelToRay, Self::Objects];
-
-    fn texts(self) -> [&'static str; 2] {
-        match self {
-            DerivationSection::Basis => ["Basis", "basis"],
-            DerivationSection::PixelToRay => ["Pixel to ray", "pixel-to-ray"],
-            DerivationSection::Objects => ["Objects", "objects"],
-        }
-    }
-
-    /// Returns the label of the section's checkbox.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns the section's name in files.
-    pub fn name(self) -> &'static str {
-        self.texts()[1]
-    }
+    Objects: "Objects", "objects";
 }
 
 /// Lines of the derivation that are shown in place of whole sections.

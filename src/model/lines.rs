@@ -61,35 +61,24 @@ pub enum ShownLines {
     Parametric,
 }
 
-/// A handle in the lab.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum LineHandle {
-    /// Moves the implicit line without turning it.
-    Move,
-    /// Turns the implicit line about its grip.
-    Turn,
-    /// The parametric line's p.
-    P,
-    /// The tip of d.
-    Tip,
-    /// The marked point p + t d, which can only move along its line.
-    T,
-}
-
-impl LineHandle {
-    /// All handles, from back to front.
-    pub const ALL: [LineHandle; 5] = [Self::Move, Self::Turn, Self::P, Self::Tip, Self::T];
-
-    /// Returns the handle's name for screen readers and for its tooltip.
-    pub fn name(self) -> &'static str {
-        match self {
-            LineHandle::Move => "move the implicit line",
-            LineHandle::Turn => "turn the implicit line",
-            LineHandle::P => "move p",
-            LineHandle::Tip => "move the tip of d",
-            LineHandle::T => "slide t",
-        }
+pinhole_core::texts! {
+    /// A handle in the lab. The variants are in their order from back to front.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum LineHandle[1];
+    {
+        /// Returns the handle's name for screen readers and for its tooltip.
+        name,
     }
+    /// Moves the implicit line without turning it.
+    Move: "move the implicit line";
+    /// Turns the implicit line about its grip.
+    Turn: "turn the implicit line";
+    /// The parametric line's p.
+    P: "move p";
+    /// The tip of d.
+    Tip: "move the tip of d";
+    /// The marked point p + t d, which can only move along its line.
+    T: "slide t";
 }
 
 impl Default for LinesLab {

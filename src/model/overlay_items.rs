@@ -2,38 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Defines the items, each with the label of its checkbox and its name in lesson files.
-macro_rules! items {
-    ($($(#[$doc:meta])* $item:ident: $label:literal, $name:literal;)*) => {
-        /// An item that the overlay draws.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[repr(u8)]
-        pub enum Item {
-            $($(#[$doc])* $item,)*
-        }
-
-        impl Item {
-            /// All items, in order.
-            pub const ALL: [Item; { [$(Item::$item),*].len() }] = [$(Item::$item),*];
-
-            /// Returns the label of the item's checkbox.
-            pub fn label(self) -> &'static str {
-                match self {
-                    $(Item::$item => $label,)*
-                }
-            }
-
-            /// Returns the item's name in lesson files.
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Item::$item => $name,)*
-                }
-            }
-        }
-    };
-}
-
-items! {
+pinhole_core::texts! {
+    /// An item that the overlay draws.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[repr(u8)]
+    pub enum Item[2];
+    {
+        /// Returns the label of the item's checkbox.
+        label,
+        /// Returns the item's name in lesson files.
+        name,
+    }
     /// The camera's position.
     Eye: "eye", "eye";
     /// The point at, for a camera that is given by it.

@@ -5,31 +5,38 @@ use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, Ray, Sphere};
 use super::judge::Condition;
 use crate::mistakes::Mistake;
 
-/// A kind of question.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Exercise {
+pinhole_core::texts! {
+    /// A kind of question.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Exercise[2];
+    {
+        /// Returns the name in lesson files and codes.
+        id,
+        /// Returns the title.
+        title,
+    }
     /// Warm-up 1a: the view ray through a point (u, v).
-    WarmUpRay,
+    WarmUpRay: "warm-up-ray", "Warm-up 1a: a viewing ray";
     /// Warm-up 1b: the intersection of that ray with a wall.
-    WarmUpPlane,
+    WarmUpPlane: "warm-up-plane", "Warm-up 1b: the wall it meets";
     /// A view ray and a wall, for a viewport whose distance is not 1.
-    Distance,
+    Distance: "distance", "A different distance";
     /// A basis that is turned about the y axis, and one of the camera's rays.
-    Turned,
+    Turned: "turned-basis", "A basis turned by 45°";
     /// A basis from view and up.
-    ViewUp,
+    ViewUp: "view-up", "A basis from view and up";
     /// A basis from eye, at and up.
-    EyeAtUp,
+    EyeAtUp: "eye-at-up", "A basis from eye, at and up";
     /// A ray and a sphere.
-    Sphere,
+    Sphere: "sphere", "A ray and a sphere";
     /// A line and a ray in two dimensions.
-    Lines,
+    Lines: "lines", "A line and a ray in two dimensions";
     /// The point (u, v) of a pixel's centre.
-    PixelUv,
+    PixelUv: "pixel-uv", "A pixel's (u, v)";
     /// The point of a ray at a given t.
-    PointAt,
+    PointAt: "point-at-t", "The point at t";
     /// The coefficients and the discriminant of the equation for t of a ray and a sphere.
-    Coefficients,
+    Coefficients: "coefficients", "a, b, c and D of a ray and a sphere";
 }
 
 /// The numbers given in a question.
@@ -122,37 +129,44 @@ pub enum Given {
     },
 }
 
-/// A quantity that the student must find.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Asked {
+pinhole_core::texts! {
+    /// A quantity that the student must find.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Asked[2];
+    {
+        /// Returns the name of the answer's field.
+        id,
+        /// Returns the quantity's symbol, for the label in front of the text fields of its answer.
+        symbol,
+    }
     /// The ray's origin.
-    Origin,
+    Origin: "p", "𝐩";
     /// The ray's direction.
-    Direction,
+    Direction: "d", "𝐝";
     /// The ray's t.
-    T,
+    T: "t", "𝑡";
     /// The vector u, which points to the right in the image.
-    U,
+    U: "u", "𝐮";
     /// The vector v, which points upwards in the image.
-    V,
+    V: "v", "𝐯";
     /// The vector w, which points opposite to the view direction.
-    W,
+    W: "w", "𝐰";
     /// The hit point.
-    Point,
+    Point: "point", "point";
     /// The outward unit normal at the hit point.
-    Normal,
+    Normal: "normal", "normal";
     /// Whether the ray itself hits (t > 0), and not only the line on which it lies.
-    Hits,
+    Hits: "hits", "the ray hits";
     /// The point (u, v) of the viewport.
-    Uv,
+    Uv: "uv", "(𝑢, 𝑣)";
     /// a in `a t^2 + 2 b t + c = 0`, the equation of a ray and a sphere.
-    A,
+    A: "a", "𝑎";
     /// b in it, half of the coefficient of t.
-    B,
+    B: "b", "𝑏";
     /// c in it.
-    C,
+    C: "c", "𝑐";
     /// Its discriminant, `D = b^2 - a c`.
-    Discriminant,
+    Discriminant: "D", "𝐷";
 }
 
 /// An answer, right or wrong.
@@ -196,7 +210,7 @@ pub struct Question {
 
 impl Exercise {
     /// All exercises, in the lecture's order.
-    pub const ALL: &'static [Exercise] = &[
+    pub const LISTED: &'static [Exercise] = &[
         Exercise::PixelUv,
         Exercise::WarmUpRay,
         Exercise::PointAt,
@@ -209,66 +223,9 @@ impl Exercise {
         Exercise::Sphere,
         Exercise::Lines,
     ];
-
-    /// Returns the exercise's name in files and its title.
-    fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Exercise::WarmUpRay => ("warm-up-ray", "Warm-up 1a: a viewing ray"),
-            Exercise::WarmUpPlane => ("warm-up-plane", "Warm-up 1b: the wall it meets"),
-            Exercise::Distance => ("distance", "A different distance"),
-            Exercise::Turned => ("turned-basis", "A basis turned by 45°"),
-            Exercise::ViewUp => ("view-up", "A basis from view and up"),
-            Exercise::EyeAtUp => ("eye-at-up", "A basis from eye, at and up"),
-            Exercise::Sphere => ("sphere", "A ray and a sphere"),
-            Exercise::Lines => ("lines", "A line and a ray in two dimensions"),
-            Exercise::PixelUv => ("pixel-uv", "A pixel's (u, v)"),
-            Exercise::PointAt => ("point-at-t", "The point at t"),
-            Exercise::Coefficients => ("coefficients", "a, b, c and D of a ray and a sphere"),
-        }
-    }
-
-    /// Returns the exercise's name in files.
-    pub fn id(self) -> &'static str {
-        self.names().0
-    }
-
-    /// Returns the exercise's title in a list.
-    pub fn title(self) -> &'static str {
-        self.names().1
-    }
 }
 
 impl Asked {
-    /// Returns the name of the answer's field, and the quantity's symbol.
-    fn names(self) -> (&'static str, &'static str) {
-        match self {
-            Asked::Origin => ("p", "𝐩"),
-            Asked::Direction => ("d", "𝐝"),
-            Asked::T => ("t", "𝑡"),
-            Asked::U => ("u", "𝐮"),
-            Asked::V => ("v", "𝐯"),
-            Asked::W => ("w", "𝐰"),
-            Asked::Point => ("point", "point"),
-            Asked::Normal => ("normal", "normal"),
-            Asked::Hits => ("hits", "the ray hits"),
-            Asked::Uv => ("uv", "(𝑢, 𝑣)"),
-            Asked::A => ("a", "𝑎"),
-            Asked::B => ("b", "𝑏"),
-            Asked::C => ("c", "𝑐"),
-            Asked::Discriminant => ("D", "𝐷"),
-        }
-    }
-
-    /// Returns the name of the answer's field.
-    pub fn id(self) -> &'static str {
-        self.names().0
-    }
-
-    /// Returns the quantity's symbol, for the label in front of the text fields of its answer.
-    pub fn symbol(self) -> &'static str {
-        self.names().1
-    }
-
     /// Returns the names of the quantity's coordinates, as far as it has them, each with its symbol.
     pub fn coordinates(self) -> [(&'static str, &'static str); 3] {
         match self {

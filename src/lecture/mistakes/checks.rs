@@ -5,82 +5,46 @@ use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
 
 use super::wrong_camera::WrongCamera;
 
-/// Defines the checks. Each has a formula for the quantity that it examines, and a text that says which
-/// property a camera has that passes the check.
-macro_rules! checks {
-    ($($(#[$doc:meta])* $name:ident: $formula:literal, $meaning:literal;)*) => {
-        /// A property that every right camera has.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
-        pub enum Check {
-            $($(#[$doc])* $name,)*
-        }
-
-        impl Check {
-            /// All checks.
-            pub const ALL: &'static [Check] = &[$(Check::$name,)*];
-
-            /// Returns a formula for the quantity that the check examines.
-            pub fn formula(self) -> &'static str {
-                match self {
-                    $(Check::$name => $formula,)*
-                }
-            }
-
-            /// Returns the property that a camera has if it passes the check.
-            pub fn meaning(self) -> &'static str {
-                match self {
-                    $(Check::$name => $meaning,)*
-                }
-            }
-        }
-    };
-}
-
-checks! {
+pinhole_core::texts! {
+    /// A property that every right camera has.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+    pub enum Check[2];
+    {
+        /// Returns a formula for the quantity that the check examines.
+        formula,
+        /// Returns the property that a camera has if it passes the check.
+        meaning,
+    }
     /// `|u| = 1`.
-    LengthU: "|𝐮|",
-        "𝐮 is a unit vector";
+    LengthU: "|𝐮|", "𝐮 is a unit vector";
     /// `|v| = 1`.
-    LengthV: "|𝐯|",
-        "𝐯 is a unit vector";
+    LengthV: "|𝐯|", "𝐯 is a unit vector";
     /// `|w| = 1`.
-    LengthW: "|𝐰|",
-        "𝐰 is a unit vector";
+    LengthW: "|𝐰|", "𝐰 is a unit vector";
     /// `u . v = 0`.
-    UDotV: "𝐮 · 𝐯",
-        "𝐮 and 𝐯 are perpendicular";
+    UDotV: "𝐮 · 𝐯", "𝐮 and 𝐯 are perpendicular";
     /// `v . w = 0`.
-    VDotW: "𝐯 · 𝐰",
-        "𝐯 and 𝐰 are perpendicular";
+    VDotW: "𝐯 · 𝐰", "𝐯 and 𝐰 are perpendicular";
     /// `w . u = 0`.
-    WDotU: "𝐰 · 𝐮",
-        "𝐰 and 𝐮 are perpendicular";
+    WDotU: "𝐰 · 𝐮", "𝐰 and 𝐮 are perpendicular";
     /// `(u x v) . w > 0`.
-    RightHanded: "(𝐮 × 𝐯) · 𝐰",
-        "𝐮 × 𝐯 points along 𝐰: right-handed";
+    RightHanded: "(𝐮 × 𝐯) · 𝐰", "𝐮 × 𝐯 points along 𝐰: right-handed";
     /// `w . view / |view| < 0`: w points backwards.
-    LooksForwards: "𝐰 · view / |view|",
-        "𝐰 points backwards, so the camera looks along view";
+    LooksForwards: "𝐰 · view / |view|", "𝐰 points backwards, so the camera looks along view";
     /// `v . up / |up| > 0`.
-    UpIsUp: "𝐯 · up / |up|",
-        "𝐯 is on up's side, so up is up in the image";
+    UpIsUp: "𝐯 · up / |up|", "𝐯 is on up's side, so up is up in the image";
     /// `-direction . w = distance` for the ray through the middle of the image, so that the viewport is
     /// at t = 1.
-    ViewportAtDistance: "−𝐝 · 𝐰, middle ray",
-        "t = 1 is the viewport, at its distance";
+    ViewportAtDistance: "−𝐝 · 𝐰, middle ray", "t = 1 is the viewport, at its distance";
     /// The (u, v) of pixel (0, 0) is to the left of the viewport's middle and above it.
-    TopLeft: "(𝑢, 𝑣) of pixel (0, 0)",
-        "row 0, column 0 is at the top left";
+    TopLeft: "(𝑢, 𝑣) of pixel (0, 0)", "row 0, column 0 is at the top left";
     /// From one column to the next, (u, v) changes by `(width/W, 0)`.
-    StepRight: "next column, step of (𝑢, 𝑣)",
-        "columns go right, by width/𝑊";
+    StepRight: "next column, step of (𝑢, 𝑣)", "columns go right, by width/𝑊";
     /// From one row to the next, (u, v) changes by `(0, -height/H)`.
-    StepDown: "next row, step of (𝑢, 𝑣)",
-        "rows go down, by height/𝐻";
+    StepDown: "next row, step of (𝑢, 𝑣)", "rows go down, by height/𝐻";
     /// The mean (u, v) of the four corner pixels is (0, 0): they lie symmetrically around the middle.
-    CornersBalance: "four corners, mean (𝑢, 𝑣)",
-        "pixels lie evenly around the middle: their centres are taken";
+    CornersBalance: "four corners, mean (𝑢, 𝑣)", "pixels lie evenly around the middle: their centres are taken";
 }
 
 impl Check {
@@ -131,7 +95,7 @@ pub struct Checked {
 impl WrongCamera {
     /// Returns the results of all checks for this camera.
     pub fn checks(&self) -> Vec<Checked> {
-        Check::ALL.iter().copied().map(|check| self.check(check)).collect()
+        Check::ALL.into_iter().map(|check| self.check(check)).collect()
     }
 
     /// Returns the result of one check for this camera.

@@ -266,7 +266,7 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
             None => Ok(None),
         };
     };
-    let exercise = choice(&field, Exercise::ALL.iter().map(|one| (one.id(), *one)))?;
+    let exercise = choice(&field, Exercise::LISTED.iter().map(|one| (one.id(), *one)))?;
     let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);
     let seed = seed.map(|seed| seed.whole(0..=largest, "a whole number")).transpose()?;
     Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))

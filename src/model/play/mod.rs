@@ -14,20 +14,29 @@ pub use player::Player;
 use crate::model::{Inspection, Session};
 use pinhole_exchange::document::Document;
 
-/// The kind of an animation: a motion of the camera, of a point on the ray, or of the selected pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pinhole_core::texts! {
+    /// The kind of an animation: a motion of the camera, of a point on the ray, or of the selected pixel.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Kind[3];
+    {
+        /// Returns the kind's label in a menu.
+        label,
+        /// Returns the kind's name on the command line and in lesson files. It contains no spaces.
+        name,
+        /// Returns the name of the step that the undo history records for the animation's effect.
+        step_name,
+    }
     /// Up turns once about the view direction.
-    SwingUp,
+    SwingUp: "Roll: up turns around view", "swing-up", "roll";
     /// The eye moves once around at.
-    Orbit,
+    Orbit: "Orbit the camera around at", "orbit", "orbit around at";
     /// The view direction turns upwards until it is parallel to up, and then beyond it, so that the picture
     /// flips. A camera given by at moves its eye around at; one given by view keeps its eye.
-    OverTheTop,
+    OverTheTop: "Tilt past up: the picture flips", "over-the-top", "tilt past up";
     /// A point moves along the selected ray, from the eye to the object that the ray hits.
-    Walk,
+    Walk: "Walk along the ray", "walk", "walk along the ray";
     /// The pixels are traced one after another, as by a renderer, and the picture appears row by row.
-    Scan,
+    Scan: "Scan the pixels row by row", "scan", "scan the pixels";
 }
 
 /// The t at which [`Kind::Walk`] ends if the ray hits nothing.
@@ -37,37 +46,6 @@ const WALK_TO: f64 = 10.0;
 const STEPS: u64 = 24;
 
 impl Kind {
-    /// All kinds, in order.
-    pub const ALL: [Kind; 5] = {
-        use Kind::*;
-        [SwingUp, Orbit, OverTheTop, Walk, Scan]
-    };
-
-    fn texts(self) -> [&'static str; 3] {
-        match self {
-            Kind::SwingUp => ["Roll: up turns around view", "swing-up", "roll"],
-            Kind::Orbit => ["Orbit the camera around at", "orbit", "orbit around at"],
-            Kind::OverTheTop => ["Tilt past up: the picture flips", "over-the-top", "tilt past up"],
-            Kind::Walk => ["Walk along the ray", "walk", "walk along the ray"],
-            Kind::Scan => ["Scan the pixels row by row", "scan", "scan the pixels"],
-        }
-    }
-
-    /// Returns the kind's label in a menu.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns the kind's name on the command line and in lesson files. It contains no spaces.
-    pub fn name(self) -> &'static str {
-        self.texts()[1]
-    }
-
-    /// Returns the name of the step that the undo history records for the animation's effect.
-    pub fn step_name(self) -> &'static str {
-        self.texts()[2]
-    }
-
     /// Returns the duration at speed 1, in seconds.
     pub fn seconds(self) -> f64 {
         match self {

@@ -97,7 +97,7 @@ impl ClassAnswers {
             let is_own = |answers: &&Exercises| answers.question().exercise == *exercise;
             ClassExercise::of(*exercise, &all.iter().filter(is_own).collect::<Vec<_>>())
         };
-        class.exercises = Exercise::ALL.iter().filter_map(of).collect();
+        class.exercises = Exercise::LISTED.iter().filter_map(of).collect();
         class
     }
 

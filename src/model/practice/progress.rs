@@ -33,7 +33,7 @@ impl Progress {
     /// Returns the next exercise that is not done, after this one or, behind the last one, from the first on;
     /// `None` if no other is left.
     pub(crate) fn next_after(&self, exercise: Exercise) -> Option<Exercise> {
-        let (mut others, before) = (Exercise::ALL.iter().copied(), exercise);
+        let (mut others, before) = (Exercise::LISTED.iter().copied(), exercise);
         let until: Vec<Exercise> = others.by_ref().take_while(|other| *other != before).collect();
         others.chain(until).find(|other| !self.is_done(*other))
     }
@@ -44,7 +44,7 @@ impl From<Value> for Progress {
     fn from(value: Value) -> Progress {
         let names = value.as_array().into_iter().flatten().filter_map(Value::as_str);
         let names: Vec<&str> = names.collect();
-        let all = Exercise::ALL.iter().copied();
+        let all = Exercise::LISTED.iter().copied();
         Progress(all.filter(|exercise| names.contains(&exercise.id())).collect())
     }
 }

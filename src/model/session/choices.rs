@@ -8,48 +8,27 @@ use pinhole_core::{Rgb, Shade};
 use pinhole_exchange::document::default_color;
 use serde::{Deserialize, Serialize};
 
-/// A workspace, with its label and its description.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Workspace {
+pinhole_core::texts! {
+    /// A workspace, with its label and its description.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Workspace[2];
+    {
+        /// Returns the label.
+        label,
+        /// Returns the description.
+        about,
+    }
     /// World view and camera view.
-    Scene,
+    Scene: "Scene", "The scene, and what the camera sees of it";
     /// The derivation of every number.
-    Derivation,
+    Derivation: "Derivation", "Every number's derivation, line by line";
     /// One ray and its intersections.
-    Ray,
+    Ray: "Ray", "One ray and what it meets: a line in two dimensions, then the scene's objects";
     /// Questions, wrong cameras and answers.
-    Practice,
+    Practice: "Practice", "Exercises, classic wrong cameras, and answers to check";
 }
 
 impl Workspace {
-    /// All workspaces, in order.
-    pub const ALL: [Workspace; 4] =
-        [Workspace::Scene, Workspace::Derivation, Workspace::Ray, Workspace::Practice];
-
-    fn texts(self) -> [&'static str; 2] {
-        match self {
-            Workspace::Scene => ["Scene", "The scene, and what the camera sees of it"],
-            Workspace::Derivation => ["Derivation", "Every number's derivation, line by line"],
-            Workspace::Ray => [
-                "Ray",
-                "One ray and what it meets: a line in two dimensions, then the scene's objects",
-            ],
-            Workspace::Practice => {
-                ["Practice", "Exercises, classic wrong cameras, and answers to check"]
-            }
-        }
-    }
-
-    /// Returns the label.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns the description.
-    pub fn about(self) -> &'static str {
-        self.texts()[1]
-    }
-
     /// Returns the layouts that are the workspace's pages. The first one is shown when the workspace opens.
     pub fn pages(self) -> &'static [ViewLayout] {
         use ViewLayout::*;
@@ -68,38 +47,47 @@ pub const TOOLS: &[ViewLayout] = match cfg!(feature = "report") {
     false => &[ViewLayout::Translator],
 };
 
-/// A layout of the window. Some layouts cannot be shown by lessons and have no name in lesson files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum ViewLayout {
+pinhole_core::texts! {
+    /// A layout of the window. Some layouts cannot be shown by lessons and have no name in lesson files.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum ViewLayout[3];
+    {
+        /// Returns the layout's label.
+        label,
+        /// Returns a description of the layout.
+        about,
+        /// Returns the layout's name in lesson files; an empty text if no lesson can show it.
+        lesson_name,
+    }
     /// World view and camera view side by side.
-    Both,
+    Both: "Both views", "World view and camera view side by side", "both";
     /// The world view alone.
-    World,
+    World: "World view", "The world view alone", "world";
     /// The camera view alone.
-    Camera,
+    Camera: "Camera view", "The camera view alone", "camera";
     /// The derivation to the right of the views.
     #[serde(alias = "Ledger")]
-    Derivation,
+    Derivation: "Derivation", "Every number's derivation, line by line", "derivation";
     /// The plot of f(p + t d).
-    Plot,
+    Plot: "f(p + t d)", "Every object's f(p + t d) against t", "plot";
     /// The implicit and the parametric line in the plane.
-    Lines,
+    Lines: "Lines", "Implicit and parametric lines in two dimensions", "lines";
     /// A wrong camera and the right one, side by side.
-    Mistakes,
+    Mistakes: "Mistakes", "The classic wrong cameras beside the right one", "mistakes";
     /// The camera and the ghost (a frozen camera), side by side.
-    Compare,
+    Compare: "Ghost", "The camera against its ghost, which G freezes", "compare";
     /// The translator.
-    Translator,
+    Translator: "Translator", "The camera in other programs' terms", "translator";
     /// The exercises.
-    Exercises,
+    Exercises: "Exercises", "Questions, and what is wrong with an answer", "exercises";
     /// The error map and the table of methods.
-    Accuracy,
+    Accuracy: "Accuracy", "How right each method is here, and how fast", "";
     /// The derivation alone, which only presenter mode shows.
-    DerivationAlone,
+    DerivationAlone: "Derivation alone", "Every number's derivation, without the views", "";
     /// A student's answers and their grade.
-    Answers,
+    Answers: "Answers", "A student's answers, and the mistake that explains them", "";
     /// The mistakes in a class's answers to exercises.
-    Class,
+    Class: "Class", "How many of a class made which mistake, from the codes they send", "";
 }
 
 impl ViewLayout {
@@ -113,43 +101,9 @@ impl ViewLayout {
         ]
     };
 
-    fn texts(self) -> [&'static str; 3] {
-        use ViewLayout::*;
-        match self {
-            Both => ["Both views", "World view and camera view side by side", "both"],
-            World => ["World view", "The world view alone", "world"],
-            Camera => ["Camera view", "The camera view alone", "camera"],
-            Derivation => ["Derivation", "Every number's derivation, line by line", "derivation"],
-            Plot => ["f(p + t d)", "Every object's f(p + t d) against t", "plot"],
-            Lines => ["Lines", "Implicit and parametric lines in two dimensions", "lines"],
-            Mistakes => ["Mistakes", "The classic wrong cameras beside the right one", "mistakes"],
-            Compare => ["Ghost", "The camera against its ghost, which G freezes", "compare"],
-            Translator => ["Translator", "The camera in other programs' terms", "translator"],
-            Exercises => ["Exercises", "Questions, and what is wrong with an answer", "exercises"],
-            Class => {
-                ["Class", "How many of a class made which mistake, from the codes they send", ""]
-            }
-            Accuracy => ["Accuracy", "How right each method is here, and how fast", ""],
-            DerivationAlone => {
-                ["Derivation alone", "Every number's derivation, without the views", ""]
-            }
-            Answers => ["Answers", "A student's answers, and the mistake that explains them", ""],
-        }
-    }
-
-    /// Returns the layout's label.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns a description of the layout.
-    pub fn about(self) -> &'static str {
-        self.texts()[1]
-    }
-
     /// Returns the layout's name in lesson files; `None` if no lesson can show it.
     pub fn name(self) -> Option<&'static str> {
-        Some(self.texts()[2]).filter(|name| !name.is_empty())
+        Some(self.lesson_name()).filter(|name| !name.is_empty())
     }
 
     /// Returns the workspace that has the layout as a page; `None` for tools and for layouts that only
@@ -164,30 +118,21 @@ impl ViewLayout {
     }
 }
 
-/// The brightness of the window's colours, with its label in a menu.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum ThemeName {
+pinhole_core::texts! {
+    /// The brightness of the window's colours, with its label in a menu.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum ThemeName[1];
+    {
+        /// Returns the label in a menu.
+        label,
+    }
     /// The system's choice; light if it has none.
     #[default]
-    System,
+    System: "Same as the system";
     /// Dark.
-    Dark,
+    Dark: "Dark";
     /// Light.
-    Light,
-}
-
-impl ThemeName {
-    /// All themes, in order.
-    pub const ALL: [ThemeName; 3] = [ThemeName::System, ThemeName::Dark, ThemeName::Light];
-
-    /// Returns the label in a menu.
-    pub fn label(self) -> &'static str {
-        match self {
-            ThemeName::System => "Same as the system",
-            ThemeName::Dark => "Dark",
-            ThemeName::Light => "Light",
-        }
-    }
+    Light: "Light";
 }
 
 /// Returns a shading's label.
@@ -299,48 +244,28 @@ impl From<Splits> for BTreeMap<Split, f32> {
 /// The greys in which the objects are drawn in turn. Successive greys differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
-/// A colour scheme that distinguishes objects and vectors, with its label and its description.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Scheme {
+pinhole_core::texts! {
+    /// A colour scheme that distinguishes objects and vectors, with its label and its description.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum Scheme[2];
+    {
+        /// Returns the scheme's name in a menu.
+        label,
+        /// Returns a description of the scheme.
+        about,
+    }
     /// Objects in their own colours; u, v, w in different hues, as everywhere in the lecture.
     #[default]
-    Standard,
+    Standard: "Standard colours", "Objects in their own colours, vectors by hue";
     /// Colours that viewers with any kind of colour blindness can distinguish, by hue and by
     /// lightness.
-    ColourBlind,
+    ColourBlind: "Colour-blind safe",
+        "Colours that colour-blind viewers can tell apart; objects take them in turn";
     /// Greys only, for print: u, v, w differ in their dashes, arrowheads and names.
-    Grey,
+    Grey: "Greys for print", "Only greys; vectors differ by dashes, heads and names";
 }
 
 impl Scheme {
-    /// All colour schemes, in order.
-    pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
-
-    fn texts(self) -> [&'static str; 2] {
-        match self {
-            Scheme::Standard => {
-                ["Standard colours", "Objects in their own colours, vectors by hue"]
-            }
-            Scheme::ColourBlind => [
-                "Colour-blind safe",
-                "Colours that colour-blind viewers can tell apart; objects take them in turn",
-            ],
-            Scheme::Grey => {
-                ["Greys for print", "Only greys; vectors differ by dashes, heads and names"]
-            }
-        }
-    }
-
-    /// Returns the scheme's name in a menu.
-    pub fn label(self) -> &'static str {
-        self.texts()[0]
-    }
-
-    /// Returns a description of the scheme.
-    pub fn about(self) -> &'static str {
-        self.texts()[1]
-    }
-
     /// Returns the colour in which the object with this index is drawn; `own` is its colour in the scene. A
     /// grey object keeps its colour, because floors and walls need not be distinguished.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {

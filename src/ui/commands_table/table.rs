@@ -336,7 +336,7 @@ fn choices() -> Vec<UiCommand> {
     for &mistake in Mistake::GALLERY {
         add(Group::Mistake, mistake.name(), mistake.shows(), LookAction::Mistake(mistake).into());
     }
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         let action = LookAction::Exercise(exercise);
         add(Group::Exercise, exercise.title(), "Asks this question.", action.into());
     }

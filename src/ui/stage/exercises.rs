@@ -77,7 +77,7 @@ pub(crate) fn choice_height(ui: &Ui, session: &Session, is_lesson: bool) -> f32 
 pub(crate) fn choice(ui: &mut Ui, session: &mut Session, is_lesson: bool) {
     if !is_lesson {
         ui.horizontal(|ui| {
-            let done = format!("{} of {} done", session.progress.count(), Exercise::ALL.len());
+            let done = format!("{} of {} done", session.progress.count(), Exercise::LISTED.len());
             let title = session.exercises.question().exercise.title();
             let width = ui.available_width() - button_width(ui, &done);
             combo(ui, "exercise", width.min(280.0), title, |ui| choose(ui, session));
@@ -91,7 +91,7 @@ pub(crate) fn choice(ui: &mut Ui, session: &mut Session, is_lesson: bool) {
 fn choose(ui: &mut Ui, session: &mut Session) {
     let Session { exercises, progress, .. } = session;
     let chosen = exercises.question().exercise;
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         ui.horizontal(|ui| {
             let is_done = progress.is_done(exercise);
             let (tick, _) = ui.allocate_exact_size(vec2(TICK, TICK), Sense::hover());

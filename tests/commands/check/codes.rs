@@ -83,7 +83,7 @@ fn they_are_counted_as_json() {
 /// The right answers to one question are wrong to another.
 #[test]
 fn each_code_is_graded_by_its_own_question() {
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         let all: Vec<String> = [None, Some(1), Some(2), Some(1_000_000_000)]
             .map(|seed| code(exercise, seed, None))
             .to_vec();

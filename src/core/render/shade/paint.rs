@@ -11,36 +11,28 @@ pub type Rgb = [u8; 3];
 /// The colour of a pixel whose ray hits nothing.
 pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 
-/// A way to make a colour from a hit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Shade {
+crate::texts! {
+    /// A way to make a colour from a hit.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Shade[1];
+    {
+        /// Returns `lambert`, `normal`, `t` or `object`.
+        name,
+    }
     /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|` in linear light, with the
     /// unit normal n and the ray's direction d.
     #[default]
-    Lambert,
+    Lambert: "lambert";
     /// The outward normal: its x, y, z from -1..1 become red, green, blue 0..255.
-    Normal,
+    Normal: "normal";
     /// Grey, `t_min / t` with the frame's smallest `t`: the nearest hit is white.
-    T,
+    T: "t";
     /// The object's own colour, unlit.
-    Object,
+    Object: "object";
 }
 
 impl Shade {
-    /// All ways to make a colour.
-    pub const ALL: [Shade; 4] = [Shade::Lambert, Shade::Normal, Shade::T, Shade::Object];
-
-    /// Returns `lambert`, `normal`, `t` or `object`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Shade::Lambert => "lambert",
-            Shade::Normal => "normal",
-            Shade::T => "t",
-            Shade::Object => "object",
-        }
-    }
-
     /// Returns whether the colours depend on `t`.
     pub fn needs_t(self) -> bool {
         matches!(self, Shade::Normal | Shade::T)

@@ -28,7 +28,7 @@ fn heading(text: &mut String, exercise: Exercise, seed: Option<u64>) {
 #[test]
 fn questions_and_their_answers_read_as_they_did() {
     let mut text = String::new();
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         for seed in [None].into_iter().chain((1..=12).map(Some)) {
             let asked = Question::new(exercise, seed);
             heading(&mut text, exercise, seed);
@@ -78,7 +78,7 @@ fn unusual(truth: &[f64]) -> Vec<Vec<f64>> {
 #[test]
 fn verdicts_on_single_answers_read_as_they_did() {
     let mut text = String::new();
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         for seed in [None, Some(1), Some(5)] {
             let question = Question::new(exercise, seed);
             heading(&mut text, exercise, seed);
@@ -107,7 +107,7 @@ fn verdicts_on_single_answers_read_as_they_did() {
 #[test]
 fn verdicts_on_sheets_with_one_mistake_read_as_they_did() {
     let mut text = String::new();
-    for &exercise in Exercise::ALL {
+    for &exercise in Exercise::LISTED {
         let question = Question::new(exercise, Some(1));
         heading(&mut text, exercise, Some(1));
         let all = question.parts.iter().flat_map(|part| &part.mistakes).map(|(made, _)| *made);
