@@ -432,22 +432,18 @@ fn pair<'a>(text: &'a str, such_as: &str) -> Result<(&'a str, &'a str), String> 
     }
 }
 
-/// The renderer of the window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Renderer {
-    /// A graphics adapter, through wgpu.
-    Wgpu,
-    /// Our own painter.
-    Cpu,
-}
-
-impl std::fmt::Display for Renderer {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Wgpu => "wgpu",
-            Self::Cpu => "cpu",
-        })
+pinhole_core::texts! {
+    /// The renderer of the window.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+    pub enum Renderer[1];
+    {
+        /// Returns `wgpu` or `cpu`.
+        name,
     }
+    /// A graphics adapter, through wgpu.
+    Wgpu: "wgpu";
+    /// Our own painter.
+    Cpu: "cpu";
 }
 
 /// Returns the error for a first argument that is neither a command nor a scene, but similar to a

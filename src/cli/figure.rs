@@ -2,14 +2,13 @@
 //! or PNG. The derivation can also be LaTeX or Markdown.
 
 use std::ffi::OsStr;
-use std::io::Write as _;
 use std::path::Path;
 
 use pinhole_core::ImageSize;
 use pinhole_exchange::{Document, atomic};
 
-use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
-use super::load::{files_of, follow, load, pose, refuse_overwriting, selection_of, size};
+use super::console::{CommandError, is_standard, scene_fault, unmade};
+use super::load::{deliver, files_of, follow, load, pose, selection_of, size};
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{self, Content, FigureFormat, FigureSubject, Order};
 use crate::model::{Item, Observer, Session, ViewSize};
@@ -38,10 +37,6 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         atomic::check(output)?;
     }
     let document = load(&arguments.scene)?;
-    refuse_overwriting(
-        &files_of(&arguments.scene, &document),
-        output.map(|output| ("-o", output.as_path())),
-    )?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
     let bytes = match content {
@@ -55,10 +50,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }
     };
-    match output {
-        Some(output) => Ok(atomic::write(output, |file| file.write_all(&bytes))?),
-        None => to_stdout(|out| out.write_all(&bytes)),
-    }
+    deliver(Some(&arguments.output), &files_of(&arguments.scene, &document), &bytes)
 }
 
 /// Returns what to add to the error for a file's extension that other arguments would allow.

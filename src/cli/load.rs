@@ -1,12 +1,13 @@
 //! Loads the inputs of most commands: the scene, its camera, and the requested ray.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera, Selection};
-use pinhole_exchange::atomic::is_same_file;
+use pinhole_exchange::atomic::{self, is_same_file};
 use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 
-use super::console::{CommandError, is_standard, read, scene_fault};
+use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
 
 /// Reads the scene that an argument names: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
@@ -38,6 +39,23 @@ pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result
         return Err(CommandError::Arguments(problem));
     }
     Ok(())
+}
+
+/// Writes what a command made into a file, but over none of these that it reads; for `-` or no file, to
+/// standard output.
+///
+/// # Errors
+/// Returns an error if the file is one of `inputs`, or if it cannot be written.
+pub(super) fn deliver(
+    output: Option<&Path>,
+    inputs: &[PathBuf],
+    bytes: &[u8],
+) -> Result<(), CommandError> {
+    let Some(output) = output.filter(|output| !is_standard(output)) else {
+        return to_stdout(|out| out.write_all(bytes));
+    };
+    refuse_overwriting(inputs, [("-o", output)])?;
+    Ok(atomic::write(output, |file| file.write_all(bytes))?)
 }
 
 /// Rejects outputs that would overwrite an input. Each output is paired with the option that names

@@ -1,15 +1,13 @@
 //! Writes scenes in other programs' formats, and reads cameras from them.
 
-use std::io::Write as _;
-
 use pinhole_core::Camera;
 use pinhole_exchange::format::{ExportScene, Include, Input};
 use pinhole_exchange::programs::{Importer, file_text};
-use pinhole_exchange::{Document, atomic, limits, scene_file};
+use pinhole_exchange::{Document, limits, scene_file};
 
-use super::console::{CommandError, is_standard, read, scene_fault, to_stdout, warn};
+use super::console::{CommandError, read, scene_fault, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};
-use crate::cli::load::{files_of, load, pose, refuse_overwriting};
+use crate::cli::load::{deliver, files_of, load, pose};
 
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
@@ -25,21 +23,13 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
         ExportScene::new(&document, with).and_then(|subject| arguments.to.write(&subject));
     let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
     let text = written.text.text.as_bytes();
-    match arguments.output.as_deref().filter(|output| !is_standard(output)) {
-        None => to_stdout(|out| out.write_all(text))?,
-        Some(path) => {
-            refuse_overwriting(&files_of(&arguments.scene, &document), [("-o", path)])?;
-            atomic::write(path, |file| file.write_all(text))?;
-        }
-    }
+    deliver(arguments.output.as_deref(), &files_of(&arguments.scene, &document), text)?;
     written.notes.iter().for_each(|note| warn(note));
     Ok(())
 }
 
 /// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
-    let output = arguments.output.as_deref().filter(|output| !is_standard(output));
-    refuse_overwriting(std::slice::from_ref(&arguments.file), output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::TEXT)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };
@@ -51,10 +41,8 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         ..Document::default()
     };
     let scene = scene_file::to_text(&document, None);
-    match output {
-        None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
-        Some(output) => atomic::write(output, |file| file.write_all(scene.as_bytes()))?,
-    }
+    let inputs = std::slice::from_ref(&arguments.file);
+    deliver(arguments.output.as_deref(), inputs, scene.as_bytes())?;
     taken.notes.iter().for_each(|note| warn(note));
     Ok(())
 }

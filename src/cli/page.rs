@@ -1,12 +1,10 @@
 //! `pinhole page`: writes the page that shows the program in a browser, with a scene or a lesson in it.
 
-use std::io::Write as _;
-
 use pinhole_exchange::host::host;
-use pinhole_exchange::{FileError, atomic, limits};
+use pinhole_exchange::{FileError, limits};
 
-use super::console::{CommandError, is_standard, to_stdout};
-use super::load::{files_of, load, refuse_overwriting};
+use super::console::CommandError;
+use super::load::{deliver, files_of, load};
 use crate::cli::arguments::PageArguments;
 use crate::model::lessons::{LessonArgument, OpenLesson, is_lesson};
 use crate::model::page_part;
@@ -44,10 +42,6 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
         Some(page) => FileError::of_file(page, problem).into(),
         None => CommandError::Input(problem),
     })?;
-    if is_standard(output) {
-        return to_stdout(|out| out.write_all(text.as_bytes()));
-    }
     let read: Vec<_> = read.into_iter().chain(page.clone()).collect();
-    refuse_overwriting(&read, [("-o", output.as_path())])?;
-    Ok(atomic::write(output, |file| file.write_all(text.as_bytes()))?)
+    deliver(Some(output), &read, text.as_bytes())
 }

@@ -1,13 +1,12 @@
 //! `pinhole share`: prints a scene or a lesson's step as a link, or draws the link as a QR code.
 
-use std::io::Write as _;
 use std::path::PathBuf;
 
+use pinhole_exchange::Document;
 use pinhole_exchange::link::{self, Link, Linked};
-use pinhole_exchange::{Document, atomic};
 
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
-use super::load::{files_of, load, pose, refuse_overwriting, selection_of};
+use super::load::{deliver, files_of, load, pose, selection_of};
 use crate::cli::arguments::ShareArguments;
 use crate::figures::{QrCode, by_ending};
 use crate::model::lessons::{LessonArgument, OpenLesson};
@@ -43,11 +42,7 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
         true => code.to_png().map_err(|error| unmade(output, &error))?,
         false => code.to_svg().into_bytes(),
     };
-    if is_standard(output) {
-        return to_stdout(|out| out.write_all(&bytes));
-    }
-    refuse_overwriting(&files_of(&scene, &document), [("-o", output.as_path())])?;
-    Ok(atomic::write(output, |file| file.write_all(&bytes))?)
+    deliver(Some(output), &files_of(&scene, &document), &bytes)
 }
 
 /// Returns what is shared, with its document and its name in messages.

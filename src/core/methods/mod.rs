@@ -34,63 +34,97 @@ mod formulas;
 mod loops;
 mod number;
 
-/// A formula for a ray and a sphere.
-///
-/// For a ray `p + t d` and a sphere of radius r, with `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`,
-/// all formulas solve `f(t) = 0`:
-///
-/// ```text
-/// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
-/// ```
-///
-/// The formulas agree in real arithmetic. They differ in how much rounding changes D; [`Method::about`]
-/// says where each formula fails. Each of them is combined with the textbook formula
-/// `t = n.(q - p) / n.d` for a plane with normal n through a point q (Glassner, section 2.2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Formula {
+crate::texts! {
+    /// A formula for a ray and a sphere.
+    ///
+    /// For a ray `p + t d` and a sphere of radius r, with `oc = p - center` and `f(t) = |oc + t d|^2 - r^2`,
+    /// all formulas solve `f(t) = 0`:
+    ///
+    /// ```text
+    /// a t^2 + 2 b t + c = 0     a = d.d     b = d.oc     c = |oc|^2 - r^2     D = b^2 - a c
+    /// ```
+    ///
+    /// The formulas agree in real arithmetic. They differ in how much rounding changes D; [`Method::about`]
+    /// says where each formula fails. Each of them is combined with the textbook formula
+    /// `t = n.(q - p) / n.d` for a plane with normal n through a point q (Glassner, section 2.2).
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum Formula[4];
+    {
+        /// Returns the name of the formula in `f32`.
+        single,
+        /// Returns the name of the formula in `f64`.
+        double,
+        /// Returns the source in a line.
+        source,
+        /// Returns the formula in words, and where it fails.
+        about,
+    }
     /// The textbook formula, `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, for both roots.
     ///
     /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2,
     /// section 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
-    Textbook,
+    Textbook: "textbook-f32", "textbook-f64",
+        "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1",
+        "(-b -+ sqrt(b^2 - 4ac)) / 2a as it stands: loses the outline of distant spheres, and \
+         the near root of a large sphere close to the eye.";
     /// Half-b: the quadratic with half the linear coefficient, and the roots `q / a` and `c / q` with
     /// `q = -(b + sign(b) sqrt D)`. Nothing cancels except in `D = b^2 - a c`.
     ///
     /// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
     /// equations 5.6.4 and 5.6.5.
-    HalfB,
+    HalfB: "half-b-f32", "half-b-f64",
+        "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
+        "Half of b, and q = -(b + sign(b) sqrt D) for both roots: keeps the near root of a \
+         large sphere, still loses the outline of distant ones in b^2 - ac.";
     /// Half-b with Kahan's algorithm for `b^2 - a c`, which uses fused multiply-adds: `w = a c`,
     /// `D = (b b - w) + (w - a c)`, within 1.5 ulp of the exact value for the given a, b, c.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
     /// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
-    Kahan,
+    Kahan: "kahan-f32", "kahan-f64",
+        "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264",
+        "b^2 - ac with fused multiply-adds, almost exact: but a, b and c are rounded before, \
+         which costs the outline as much as the plain difference does.";
     /// Half-b with `D = a (r + l)(r - l)`, where l is the length of `oc - (b / a) d`, the vector from
     /// the centre to the ray at right angles to it.
     ///
     /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
     /// intersection*, Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in
     /// Pharr, Jakob, Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
-    Perpendicular,
+    Perpendicular: "perpendicular-f32", "perpendicular-f64",
+        "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
+         Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3",
+        "D from the vector from the centre at right angles to the ray: fails for tiny far \
+         spheres, whose perpendicular vector has few digits.";
     /// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
     /// where l is the distance of that point from the centre.
     ///
     /// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient
     /// CPU ray tracing*, ACM Transactions on Graphics 33(4), 2014),
     /// `kernels/geometry/sphere_intersector.h`.
-    ClosestPoint,
+    ClosestPoint: "closest-point-f32", "closest-point-f64",
+        "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h",
+        "From the ray's point closest to the centre half a chord back and forth: fails for \
+         tiny far spheres, and at the near root of a large sphere close to the eye.";
     /// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
     /// half-b equation with its coefficients b' and c', where b' is almost 0:
     /// `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
     ///
     /// Source: Embree, which uses this for curves ("move ray closer to make intersection stable",
     /// `kernels/geometry/curve_intersector_sweep.h`).
-    Recentred,
+    Recentred: "recentred-f32", "recentred-f64",
+        "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
+         curve_intersector_sweep.h",
+        "Moves the origin to the ray's point closest to the centre and solves from there: \
+         fails where the closest-point formula does.";
     /// Half-b with `D = r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
     ///
     /// Source: Lagrange's identity, *Solutions analytiques de quelques problemes sur les pyramides
     /// triangulaires*, 1773 (Steele, *The Cauchy-Schwarz Master Class*, 2004, chapter 3).
-    Lagrange,
+    Lagrange: "lagrange-f32", "lagrange-f64",
+        "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3",
+        "D as r^2 a - |oc x d|^2, in which little cancels far away: fails on near tangents, \
+         and inside a sphere near its surface.";
 }
 
 /// The precision to which a method rounds every operation.
@@ -123,10 +157,10 @@ impl Method {
     /// Returns all methods for single rays: the ladder, double-double, then the known formulas,
     /// beginning with the simplest, each in `f32` before `f64`.
     pub fn all() -> impl Iterator<Item = Method> {
-        use Formula::*;
-        let formulas = [Textbook, HalfB, Kahan, Perpendicular, ClosestPoint, Recentred, Lagrange];
         let of = |formula| [Precision::F32, Precision::F64].map(|p| Method::Known(formula, p));
-        [Method::Ladder, Method::DoubleDouble].into_iter().chain(formulas.into_iter().flat_map(of))
+        [Method::Ladder, Method::DoubleDouble]
+            .into_iter()
+            .chain(Formula::ALL.into_iter().flat_map(of))
     }
 
     /// Returns all methods for whole frames: [`Method::LadderF32`], then [`Method::all`].
@@ -186,7 +220,7 @@ impl Method {
                  leave the range of f64, and on exact ties and tangents of rounded rays.",
             ],
             Method::Known(formula, precision) => {
-                let ([single, double], source, about) = formula.facts();
+                let [single, double, source, about] = formula.texts();
                 [if precision == Precision::F32 { single } else { double }, source, about]
             }
         }
@@ -204,59 +238,6 @@ impl TryFrom<String> for Method {
 
     fn try_from(name: String) -> Result<Method, String> {
         Method::from_name(&name).ok_or_else(|| format!("no method is named {name}"))
-    }
-}
-
-impl Formula {
-    /// Returns the names in `f32` and in `f64`, the source, and a description of the formula and where
-    /// it fails.
-    fn facts(self) -> ([&'static str; 2], &'static str, &'static str) {
-        match self {
-            Formula::Textbook => (
-                ["textbook-f32", "textbook-f64"],
-                "Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1",
-                "(-b -+ sqrt(b^2 - 4ac)) / 2a as it stands: loses the outline of distant spheres, and \
-                 the near root of a large sphere close to the eye.",
-            ),
-            Formula::HalfB => (
-                ["half-b-f32", "half-b-f64"],
-                "Press et al., Numerical Recipes, 3rd ed. (2007), section 5.6",
-                "Half of b, and q = -(b + sign(b) sqrt D) for both roots: keeps the near root of a \
-                 large sphere, still loses the outline of distant ones in b^2 - ac.",
-            ),
-            Formula::Kahan => (
-                ["kahan-f32", "kahan-f64"],
-                "Jeannerod, Louvet, Muller, Mathematics of Computation 82 (2013), pages 2245-2264",
-                "b^2 - ac with fused multiply-adds, almost exact: but a, b and c are rounded before, \
-                 which costs the outline as much as the plain difference does.",
-            ),
-            Formula::Perpendicular => (
-                ["perpendicular-f32", "perpendicular-f64"],
-                "Haines, Guenther, Akenine-Moeller, Ray Tracing Gems (2019), chapter 7; Pharr, Jakob, \
-                 Humphreys, Physically Based Rendering, 4th ed. (2023), section 6.8.3",
-                "D from the vector from the centre at right angles to the ray: fails for tiny far \
-                 spheres, whose perpendicular vector has few digits.",
-            ),
-            Formula::ClosestPoint => (
-                ["closest-point-f32", "closest-point-f64"],
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), sphere_intersector.h",
-                "From the ray's point closest to the centre half a chord back and forth: fails for \
-                 tiny far spheres, and at the near root of a large sphere close to the eye.",
-            ),
-            Formula::Recentred => (
-                ["recentred-f32", "recentred-f64"],
-                "Wald et al., Embree, ACM Transactions on Graphics 33(4) (2014), \
-                 curve_intersector_sweep.h",
-                "Moves the origin to the ray's point closest to the centre and solves from there: \
-                 fails where the closest-point formula does.",
-            ),
-            Formula::Lagrange => (
-                ["lagrange-f32", "lagrange-f64"],
-                "Lagrange's identity (1773); Steele, The Cauchy-Schwarz Master Class (2004), chapter 3",
-                "D as r^2 a - |oc x d|^2, in which little cancels far away: fails on near tangents, \
-                 and inside a sphere near its surface.",
-            ),
-        }
     }
 }
 

@@ -124,51 +124,29 @@ pub(super) fn viewport_of_radians(fov: f64, aspect: f64, distance: f64) -> Viewp
     viewport(fov, aspect, distance, |height| fov_of_extent(height, distance) == fov)
 }
 
-/// Returns the image size with `height` rows and this aspect ratio; `None` if there is none.
-fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
-    let width = (f64::from(height) * aspect).round();
-    (1.0..=f64::from(ImageSize::MAX))
-        .contains(&width)
-        .then(|| ImageSize::new(width as u32, height).ok())?
-}
-
-/// Returns an image size with this aspect ratio that is close to the size `at_hand`. It has the same
-/// height or width if possible, otherwise multiples of ten pixels, otherwise any size. The ratio may
-/// have been rounded to `f32`.
-fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
-    let (w, h) = (at_hand.width(), at_hand.height());
-    let by_height = |height: u32, off: f64| {
-        image_of_height(height, aspect).filter(|image| (image.aspect() / aspect - 1.0).abs() <= off)
-    };
-    let are_tens =
-        |image: &ImageSize| [image.width(), image.height()].iter().all(|n| n.is_multiple_of(10));
-    [1e-12, 1e-6].into_iter().find_map(|off| {
-        let as_wide = (f64::from(w) / aspect).round().clamp(1.0, f64::from(ImageSize::MAX)) as u32;
-        let as_wide = || by_height(as_wide, off).filter(are_tens);
-        let mut heights: Vec<u32> = (1..=h.saturating_mul(2)).collect();
-        heights.sort_by_key(|height| height.abs_diff(h));
-        let near = || heights.iter().filter_map(|height| by_height(*height, off));
-        by_height(h, off)
-            .or_else(as_wide)
-            .or_else(|| near().find(are_tens))
-            .or_else(|| near().next())
-    })
-}
-
-/// Returns the image size for a format that specifies only the aspect ratio: the current camera's size
-/// if it has this ratio, and otherwise one close to it.
+/// Returns the image size for a format that specifies only the aspect ratio. Of the images up to twice as
+/// high as the one at hand, it is the one that has the ratio most nearly (which may have been rounded to
+/// `f32`), then the height or width at hand, then multiples of ten pixels, then the nearest height.
 pub(super) fn image_of_ratio(
     at_hand: ImageSize,
     aspect: f64,
     program: &str,
     notes: &mut Vec<String>,
 ) -> ImageSize {
-    let image = match (at_hand.aspect() - aspect).abs() <= 1e-9 * aspect {
-        true => at_hand,
-        false => image_in_ratio(at_hand, aspect)
-            .or_else(|| image_of_height(at_hand.height(), aspect))
-            .unwrap_or(at_hand),
+    let (w, h) = (at_hand.width(), at_hand.height());
+    let of_height = |height: u32| {
+        let width = (f64::from(height) * aspect).round();
+        ImageSize::new(width as u32, height).ok()
     };
+    let merit = |image: &ImageSize| {
+        let off = (image.aspect() / aspect - 1.0).abs();
+        let are_tens = [image.width(), image.height()].iter().all(|n| n.is_multiple_of(10));
+        let is_other = image.height() != h && !(image.width() == w && are_tens);
+        let farther = image.height().abs_diff(h);
+        (off > 1e-6, off > 1e-9, is_other, image.height() != h, !are_tens, farther)
+    };
+    let image = (1..=h.saturating_mul(2)).filter_map(of_height).min_by_key(merit);
+    let image = image.unwrap_or(at_hand);
     let unsaid = format!("{program} does not say how many pixels there are");
     notes.push(size_note(&unsaid, image, " taken"));
     image

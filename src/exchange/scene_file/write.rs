@@ -102,20 +102,11 @@ fn number(x: f64) -> String {
     if x.is_nan() { "nan".to_owned() } else { text }
 }
 
-/// Formats a text as a basic TOML string on one line.
+/// Formats a text as a basic TOML string on one line, as which JSON's strings are valid.
 fn string(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => quoted.push_str("\\\""),
-            '\\' => quoted.push_str("\\\\"),
-            '\n' => quoted.push_str("\\n"),
-            '\r' => quoted.push_str("\\r"),
-            '\t' => quoted.push_str("\\t"),
-            c if is_hidden(c) => quoted.push_str(&format!("\\u{:04x}", u32::from(c))),
-            c => quoted.push(c),
-        }
-    }
-    quoted.push('"');
-    quoted
+    let shown = |c: char| match is_hidden(c) {
+        true => format!("\\u{:04x}", u32::from(c)),
+        false => c.to_string(),
+    };
+    serde_json::Value::from(text).to_string().chars().map(shown).collect()
 }

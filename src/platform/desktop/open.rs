@@ -102,7 +102,7 @@ impl Open {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
             input.pixels_per_point = pixels_per_point;
         });
-        app.set_renderer_name(format!("{renderer} ({detail})"));
+        app.set_renderer_name(format!("{} ({detail})", renderer.name()));
         let mut open = Self {
             app,
             log,
@@ -426,8 +426,10 @@ impl Open {
         self.renderer = Renderer::Cpu;
         self.pace = pace(self.renderer, &self.window);
         self.delta.append(std::mem::take(&mut self.textures).all(&self.ctx));
-        self.app
-            .set_renderer_name(format!("{} (the graphics driver failed: {reason})", self.renderer));
+        self.app.set_renderer_name(format!(
+            "{} (the graphics driver failed: {reason})",
+            self.renderer.name()
+        ));
         let why = format!("The graphics driver failed: {reason}");
         self.app.say("The window is drawn on the CPU now".to_owned(), vec![why]);
         // Requests the pass in which the app shows this.

@@ -21,38 +21,37 @@ const RADIUS: f32 = 6.0;
 /// The colour of wrong decisions.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
-/// The marker of each formula. The colours are those of Okabe and Ito, "Color Universal Design" (2008),
+/// The marker of each formula, and what it is in words. The colours are those of Okabe and Ito, "Color Universal Design" (2008),
 /// which colour-blind readers can distinguish. Their yellow is too light for white paper and is
 /// replaced by wine (Tol 2021).
-const MARKERS: [(&str, Marker); 8] = [
-    ("ladder", marker([0x00, 0x00, 0x00], 0, 0.0)),
-    ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
-    ("half-b", marker([0xe6, 0x9f, 0x00], 4, 45.0)),
-    ("kahan", marker([0x00, 0x9e, 0x73], 3, 0.0)),
-    ("perpendicular", marker([0x00, 0x72, 0xb2], 4, 0.0)),
-    ("closest-point", marker([0x56, 0xb4, 0xe9], 3, 180.0)),
-    ("recentred", marker([0xcc, 0x79, 0xa7], 5, 0.0)),
-    ("lagrange", marker([0x88, 0x22, 0x55], 3, 90.0)),
+const FORMULAS: [(&str, Marker, &str); 8] = [
+    (
+        "ladder",
+        marker([0x00, 0x00, 0x00], 0, 0.0),
+        "certified: where f64 leaves doubt, more digits, up to exact",
+    ),
+    ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0), "(-b ± sqrt(b² - 4ac)) / 2a"),
+    (
+        "half-b",
+        marker([0xe6, 0x9f, 0x00], 4, 45.0),
+        "half of b, and first the root that does not cancel",
+    ),
+    ("kahan", marker([0x00, 0x9e, 0x73], 3, 0.0), "b² - ac with fused multiply-adds"),
+    (
+        "perpendicular",
+        marker([0x00, 0x72, 0xb2], 4, 0.0),
+        "discriminant from the perpendicular, centre to ray",
+    ),
+    (
+        "closest-point",
+        marker([0x56, 0xb4, 0xe9], 3, 180.0),
+        "half a chord from the ray's point closest to the centre",
+    ),
+    ("recentred", marker([0xcc, 0x79, 0xa7], 5, 0.0), "the origin moved to that point first"),
+    ("lagrange", marker([0x88, 0x22, 0x55], 3, 90.0), "discriminant as r²a - |oc × d|²"),
 ];
 
-/// A short description of each formula.
-const IN_WORDS: [(&str, &str); 8] = [
-    ("ladder", "certified: where f64 leaves doubt, more digits, up to exact"),
-    ("textbook", "(-b ± sqrt(b² - 4ac)) / 2a"),
-    ("half-b", "half of b, and first the root that does not cancel"),
-    ("kahan", "b² - ac with fused multiply-adds"),
-    ("perpendicular", "discriminant from the perpendicular, centre to ray"),
-    ("closest-point", "half a chord from the ray's point closest to the centre"),
-    ("recentred", "the origin moved to that point first"),
-    ("lagrange", "discriminant as r²a - |oc × d|²"),
-];
-
-/// Returns a short description of a formula; empty if the formula is unknown.
-pub(crate) fn in_words(formula: &str) -> &'static str {
-    IN_WORDS.iter().find(|(name, _)| *name == formula).map_or("", |(_, words)| *words)
-}
-
-/// The grey marker of any formula that is not in [`MARKERS`].
+/// The grey marker of any formula that is not in [`FORMULAS`].
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
 const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
@@ -61,7 +60,12 @@ const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f32) -> Marker {
 
 /// Returns the marker of a formula.
 pub(crate) fn marker_of(formula: &str) -> Marker {
-    MARKERS.iter().find(|(name, _)| *name == formula).map_or(STRANGER, |(_, marker)| *marker)
+    FORMULAS.iter().find(|(name, ..)| *name == formula).map_or(STRANGER, |(_, marker, _)| *marker)
+}
+
+/// Returns a short description of a formula; empty if the formula is unknown.
+pub(crate) fn in_words(formula: &str) -> &'static str {
+    FORMULAS.iter().find(|(name, ..)| *name == formula).map_or("", |(.., words)| *words)
 }
 
 /// Draws the sign for wrong decisions: one ring around all these adjacent marks. Draws nothing if there
@@ -131,8 +135,8 @@ mod tests {
 
     #[test]
     fn no_two_methods_look_alike() {
-        for (index, (name, marker)) in MARKERS.iter().enumerate() {
-            for (other, later) in &MARKERS[index + 1..] {
+        for (index, (name, marker, _)) in FORMULAS.iter().enumerate() {
+            for (other, later, _) in &FORMULAS[index + 1..] {
                 assert_ne!(marker.color, later.color, "{name} and {other}");
                 let is_same = (marker.sides, marker.turned) == (later.sides, later.turned);
                 assert!(!is_same, "{name} and {other}");
