@@ -73,8 +73,12 @@ impl Figure {
         theme::install_fonts(&ctx);
         let size = [size.x, size.y].map(|points| (points * scale).ceil() as usize);
         let drawn = UiPass::draw(&ctx, size, scale, |ui| draw(ui.painter()));
-        let (title, ground) = (title.to_owned(), Some(Color32::WHITE));
-        let (spheres, paths) = (SphereEdges::default(), Vec::new());
+        Figure::plain(title, size, Some(Color32::WHITE), drawn)
+    }
+
+    /// Creates a figure of shapes alone on a ground, or on none.
+    fn plain(title: &str, size: [usize; 2], ground: Option<Color32>, drawn: UiPass) -> Figure {
+        let (title, spheres, paths) = (title.to_owned(), SphereEdges::default(), Vec::new());
         Figure { title, size, ground, picture: None, spheres, paths, drawn }
     }
 

@@ -236,10 +236,8 @@ impl Order {
 
     /// Creates a figure with these shapes and texts over a background.
     fn with_background(&self, size: [usize; 2], background: Color32, drawn: UiPass) -> Figure {
-        let title = self.subject.title().to_owned();
         let ground = (!self.transparent).then_some(background);
-        let (spheres, paths) = (SphereEdges::default(), Vec::new());
-        Figure { title, size, ground, picture: None, spheres, paths, drawn }
+        Figure::plain(self.subject.title(), size, ground, drawn)
     }
 }
 

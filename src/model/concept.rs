@@ -62,26 +62,22 @@ pub enum Concept {
     Normal,
 }
 
-/// A step in solving the equation for the t at which a ray's line meets an object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum EquationStep {
+pinhole_core::texts! {
+    /// A step in solving the equation for the t at which a ray's line meets an object.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum EquationStep[1];
+    {
+        /// Returns what precedes the object's number in the name of such a concept.
+        prefix,
+    }
     /// The ray is substituted into the object's implicit equation.
-    Substitution,
+    Substitution: "substitution ";
     /// The coefficients of the equation for t are computed.
-    Coefficients,
+    Coefficients: "coefficients ";
     /// The quadratic equation is solved for t.
-    Solution,
+    Solution: "solution ";
     /// The discriminant of the quadratic equation is computed.
-    Discriminant,
-}
-
-impl EquationStep {
-    const ALL: [(EquationStep, &str); 4] = [
-        (EquationStep::Substitution, "substitution "),
-        (EquationStep::Coefficients, "coefficients "),
-        (EquationStep::Solution, "solution "),
-        (EquationStep::Discriminant, "discriminant "),
-    ];
+    Discriminant: "discriminant ";
 }
 
 /// The concept under the pointer, and which part of the window the pointer is over.
@@ -131,8 +127,8 @@ impl Concept {
     /// Returns the concept with this name in files: `up-cross-w`, `object 0`, `root 0 1` (root 1 of
     /// object 0), or `substitution 0` (of the ray into the equation of object 0).
     pub fn from_name(name: &str) -> Option<Concept> {
-        for (step, prefix) in EquationStep::ALL {
-            if let Some(object) = name.strip_prefix(prefix) {
+        for step in EquationStep::ALL {
+            if let Some(object) = name.strip_prefix(step.prefix()) {
                 return Some(Concept::Equation { object: object.parse().ok()?, step });
             }
         }
@@ -154,10 +150,7 @@ impl Concept {
         match self {
             Concept::Object(object) => format!("object {object}"),
             Concept::Root { object, number } => format!("root {object} {number}"),
-            Concept::Equation { object, step } => {
-                let prefix = EquationStep::ALL.iter().find(|(known, _)| *known == step);
-                format!("{}{object}", prefix.map_or("", |(_, prefix)| *prefix))
-            }
+            Concept::Equation { object, step } => format!("{}{object}", step.prefix()),
             other => {
                 let known = NAMES.iter().find(|(concept, ..)| *concept == other);
                 known.map_or("", |(_, name, _)| *name).to_owned()

@@ -38,15 +38,20 @@ impl Format {
     }
 }
 
-/// A kind of text from which a camera can be read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Importer {
+pinhole_core::texts! {
+    /// A kind of text from which a camera can be read.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Importer[1];
+    {
+        /// Returns the label of the kind.
+        label,
+    }
     /// glTF 2.0.
-    Gltf,
+    Gltf: "glTF 2.0";
     /// A scene of Pinhole, or its table `[camera]` alone.
-    Scene,
+    Scene: "a scene of Pinhole";
     /// Literal numbers: eye, at and up, a matrix, or OpenCV's K, R and t.
-    Literal,
+    Literal: "literal numbers";
 }
 
 /// The message for a text from which no camera can be read. It lists the supported kinds, and says how
@@ -83,15 +88,6 @@ impl Importer {
             None => UNKNOWN,
         };
         Err(FileError::of_file(text.path, problem))
-    }
-
-    /// Returns the label of the kind.
-    pub fn label(self) -> &'static str {
-        match self {
-            Importer::Gltf => "glTF 2.0",
-            Importer::Scene => "a scene of Pinhole",
-            Importer::Literal => "literal numbers",
-        }
     }
 
     /// Reads the camera in the text. Values that it does not specify, such as the image's size or the

@@ -86,15 +86,11 @@ pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<O
         best.retain(|mistake| !all.iter().any(|other| other.is_part_of(*mistake)));
         best
     };
-    plain
-        .into_iter()
-        .zip(&named)
-        .map(
-            |(plain, mistakes)| {
-                if mistakes.is_empty() { plain } else { Some(Verdict::Mistakes(most(mistakes))) }
-            },
-        )
-        .collect()
+    let verdict = |(plain, mistakes): (_, &Vec<Mistake>)| match &mistakes[..] {
+        [] => plain,
+        mistakes => Some(Verdict::Mistakes(most(mistakes))),
+    };
+    plain.into_iter().zip(&named).map(verdict).collect()
 }
 
 /// Returns true if the verdict shows that the student understood this part: the answer is right, or the

@@ -36,7 +36,10 @@ pub fn question(given: &Given) -> Vec<String> {
                 format!("A camera at eye = {eye} looks at the point at = {at}, with up = {up}.");
             vec![looks, asked_of_basis]
         }
-        Given::Sphere { ray, sphere } => sphere_and_ray(&ray, &sphere),
+        Given::Sphere { ray, sphere } => vec![
+            given_sphere_and_ray(&ray, &sphere),
+            "At which *t* is the first hit, where, and with which outward unit normal?".to_owned(),
+        ],
         Given::Lines { line, origin, direction } => lines(line, origin, direction),
         Given::Pixel { image, pixel, from_one } => {
             vec![CANONICAL.to_owned(), centre_of_pixel(image, pixel, from_one)]
@@ -115,11 +118,6 @@ fn given_sphere_and_ray(ray: &Ray, sphere: &Sphere) -> String {
         triple(sphere.center),
         number(sphere.radius)
     )
-}
-
-fn sphere_and_ray(ray: &Ray, sphere: &Sphere) -> Vec<String> {
-    let asked = "At which *t* is the first hit, where, and with which outward unit normal?";
-    vec![given_sphere_and_ray(ray, sphere), asked.to_owned()]
 }
 
 fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {

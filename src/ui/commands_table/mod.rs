@@ -18,71 +18,50 @@ pub(crate) use table::{command, of_lesson};
 mod search;
 mod table;
 
-/// The group of a command. The list of keys has a heading for each group.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Group {
-    /// Opening, saving, quitting.
-    File,
-    /// Undo, redo.
-    Edit,
-    /// The way through a lesson.
-    Lesson,
-    /// Presenter mode.
-    Presenting,
-    /// The open vote.
-    Vote,
-    /// The selected pixel and the observer.
-    Views,
-    /// Moving the camera by its handles or in the camera view.
-    Hand,
-    /// The scene's spheres and planes.
-    Objects,
-    /// Animations and the ghost.
-    Play,
-    /// The program itself.
-    Program,
-    /// The views that are shown.
-    Layout,
-    /// The items drawn over the views.
-    Overlay,
-    /// The colours of pictures and window.
-    Colours,
-    /// The form of numbers.
-    Numbers,
-    /// The built-in scenes.
-    Scene,
-    /// The lessons' steps.
-    Step,
-    /// The exercises.
-    Exercise,
-    /// The wrong cameras.
-    Mistake,
-}
-
-impl Group {
-    /// Returns the group's heading, which precedes a command's name in the palette.
-    pub fn label(self) -> &'static str {
-        match self {
-            Group::File => "File",
-            Group::Edit => "Edit",
-            Group::Lesson => "Lesson",
-            Group::Presenting => "Presenting",
-            Group::Vote => "Vote",
-            Group::Views => "Views",
-            Group::Hand => "Manipulate",
-            Group::Objects => "Objects",
-            Group::Play => "Play and compare",
-            Group::Program => "Program",
-            Group::Layout => "Layout",
-            Group::Overlay => "Overlay",
-            Group::Colours => "Colours",
-            Group::Numbers => "Numbers",
-            Group::Scene => "Scene",
-            Group::Step => "Step",
-            Group::Exercise => "Exercise",
-            Group::Mistake => "Mistake",
-        }
+pinhole_core::texts! {
+    /// The group of a command. The list of keys has a heading for each group.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Group[1];
+    {
+        /// Returns the group's heading, which precedes a command's name in the palette.
+        label,
     }
+    /// Opening, saving, quitting.
+    File: "File";
+    /// Undo, redo.
+    Edit: "Edit";
+    /// The way through a lesson.
+    Lesson: "Lesson";
+    /// Presenter mode.
+    Presenting: "Presenting";
+    /// The open vote.
+    Vote: "Vote";
+    /// The selected pixel and the observer.
+    Views: "Views";
+    /// Moving the camera by its handles or in the camera view.
+    Hand: "Manipulate";
+    /// The scene's spheres and planes.
+    Objects: "Objects";
+    /// Animations and the ghost.
+    Play: "Play and compare";
+    /// The program itself.
+    Program: "Program";
+    /// The views that are shown.
+    Layout: "Layout";
+    /// The items drawn over the views.
+    Overlay: "Overlay";
+    /// The colours of pictures and window.
+    Colours: "Colours";
+    /// The form of numbers.
+    Numbers: "Numbers";
+    /// The built-in scenes.
+    Scene: "Scene";
+    /// The lessons' steps.
+    Step: "Step";
+    /// The exercises.
+    Exercise: "Exercise";
+    /// The wrong cameras.
+    Mistake: "Mistake";
 }
 
 /// A command.

@@ -444,23 +444,18 @@ fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     listed
 }
 
-/// A markup language for an exported derivation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Markup {
-    /// LaTeX with amsmath.
-    Latex,
-    /// Markdown with `$formulas$`.
-    Markdown,
-}
-
-impl Markup {
-    /// Returns the language's name.
-    pub fn label(self) -> &'static str {
-        match self {
-            Markup::Latex => "LaTeX",
-            Markup::Markdown => "Markdown",
-        }
+pinhole_core::texts! {
+    /// A markup language for an exported derivation.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Markup[1];
+    {
+        /// Returns the language's name.
+        label,
     }
+    /// LaTeX with amsmath.
+    Latex: "LaTeX";
+    /// Markdown with `$formulas$`.
+    Markdown: "Markdown";
 }
 
 impl Derivation {

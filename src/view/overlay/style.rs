@@ -30,23 +30,28 @@ pub(super) const MEDIUM: f32 = 2.4;
 /// Width of the vectors u, v, w and of the selected ray.
 pub(super) const THICK: f32 = 3.4;
 
-/// A set of colours for a light or a dark window. Each [`Scheme`] has a light and a dark style, in the
-/// order of [`Scheme::ALL`].
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Style {
+pinhole_core::texts! {
+    /// A set of colours for a light or a dark window. Each [`Scheme`] has a light and a dark style, in the
+    /// order of [`Scheme::ALL`].
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    pub enum Style[1];
+    {
+        /// Returns the style's name on the command line.
+        name,
+    }
     /// Dark lines on a light background.
     #[default]
-    Light,
+    Light: "light";
     /// Light lines on a dark background.
-    Dark,
+    Dark: "dark";
     /// [`Style::Light`] in [`Scheme::ColourBlind`].
-    ColourBlindLight,
+    ColourBlindLight: "colour-blind";
     /// [`Style::Dark`] in [`Scheme::ColourBlind`].
-    ColourBlindDark,
+    ColourBlindDark: "colour-blind-dark";
     /// [`Style::Light`] in [`Scheme::Grey`].
-    GreyLight,
+    GreyLight: "grey";
     /// [`Style::Dark`] in [`Scheme::Grey`].
-    GreyDark,
+    GreyDark: "grey-dark";
 }
 
 /// The colours of one [`Style`].
@@ -197,22 +202,9 @@ pub fn contrast_ratio(a: Color32, b: Color32) -> f64 {
 }
 
 impl Style {
-    /// All styles, in order.
-    pub const ALL: [Style; 6] = {
-        use Style::*;
-        [Light, Dark, ColourBlindLight, ColourBlindDark, GreyLight, GreyDark]
-    };
-
     /// Returns the light or the dark style of a scheme.
     pub fn new(scheme: Scheme, is_dark: bool) -> Style {
         Style::ALL[2 * scheme as usize + usize::from(is_dark)]
-    }
-
-    /// Returns the style's name on the command line.
-    pub fn name(self) -> &'static str {
-        const NAMES: [&str; 6] =
-            ["light", "dark", "colour-blind", "colour-blind-dark", "grey", "grey-dark"];
-        NAMES[self as usize]
     }
 
     /// Returns the style's scheme.
