@@ -97,6 +97,7 @@
 //! | where a label stands | `view/overlay/world_view/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
 //! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
+//! | the labels, names and texts of an enum | the macro in `core/texts.rs`, used where the enum is |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
 //! | a finger: larger buttons, swipes, and what it has while presenting | `is_by_touch` in `ui/app/apply.rs`, `ui/stage/navigation.rs`; narrow areas: `STACKED` in `view/typesetting/theme.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`, `ui/scene/gizmo.rs`; what is under the pointer: `view/overlay/world_view/under_pointer.rs`; how far they move: `model/interaction.rs` |
