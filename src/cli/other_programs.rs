@@ -5,9 +5,9 @@ use pinhole_exchange::format::{ExportScene, Include, Input};
 use pinhole_exchange::programs::{Importer, file_text};
 use pinhole_exchange::{Document, limits, scene_file};
 
-use super::console::{CommandError, read, scene_fault, warn};
+use super::console::{CommandError, is_standard, read, scene_fault, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};
-use crate::cli::load::{deliver, files_of, load, pose};
+use crate::cli::load::{deliver, files_of, load, pose, refuse_overwriting};
 
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
@@ -30,6 +30,12 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
 
 /// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
+    let inputs = std::slice::from_ref(&arguments.file);
+    let output = arguments.output.as_deref();
+    refuse_overwriting(
+        inputs,
+        output.filter(|output| !is_standard(output)).map(|output| ("-o", output)),
+    )?;
     let (path, bytes) = read(&arguments.file, limits::TEXT)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };
@@ -41,8 +47,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         ..Document::default()
     };
     let scene = scene_file::to_text(&document, None);
-    let inputs = std::slice::from_ref(&arguments.file);
-    deliver(arguments.output.as_deref(), inputs, scene.as_bytes())?;
+    deliver(output, inputs, scene.as_bytes())?;
     taken.notes.iter().for_each(|note| warn(note));
     Ok(())
 }
