@@ -1,15 +1,20 @@
 //! `pinhole render`: writes the picture as PNG, and the hits as OpenEXR.
 
-use std::io::{BufWriter, Write};
+use std::io::{self, BufWriter, Seek, Write};
+use std::path::Path;
 
 use pinhole_core::{
-    Certificate, Frame, ImageSize, Level, Outputs, Raster, Scene, shade, trace_at_level,
+    Frame, ImageSize, Level, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, nearest_t,
+    shade_part, trace_at_level,
 };
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::document::Document;
+#[cfg(feature = "exr")]
+use pinhole_exchange::images::exr;
 use pinhole_exchange::images::png;
+use pinhole_exchange::{FileError, limits};
 
-use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout};
+use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout, warn};
 use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
@@ -50,84 +55,159 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let scene_image = document.camera.image;
     let image =
         size(arguments.width, arguments.height, [scene_image.width(), scene_image.height()])?;
-    // Each row is traced. For the OpenEXR file, the pixels' certificates are computed in a second pass.
-    let passes = 1 + usize::from(arguments.aov.is_some());
-    let progress = Progress::new("row", passes * image.height() as usize);
-    let rendering = render_view(&document, arguments, image, |rows| progress.add(rows))
+    let picture = Picture::new(document, arguments, image)
         .map_err(|error| scene_fault(&arguments.scene, error))?;
+    warn_if_large(image, output.is_some(), arguments.aov.is_some());
+    let progress = Progress::new("row", picture.passes() * image.height() as usize);
+    let done = |rows| progress.add(rows);
     let mut batch = Batch::default();
-    let size = [image.width(), image.height()];
-    let encode = |out: &mut dyn Write| png::encode(out, size, &rendering.pixels, false);
-    if let Some(output) = output {
-        batch.add(output, |file| encode(&mut BufWriter::new(file)))?;
+    let aov = arguments.aov.as_deref().map(|aov| Ok::<_, FileError>((aov, batch.create(aov)?)));
+    let aov = aov.transpose()?;
+    match output {
+        Some(output) => {
+            batch.add(output, |file| picture.write(BufWriter::new(file), aov, BAND, done))?;
+        }
+        None => to_stdout(|out| picture.write(out, aov, BAND, done)).map_err(|error| {
+            // Of two files, none is written without the other.
+            if arguments.aov.is_none() { error } else { CommandError::Input(error.to_string()) }
+        })?,
     }
-    #[cfg(feature = "exr")]
-    if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
-        batch.add(aov, |file| {
-            pinhole_exchange::images::exr::encode(file, frame, &rendering.certificates)
-        })?;
-    }
-    batch.finish()?;
-    if output.is_none() { to_stdout(encode) } else { Ok(()) }
+    batch.finish().map_err(CommandError::from)
 }
 
-/// A finished picture.
-#[derive(Clone, Debug)]
-pub struct Rendering {
-    /// Opaque sRGB pixels with alpha 255, row by row from the top.
-    pub pixels: Vec<[u8; 4]>,
-    /// Hits of the camera's rays, pixel by pixel; `None` if they were neither requested nor needed.
-    pub frame: Option<Frame<f32>>,
-    /// The certificate of each pixel: which arithmetic its hardest decision needed, and with which margin.
-    /// Empty unless requested.
-    pub certificates: Vec<Certificate>,
+/// Tells before a long computation how much of the disk the files will take, if that is much.
+fn warn_if_large(image: ImageSize, has_png: bool, has_aov: bool) {
+    /// Bytes of a pixel in a PNG and in an OpenEXR file.
+    const RAW: [u64; 2] = [3, 36];
+    let of_pixel = RAW[0] * u64::from(has_png) + RAW[1] * u64::from(has_aov);
+    let bytes = u64::from(image.width()) * u64::from(image.height()) * of_pixel;
+    if bytes >= 1 << 30 {
+        warn(&format!("the files take up to {:.1} GB of the disk", bytes as f64 / 1e9));
+    }
 }
 
-/// Draws the requested view of the document at this size. Calls `done` whenever rows are finished, with their
-/// number.
-///
-/// If the size differs from that of the document's image, the camera view is traced with an image of this
-/// size. The world view, on the other hand, shows the camera's own pixels on its viewport.
-///
-/// # Errors
-/// Returns an error if the camera sees nothing, or an object is invalid.
-pub fn render_view(
-    document: &Document,
-    arguments: &RenderArguments,
+/// Number of pixels that are drawn at a time, at least.
+const BAND: usize = 1 << 20;
+
+/// A picture that is about to be drawn.
+pub struct Picture<'a> {
+    document: Document,
+    arguments: &'a RenderArguments,
     size: ImageSize,
-    done: impl Fn(usize) + Sync,
-) -> Result<Rendering, CommandError> {
-    let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
-    let RenderArguments { view, overlay, shade: mode, .. } = *arguments;
-    let aov = arguments.aov.is_some();
-    let mut document = document.clone();
-    if view == FigureSubject::Camera {
-        document.camera.image = size;
+    camera: ResolvedCamera,
+    scene: Scene,
+    /// The pixels of a view with marks, which are drawn all at once.
+    marked: Option<Vec<[u8; 4]>>,
+}
+
+impl Picture<'_> {
+    /// Prepares the requested view of the document at this size.
+    ///
+    /// If the size differs from that of the document's image, the camera view is traced with an image of this
+    /// size. The world view, on the other hand, shows the camera's own pixels on its viewport.
+    ///
+    /// # Errors
+    /// Returns an error if the camera sees nothing, or an object is invalid.
+    pub fn new(
+        mut document: Document,
+        arguments: &RenderArguments,
+        size: ImageSize,
+    ) -> Result<Picture<'_>, String> {
+        if arguments.view == FigureSubject::Camera {
+            document.camera.image = size;
+        }
+        let camera = document.camera.resolve().map_err(|error| error.to_string())?;
+        let scene = document.scene().map_err(|error| error.to_string())?;
+        let has_marks = arguments.overlay || arguments.view == FigureSubject::World;
+        let marked = has_marks.then(|| with_overlay(&document, &scene, arguments, size));
+        Ok(Picture { marked: marked.transpose()?, document, arguments, size, camera, scene })
     }
-    let camera = document.camera.resolve().map_err(|error| input(&error))?;
-    let scene = document.scene().map_err(|error| input(&error))?;
-    let trace = || {
-        let outputs = Outputs { normal: aov, ..Outputs::default() };
-        let raster = Raster::full(camera.image());
-        trace_at_level(Level::new(), &scene, &camera, &raster, outputs, &done)
-    };
-    let certificates = || {
-        let [rows, columns] = [size.height(), size.width()];
-        let [rows, columns] = [rows, columns].map(|n| (0..n).collect::<Vec<_>>());
-        if aov { scene.certificates(&camera, &rows, &columns, &done) } else { Vec::new() }
-    };
-    if view == FigureSubject::Camera && !overlay {
-        let frame = trace();
-        let color_of = |object| document.color_of(object);
-        let pixels = shade(&frame, &scene, mode, color_of, |[r, g, b]| [r, g, b, 255]);
-        return Ok(Rendering { pixels, frame: Some(frame), certificates: certificates() });
+
+    /// Returns how often [`Picture::write`] counts each row as done.
+    pub fn passes(&self) -> usize {
+        1 + usize::from(self.is_by_nearest()) + usize::from(self.arguments.aov.is_some())
     }
-    let pixels = with_overlay(&document, &scene, arguments, size).map_err(CommandError::Input)?;
-    if !aov {
-        done(size.height() as usize);
-        return Ok(Rendering { pixels, frame: None, certificates: Vec::new() });
+
+    /// Returns whether the colours depend on the smallest `t` of the whole picture, which is traced first.
+    fn is_by_nearest(&self) -> bool {
+        self.marked.is_none() && self.arguments.shade == Shade::T
     }
-    Ok(Rendering { pixels, frame: Some(trace()), certificates: certificates() })
+
+    /// Writes the picture as PNG, and what the camera's rays meet to an OpenEXR file, by bands of at least `band`
+    /// pixels. Calls `done` whenever rows are finished, with their number.
+    ///
+    /// # Errors
+    /// Returns an error if a file cannot be written.
+    pub fn write(
+        &self,
+        png: impl Write,
+        aov: Option<(&Path, impl Write + Seek)>,
+        band: usize,
+        done: impl Fn(usize) + Sync,
+    ) -> io::Result<()> {
+        /// Bands consist of whole tiles of an OpenEXR file.
+        const TILE: usize = 64;
+        let [width, height] = [self.size.width(), self.size.height()];
+        let rows = TILE * band.div_ceil(TILE * width as usize);
+        /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles.
+        const PIXEL: [usize; 2] = [16, 256];
+        let of_band =
+            rows.min(height as usize) * width as usize * PIXEL[usize::from(aov.is_some())];
+        limits::memory("a band of the picture", of_band as u64).map_err(io::Error::other)?;
+        let mut bands = (0..height)
+            .step_by(rows)
+            .map(|first| Raster::part(first..height.min(first + rows as u32), 0..width));
+        let nearest = if self.is_by_nearest() {
+            let of_band = |raster| nearest_t(&self.trace(&raster, &done));
+            bands.clone().map(of_band).fold(f64::INFINITY, f64::min)
+        } else {
+            f64::INFINITY
+        };
+        png::encode_rows(png, [width, height], false, |write| {
+            if let (Some(marked), None) = (&self.marked, &aov) {
+                done(height as usize);
+                return write(marked);
+            }
+            #[cfg(feature = "exr")]
+            if let Some((path, file)) = aov {
+                let mut written = Ok(());
+                let bands = bands.map(|raster| {
+                    let frame = self.trace(&raster, &done);
+                    written = write(&self.pixels_of(&frame, nearest));
+                    // What is reported is `written`.
+                    written.as_ref().map_err(|error| error.kind())?;
+                    let (rows, columns) = (raster.rows(), raster.columns());
+                    Ok((frame, self.scene.certificates(&self.camera, rows, columns, &done)))
+                });
+                let encoded = exr::encode(file, &self.camera, bands);
+                written?;
+                let of_aov = |error| io::Error::other(FileError::unwritable(path, &error));
+                return encoded.map_err(of_aov);
+            }
+            bands
+                .try_for_each(|raster| write(&self.pixels_of(&self.trace(&raster, &done), nearest)))
+        })
+    }
+
+    fn trace(&self, raster: &Raster, done: impl Fn(usize) + Sync) -> Frame<f32> {
+        let outputs = Outputs { normal: self.arguments.aov.is_some(), ..Outputs::default() };
+        trace_at_level(Level::new(), &self.scene, &self.camera, raster, outputs, done)
+    }
+
+    /// Returns the pixels of a band, with alpha 255, given its hits and the smallest `t` of the picture.
+    fn pixels_of(&self, frame: &Frame<f32>, nearest: f64) -> Vec<[u8; 4]> {
+        let raster = frame.raster();
+        if let Some(marked) = &self.marked {
+            let start = raster.rows()[0] as usize * raster.columns().len();
+            return marked[start..start + raster.len()].to_vec();
+        }
+        let color_of = |object| self.document.color_of(object);
+        let to_pixel = |[r, g, b]: Rgb| [r, g, b, 255];
+        let paint = Paint { shade: self.arguments.shade, color_of, to_pixel };
+        let mut pixels = vec![[0; 4]; raster.len()];
+        shade_part(Level::new(), frame, &self.scene, &paint, nearest, &mut pixels);
+        pixels
+    }
 }
 
 /// Draws the view as the window does, with labels. No ray is drawn, because none is selected.

@@ -235,7 +235,7 @@ pub use render::edges::{EdgeBlend, Ellipse, edge_blends};
 pub use render::frame::{Counts, Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 pub use render::shade::shade_rows::HitShader;
-pub use render::shade::{lambert, shade, shade_at_level};
+pub use render::shade::{lambert, nearest_t, shade, shade_at_level, shade_part};
 pub use render::{
     retrace, retrace_at_level, retrace_painted, trace, trace_as, trace_at_level, trace_painted,
 };

@@ -39,7 +39,7 @@ pub fn write(
 /// and the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
-    /// Files that are complete except for their final names.
+    /// Files under temporary names.
     files: Vec<Complete>,
     /// The contents to be copied to devices and pipes, which cannot be replaced by a file.
     through: Vec<(PathBuf, File)>,
@@ -49,13 +49,14 @@ pub struct Batch {
 struct Complete {
     new: Temporary,
     target: PathBuf,
-    is_there: bool,
+    old: Option<Metadata>,
     /// The path as it was given, for messages.
     path: PathBuf,
 }
 
 impl Batch {
-    /// Writes a file's content. The file gets its final name when the batch is finished.
+    /// Writes a file's content. The file gets its final name when the batch is finished, which it must not be
+    /// after an error.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -64,38 +65,46 @@ impl Batch {
         path: &Path,
         content: impl FnOnce(&mut File) -> io::Result<()>,
     ) -> Result<(), FileError> {
-        self.try_add(path, content).map_err(|error| FileError::unwritable(path, &error))
+        let mut file = self.create(path)?;
+        content(&mut file).map_err(|error| FileError::unwritable(path, &error))
     }
 
-    fn try_add(
-        &mut self,
-        path: &Path,
-        content: impl FnOnce(&mut File) -> io::Result<()>,
-    ) -> io::Result<()> {
+    /// Creates a file, whose content must be written before the batch is finished.
+    ///
+    /// # Errors
+    /// Returns an error if the system fails, or if the file is read-only.
+    pub fn create(&mut self, path: &Path) -> Result<File, FileError> {
+        self.try_create(path).map_err(|error| FileError::unwritable(path, &error))
+    }
+
+    fn try_create(&mut self, path: &Path) -> io::Result<File> {
         let (target, old) = target_of(path)?;
         if old.as_ref().is_some_and(|old| !old.is_file()) {
-            let mut buffer = tempfile::tempfile()?;
-            content(&mut buffer)?;
+            let buffer = tempfile::tempfile()?;
+            let file = buffer.try_clone();
             self.through.push((target, buffer));
-            return Ok(());
+            return file;
         }
-        let mut new = Temporary::in_folder(folder_of(&target))?;
-        content(new.file.as_file_mut())?;
-        let is_there = old.is_some();
-        if let Some(old) = old {
-            new.file.as_file().set_permissions(old.permissions())?;
-        }
-        new.file.as_file().sync_all()?;
-        self.files.push(Complete { new, target, is_there, path: path.to_owned() });
-        Ok(())
+        let new = Temporary::in_folder(folder_of(&target))?;
+        let file = new.file.as_file().try_clone();
+        self.files.push(Complete { new, target, old, path: path.to_owned() });
+        file
     }
 
     /// Gives all files their final names.
     ///
     /// # Errors
-    /// Returns an error if a file cannot be given its final name; all files are then as they were
-    /// before.
+    /// Returns an error if a file cannot reach the disk or be given its final name; all files are then as they
+    /// were before.
     pub fn finish(self) -> Result<(), FileError> {
+        for Complete { new, old, path, .. } in &self.files {
+            let file = new.file.as_file();
+            let permitted =
+                old.as_ref().map_or(Ok(()), |old| file.set_permissions(old.permissions()));
+            permitted
+                .and_then(|()| file.sync_all())
+                .map_err(|error| FileError::unwritable(path, &error))?;
+        }
         for (target, buffer) in self.through {
             write_through(&target, buffer)
                 .map_err(|error| FileError::unwritable(&target, &error))?;
@@ -116,8 +125,8 @@ fn place(files: Vec<Complete>) -> Result<(), FileError> {
     // unlocked.
     let (_names, files): (Vec<Known>, Vec<_>) = files
         .into_iter()
-        .map(|Complete { new, target, is_there, path }| {
-            (new.name, (new.file, target, is_there, path))
+        .map(|Complete { new, target, old, path }| {
+            (new.name, (new.file, target, old.is_some(), path))
         })
         .unzip();
     let _live = live();

@@ -67,16 +67,26 @@ impl FileError {
         FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
     }
 
-    /// Creates an error about a file that cannot be written, with the system's reason.
+    /// Creates an error about a file that cannot be written, with the system's reason. Returns the inner error
+    /// if it is about a file, which was written at the same time.
     pub fn unwritable(path: &Path, error: &io::Error) -> FileError {
-        FileError::of_file(path, format!("cannot be written: {}", reason(error)))
+        let inner = error.get_ref().and_then(|inner| inner.downcast_ref::<FileError>());
+        let of_path = || FileError::of_file(path, format!("cannot be written: {}", reason(error)));
+        inner.cloned().unwrap_or_else(of_path)
     }
 }
 
 /// Returns the system's message for an error without the error number, which does not help users.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
-    text.split(" (os error").next().unwrap_or_default().to_lowercase()
+    match error.kind() {
+        io::ErrorKind::FileTooLarge => {
+            "the file may not become larger, by ulimit -f or on this disk".to_owned()
+        }
+        // A reason of the program's own.
+        io::ErrorKind::Other => text,
+        _ => text.split(" (os error").next().unwrap_or_default().to_lowercase(),
+    }
 }
 
 impl fmt::Display for FileError {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use egui::{Color32, ColorImage, Context, Pos2, Rect, Theme, vec2};
 use pinhole_exchange::document::Document;
+use pinhole_exchange::limits;
 
 use super::{Figure, FigureFormat, SphereEdges};
 use crate::model::{Fault, Session, ViewLayout};
@@ -119,6 +120,11 @@ impl Order {
     pub fn figure(&self, document: &Document, session: &Session) -> Result<Figure, String> {
         match self.subject {
             FigureSubject::World | FigureSubject::Camera => {
+                /// Bytes of memory for a pixel: its hit, its colour, and its copies on the way to a file.
+                const PIXEL: u64 = 24;
+                let [width, height] = self.size;
+                let bytes = PIXEL * u64::from(width) * u64::from(height);
+                limits::memory(&format!("a figure of {width} x {height} pixels"), bytes)?;
                 self.view(document, session).map_err(|fault| fault.to_string())
             }
             FigureSubject::Derivation => Ok(self.derivation(&derivation_of(document, session))),

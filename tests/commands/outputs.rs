@@ -89,10 +89,11 @@ fn standard_input_is_not_written_over() {
     assert_eq!(fs::read_to_string(&rays).unwrap(), before);
 }
 
-/// Limits the size of a file, in blocks of 512 bytes: beyond it, writing fails as on a full disk.
+/// Runs it with a limit of `ulimit`: `-f` and the size of a file in blocks of 512 bytes, beyond which writing fails
+/// as on a full disk; or `-v` and the size of the memory in KiB.
 #[cfg(unix)]
-fn run_within(blocks: u32, folder: &Path, line: &str) -> super::Run {
-    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+pub(super) fn run_within(limit: &str, folder: &Path, line: &str) -> super::Run {
+    let script = format!("ulimit {limit}; exec \"$0\" \"$@\"");
     let mut command = std::process::Command::new("sh");
     command.args(["-c", &script, env!("CARGO_BIN_EXE_pinhole")]).args(line.split(' '));
     super::finished(command.current_dir(folder).output().unwrap())
@@ -104,8 +105,11 @@ fn of_two_files_none_is_written_if_one_cannot_be() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("out.png"), "old").unwrap();
     let line = "render canonical -o out.png --aov out.exr --shade object";
-    let run = run_within(100, folder.path(), line);
-    run.failed(1, "out.exr: cannot be written: file too large");
+    let run = run_within("-f 100", folder.path(), line);
+    run.failed(
+        1,
+        "out.exr: cannot be written: the file may not become larger, by ulimit -f or on this disk",
+    );
     assert_eq!(contents(folder.path()), [("out.png".to_owned(), "old".to_owned())]);
 }
 

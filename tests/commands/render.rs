@@ -1,12 +1,13 @@
 //! `pinhole render`
 
 use std::fs::{self, File};
-use std::io::BufReader;
+use std::io::{BufReader, Cursor};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use pinhole::cli::arguments::RenderArguments;
-use pinhole::cli::render::render_view;
+use pinhole::cli::render::Picture;
 use pinhole::figures::FigureSubject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
@@ -61,12 +62,15 @@ fn the_picture_is_the_core_s_own() {
 }
 
 #[test]
-fn progress_hears_of_every_row_once_a_pass() {
-    use std::sync::atomic::{AtomicUsize, Ordering};
-
-    let document = document("planet", 30, 333);
-    for (overlay, aov) in [(false, false), (true, false), (true, true)] {
-        let rows = AtomicUsize::new(0);
+fn bands_write_the_bytes_of_one_band_and_count_every_row_once_a_pass() {
+    let document = document("planet", 130, 333);
+    for (overlay, aov, shade) in [
+        (false, false, Shade::Lambert),
+        (true, false, Shade::Lambert),
+        (true, true, Shade::T),
+        (false, true, Shade::T),
+        (false, true, Shade::Normal),
+    ] {
         let arguments = RenderArguments {
             scene: "planet".into(),
             output: "-".into(),
@@ -74,21 +78,24 @@ fn progress_hears_of_every_row_once_a_pass() {
             height: None,
             view: FigureSubject::Camera,
             overlay,
-            shade: Shade::Lambert,
+            shade,
             aov: aov.then(|| "a.exr".into()),
         };
-        let rendering = render_view(&document, &arguments, document.camera.image, |done| {
-            rows.fetch_add(done, Ordering::Relaxed);
-        })
-        .unwrap();
-        // Traced, and asked how surely.
-        assert_eq!(rows.into_inner(), if aov { 666 } else { 333 });
-        assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
-        match rendering.frame {
-            Some(frame) => assert_eq!(frame.t, traced(&document).t),
-            None => assert!(overlay && !aov),
-        }
-        assert_eq!(rendering.certificates.len(), if aov { 30 * 333 } else { 0 });
+        let picture = Picture::new(document.clone(), &arguments, document.camera.image).unwrap();
+        let passes = 1 + usize::from(aov) + usize::from(shade == Shade::T && !overlay);
+        let written = |band| {
+            let (mut png, mut exr) = (Vec::new(), Cursor::new(Vec::new()));
+            let rows = AtomicUsize::new(0);
+            let aov = aov.then_some((Path::new("a.exr"), &mut exr));
+            let done = |done| {
+                rows.fetch_add(done, Ordering::Relaxed);
+            };
+            picture.write(&mut png, aov, band, done).unwrap();
+            assert_eq!((rows.into_inner(), picture.passes()), (333 * passes, passes));
+            (png, exr.into_inner())
+        };
+        let whole = written(1 << 20);
+        assert!(written(1) == whole && whole.1.is_empty() != aov, "{arguments:?}");
     }
 }
 
@@ -334,27 +341,36 @@ fn where_nothing_can_be_written_is_told_before_anything_is_read() {
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_the_old_files() {
-    use std::process::Command;
+    use super::outputs::run_within;
 
     let folder = tempfile::tempdir().unwrap();
     for name in ["out.png", "out.exr"] {
         fs::write(folder.path().join(name), "old").unwrap();
     }
-    // No file may grow beyond a block; without the signal, that is an error like a full disk.
-    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
-    let run = super::finished(
-        Command::new("sh")
-            .args(["-c", script, env!("CARGO_BIN_EXE_pinhole")])
-            .args("render planet -o out.png --aov out.exr".split(' '))
-            .current_dir(folder.path())
-            .output()
-            .unwrap(),
+    let run = run_within("-f 1", folder.path(), "render planet -o out.png --aov out.exr");
+    run.failed(
+        1,
+        "out.exr: cannot be written: the file may not become larger, by ulimit -f or on this disk",
     );
-    run.failed(1, "out.png: cannot be written: file too large");
     for name in ["out.png", "out.exr"] {
         assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), "old");
     }
     assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_picture_takes_bounded_memory_or_there_is_too_little() {
+    use super::outputs::run_within;
+
+    let folder = tempfile::tempdir().unwrap();
+    let run = |line| run_within("-v 400000", folder.path(), line);
+    run("render planet -o out.png --width 16384 --height 2048").done();
+    run("render planet -o no.png --width 16384 --height 16384 --overlay").failed(
+        1,
+        "planet: there is too little memory: a figure of 16384 x 16384 pixels takes 6443 MB",
+    );
+    assert_eq!(entries(folder.path()), ["out.png"]);
 }
 
 /// A tile's place in the file does not depend on which thread is done with it first.

@@ -69,8 +69,8 @@ use crate::render::plan::{Plan, SLICE_ROWS};
 use crate::render::row_band::RowBand;
 use crate::render::row_band::fallback::fill_exactly;
 use crate::render::shade::paint::{Paint, Rgb, Shade};
-use crate::render::shade::paint_frame;
 use crate::render::shade::painter::Painter;
+use crate::render::shade::{nearest_t, shade_part};
 use crate::scene::Scene;
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
@@ -162,7 +162,7 @@ pub fn retrace_painted<T: Depth, P: Send>(
         let is_whole = frame.t.len() == pixels.len() && frame.object.len() == pixels.len();
         assert!(is_whole, "colours by t need t and objects");
         T::fill(frame, level, scene, None, &|_| ());
-        return paint_frame(level, frame, scene, paint, pixels);
+        return shade_part(level, frame, scene, paint, nearest_t(frame), pixels);
     }
     let raster = frame.raster.clone();
     let painter = Painter::new(level, paint, scene, camera, &raster, f64::INFINITY);

@@ -18,9 +18,22 @@ use crate::FileError;
 /// Returns an error if writing to `out` fails.
 pub fn encode(
     out: impl Write,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     pixels: &[[u8; 4]],
     transparent: bool,
+) -> io::Result<()> {
+    encode_rows(out, size, transparent, |write| write(pixels))
+}
+
+/// Writes a picture like [`encode`]. `draw` is called with a function that writes the next rows.
+///
+/// # Errors
+/// Returns an error if writing to `out` fails, or the error of `draw`.
+pub fn encode_rows(
+    out: impl Write,
+    [width, height]: [u32; 2],
+    transparent: bool,
+    draw: impl FnOnce(&mut dyn FnMut(&[[u8; 4]]) -> io::Result<()>) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut encoder = Encoder::new(out, width, height);
     encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
@@ -29,10 +42,12 @@ pub fn encode(
     let mut writer = encoder.write_header().map_err(to_io)?;
     let mut stream = writer.stream_writer().map_err(to_io)?;
     let channels = if transparent { 4 } else { 3 };
-    for row in pixels.chunks(width as usize) {
-        let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
-        stream.write_all(&bytes)?;
-    }
+    draw(&mut |pixels| {
+        pixels.chunks(width as usize).try_for_each(|row| {
+            let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+            stream.write_all(&bytes)
+        })
+    })?;
     stream.finish().map_err(to_io)?;
     writer.finish().map_err(to_io)
 }

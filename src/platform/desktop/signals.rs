@@ -1,8 +1,8 @@
 //! Handles the signals that end the program. The window saves its changes to a separate file and closes;
-//! a command removes its temporary files.
+//! a command removes its temporary files. A file that may not become larger is an error of writing, not a signal.
 
 use std::sync::atomic::{AtomicI32, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// A function that ends the window.
@@ -27,9 +27,11 @@ pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
 /// Starts a thread that waits for signals. Signals that are ignored from the start, as with `nohup`,
 /// stay ignored.
 pub(super) fn watch() {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
     use signal_hook::iterator::Signals;
     let ignored = ignored();
+    // Any handler makes the write that caused the signal fail, instead of ending the program.
+    let _ = signal_hook::flag::register(SIGXFSZ, Arc::default());
     let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_in(*signal, ignored));
     // If signals cannot be caught, they end the program as usual.
     let Ok(mut signals) = Signals::new(heeded) else { return };

@@ -32,6 +32,12 @@ pub fn shade<T: Depth, P: Clone + Send + Sync>(
     shade_at_level(Level::new(), frame, scene, &Paint { shade, color_of, to_pixel })
 }
 
+/// Returns the frame's smallest `t`, which [`Shade::T`] shows as white; infinite if nothing is hit.
+pub fn nearest_t<T: Depth>(frame: &Frame<T>) -> f64 {
+    let least = |t: &[T]| t.iter().map(|t| t.widened()).fold(f64::INFINITY, f64::min);
+    frame.t.par_chunks(1 << 16).map(least).reduce(|| f64::INFINITY, f64::min)
+}
+
 /// Shades like [`shade`], with the instructions of a given SIMD level. All levels give the same bits.
 pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     level: Level,
@@ -40,29 +46,28 @@ pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
 ) -> Vec<P> {
     let mut pixels = vec![(paint.to_pixel)(BACKGROUND); frame.raster().len()];
-    paint_frame(level, frame, scene, paint, &mut pixels);
+    let nearest = if paint.shade == Shade::T { nearest_t(frame) } else { f64::INFINITY };
+    shade_part(level, frame, scene, paint, nearest, &mut pixels);
     pixels
 }
 
-/// Computes the pixels of a traced frame, which must have objects and, if the shading needs it, `t`.
-pub(crate) fn paint_frame<T: Depth, P: Send>(
+/// Shades like [`shade_at_level`] a part of a picture, whose smallest `t` is `nearest`; only [`Shade::T`]
+/// uses it.
+///
+/// # Panics
+/// Panics unless `pixels` has one element for each pixel of the frame.
+pub fn shade_part<T: Depth, P: Send>(
     level: Level,
     frame: &Frame<T>,
     scene: &Scene,
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    nearest: f64,
     pixels: &mut [P],
 ) {
     let (camera, raster) = (frame.camera(), frame.raster());
     if raster.is_empty() {
         return;
     }
-    let nearest = match paint.shade {
-        Shade::T => {
-            let least = |t: &[T]| t.iter().map(|t| t.widened()).fold(f64::INFINITY, f64::min);
-            frame.t.par_chunks(1 << 16).map(least).reduce(|| f64::INFINITY, f64::min)
-        }
-        _ => f64::INFINITY,
-    };
     let painter = Painter::new(level, paint, scene, camera, raster, nearest);
     let width = raster.columns().len();
     pixels.par_chunks_mut(ROWS * width).enumerate().for_each(|(index, pixels)| {
