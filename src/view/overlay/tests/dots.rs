@@ -165,3 +165,21 @@ fn a_sphere_around_the_camera_is_painted_cut_away() {
     // No part of the sphere hides the camera.
     assert!(!stage.drawing().marks.iter().any(|mark| mark.item == Item::Eye && mark.hidden));
 }
+
+#[test]
+fn of_a_thousand_spheres_around_the_camera_the_largest_are_drawn() {
+    let radius = |k: u32| 4.0 + f64::from(k * 7 % 1000) / 1000.0;
+    let spheres = (0..1000).map(|k| sphere(0.0, 0.0, -1.0, radius(k))).collect();
+    let scene = Scene::new(spheres, vec![]).expect("a scene");
+    let observer = from_the_right(DVec3::new(0.0, 0.0, -1.0), 16.0);
+    let stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    assert_eq!(stage.enclosing.len(), 1000);
+    let bowls = stage.view().backdrop(stage.scene()).bowls;
+    assert!((1..10).contains(&bowls.len()), "{}", bowls.len());
+    assert!(bowls.iter().all(|bowl| bowl.sphere.radius > 4.99), "{:?}", bowls[0].sphere);
+    // They lie over one another in the order of the objects, as fewer do.
+    let colors: Vec<_> = bowls.iter().map(|bowl| bowl.color).collect();
+    let mut largest: Vec<u32> = (0..1000).filter(|k| radius(*k) > 4.9935).collect();
+    largest.sort_unstable();
+    assert_eq!(colors, largest.into_iter().map(color_of).collect::<Vec<_>>());
+}

@@ -16,7 +16,7 @@ pub(super) mod whiteboard;
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, EdgeBlend, Frame, Ray, ResolvedCamera};
+use pinhole_core::{Camera, DVec2, DVec3, EdgeBlend, Frame, Ray, ResolvedCamera, Scene, Sphere};
 use rayon::prelude::*;
 
 use crate::model::{AnswerMark, Inspection, Item, Observer, OverlayItems};
@@ -202,12 +202,25 @@ impl WorldView {
             false => self.style.colors().background,
         };
         let rays = self.frame.camera().pixel_rays();
-        let around = self.enclosing.iter().filter_map(|index| {
-            let sphere = *scene.scene.spheres().get(*index as usize)?;
-            Some(Bowl { sphere, color: scene.color_of(*index), rays })
-        });
+        let bowl = |(index, sphere)| Bowl { sphere, color: scene.color_of(index), rays };
+        let bowls = self.drawn_around(scene.scene).map(bowl).collect();
         let (patches, floor) = self.ground_layers(&self.ground(scene), &rays);
-        Backdrop { background, patches, floor, bowls: around.collect() }
+        Backdrop { background, patches, floor, bowls }
+    }
+
+    /// Returns the spheres around the camera that are drawn: the largest ones, since those behind many others
+    /// cannot be seen.
+    fn drawn_around(&self, scene: &Scene) -> impl Iterator<Item = (u32, Sphere)> {
+        /// Maximum number of them.
+        const MOST: usize = 6;
+        let sphere = |index: &u32| Some((*index, *scene.spheres().get(*index as usize)?));
+        let mut around: Vec<_> = self.enclosing.iter().filter_map(sphere).collect();
+        if around.len() > MOST {
+            around.select_nth_unstable_by(MOST, |(_, a), (_, b)| b.radius.total_cmp(&a.radius));
+            around.truncate(MOST);
+            around.sort_unstable_by_key(|(index, _)| *index);
+        }
+        around.into_iter()
     }
 
     fn layers<'a>(&'a self, backdrop: &'a Backdrop) -> Layers<'a> {
@@ -243,10 +256,8 @@ impl WorldView {
             requests: Vec::new(),
         };
         sketch.ground(scene);
-        for index in &*self.enclosing {
-            if let Some(sphere) = scene.scene.spheres().get(*index as usize) {
-                sketch.cut_away(*index, sphere, scene.color_of(*index));
-            }
+        for (index, sphere) in self.drawn_around(scene.scene) {
+            sketch.cut_away(index, &sphere, scene.color_of(index));
         }
         if let Some(ghost) = &self.ghost {
             sketch.ghost(ghost);
