@@ -59,7 +59,7 @@ pub trait Host: Send + Sync {
     /// Removes a file. Does nothing if that fails, or if there is no such file.
     fn remove(&self, path: &Path);
 
-    /// Returns the stamp (modification time and size) of a file; `None` if there is no such file.
+    /// Returns the stamp of a file; `None` if there is no such file.
     fn stamp(&self, path: &Path) -> Option<Stamp>;
 
     /// Returns the absolute path of a file without links, even if the file does not exist but its folder does.

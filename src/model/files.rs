@@ -227,15 +227,14 @@ impl OpenDocument {
     }
 
     /// Returns true if another program has changed the scene file's content since this window last read
-    /// or wrote it.
+    /// or wrote it. Stamps decide only if the file cannot be read: one may be made alike.
     pub fn was_changed_by_others(&mut self) -> bool {
         let [now, _] = self.stamps_now();
-        if now.is_none() || now == self.stamps[0] {
-            return false;
-        }
-        let text = self.scene_file().and_then(|path| limits::read_text(path).ok());
-        let is_same = text.is_some() && text == self.text;
-        if is_same {
+        let is_same = match self.text_on_disk() {
+            Some(text) => self.text == Some(text),
+            None => now.is_none() || now == self.stamps[0],
+        };
+        if is_same && now.is_some() {
             self.stamps[0] = now;
         }
         !is_same
@@ -244,6 +243,11 @@ impl OpenDocument {
     /// Acknowledges the changes that another program made to the files, so that saving may overwrite them.
     pub fn keep_mine(&mut self) {
         self.stamps = self.stamps_now();
+        self.text = self.text_on_disk().or(self.text.take());
+    }
+
+    fn text_on_disk(&self) -> Option<String> {
+        limits::read_text(self.scene_file()?).ok()
     }
 
     /// Checks that an output does not overwrite a file that the scene is read from.
@@ -288,7 +292,7 @@ impl OpenDocument {
             self.check_output(path)?;
         }
         // The comments in the document's own file may have been edited since it was read.
-        let on_disk = self.is_own(path).then(|| limits::read_text(path).ok()).flatten();
+        let on_disk = self.text_on_disk().filter(|_| self.is_own(path));
         let text = on_disk.as_deref().or(self.text.as_deref());
         let saved = scene_file::save(&self.document, path, text).map_err(|e| e.to_string())?;
         // Keep the document as written: its path to a CSV file is now relative to the scene's new

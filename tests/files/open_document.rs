@@ -120,6 +120,10 @@ fn a_change_of_the_same_length_and_time_is_noticed() {
     fs::write(&path, SCENE.replace("eye = [0", "eye = [7")).unwrap();
     fs::File::options().write(true).open(&path).unwrap().set_modified(time).unwrap();
     assert!(open.touched().is_some() && open.was_changed_by_others());
+    open.keep_mine();
+    assert!(open.touched().is_none() && !open.was_changed_by_others());
+    fs::write(&path, SCENE).unwrap();
+    assert!(open.was_changed_by_others(), "it is as it was read, but not as it was kept from");
 }
 
 /// A large table takes a while to read.

@@ -555,8 +555,6 @@ impl<S: Simd> SpanLanes<S> {
     /// - The quotient is corrected by the first and second powers of `rest / sum`, but not by the
     ///   third, where `rest` is the error of the computed sum. It is at most `2^-12` of the variation
     ///   of b, which is less than four times the sum.
-    ///   second powers of `rest / sum`, but not by the third. `rest` is at most `2^-12` of the
-    ///   variation of b, which is less than four times the sum.
     ///
     /// The rounding error of the sum of `row.b[0]` and the change of b from the pivot is found
     /// exactly: the pivot is the end at which b is larger, so b only decreases from there (Dekker,
