@@ -55,9 +55,9 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     let scene_image = document.camera.image;
     let image =
         size(arguments.width, arguments.height, [scene_image.width(), scene_image.height()])?;
+    warn_if_large(image, output.is_some(), arguments.aov.is_some());
     let picture = Picture::new(document, arguments, image)
         .map_err(|error| scene_fault(&arguments.scene, error))?;
-    warn_if_large(image, output.is_some(), arguments.aov.is_some());
     let progress = Progress::new("row", picture.passes() * image.height() as usize);
     let done = |rows| progress.add(rows);
     let mut batch = Batch::default();
@@ -68,7 +68,7 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             batch.add(output, |file| picture.write(BufWriter::new(file), aov, BAND, done))?;
         }
         None => to_stdout(|out| picture.write(out, aov, BAND, done)).map_err(|error| {
-            // Of two files, none is written without the other.
+            // That a reader has gone is a failure if a file is not written for it.
             if arguments.aov.is_none() { error } else { CommandError::Input(error.to_string()) }
         })?,
     }
@@ -150,19 +150,19 @@ impl Picture<'_> {
         let [width, height] = [self.size.width(), self.size.height()];
         let rows = TILE * band.div_ceil(TILE * width as usize);
         /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles.
-        const PIXEL: [usize; 2] = [16, 256];
-        let of_band =
-            rows.min(height as usize) * width as usize * PIXEL[usize::from(aov.is_some())];
-        limits::memory("a band of the picture", of_band as u64).map_err(io::Error::other)?;
+        const PIXEL: [usize; 2] = [16, 128];
+        let bytes = rows.min(height as usize) * width as usize * PIXEL[usize::from(aov.is_some())];
+        limits::memory("a band of the picture", bytes as u64).map_err(io::Error::other)?;
         let mut bands = (0..height)
             .step_by(rows)
             .map(|first| Raster::part(first..height.min(first + rows as u32), 0..width));
         let nearest = if self.is_by_nearest() {
-            let of_band = |raster| nearest_t(&self.trace(&raster, &done));
+            let of_band = |raster| nearest_t(&self.trace(&raster, false, &done));
             bands.clone().map(of_band).fold(f64::INFINITY, f64::min)
         } else {
             f64::INFINITY
         };
+        let has_aov = aov.is_some();
         png::encode_rows(png, [width, height], false, |write| {
             if let (Some(marked), None) = (&self.marked, &aov) {
                 done(height as usize);
@@ -172,7 +172,7 @@ impl Picture<'_> {
             if let Some((path, file)) = aov {
                 let mut written = Ok(());
                 let bands = bands.map(|raster| {
-                    let frame = self.trace(&raster, &done);
+                    let frame = self.trace(&raster, has_aov, &done);
                     written = write(&self.pixels_of(&frame, nearest));
                     // What is reported is `written`.
                     written.as_ref().map_err(|error| error.kind())?;
@@ -184,13 +184,14 @@ impl Picture<'_> {
                 let of_aov = |error| io::Error::other(FileError::unwritable(path, &error));
                 return encoded.map_err(of_aov);
             }
-            bands
-                .try_for_each(|raster| write(&self.pixels_of(&self.trace(&raster, &done), nearest)))
+            bands.try_for_each(|raster| {
+                write(&self.pixels_of(&self.trace(&raster, has_aov, &done), nearest))
+            })
         })
     }
 
-    fn trace(&self, raster: &Raster, done: impl Fn(usize) + Sync) -> Frame<f32> {
-        let outputs = Outputs { normal: self.arguments.aov.is_some(), ..Outputs::default() };
+    fn trace(&self, raster: &Raster, normal: bool, done: impl Fn(usize) + Sync) -> Frame<f32> {
+        let outputs = Outputs { normal, ..Outputs::default() };
         trace_at_level(Level::new(), &self.scene, &self.camera, raster, outputs, done)
     }
 

@@ -40,13 +40,13 @@ pub fn write(
 #[derive(Debug, Default)]
 pub struct Batch {
     /// Files under temporary names.
-    files: Vec<Complete>,
+    files: Vec<Pending>,
     /// The contents to be copied to devices and pipes, which cannot be replaced by a file.
     through: Vec<(PathBuf, File)>,
 }
 
 #[derive(Debug)]
-struct Complete {
+struct Pending {
     new: Temporary,
     target: PathBuf,
     old: Option<Metadata>,
@@ -55,8 +55,8 @@ struct Complete {
 }
 
 impl Batch {
-    /// Writes a file's content. The file gets its final name when the batch is finished, which it must not be
-    /// after an error.
+    /// Writes a file's content. The file gets its final name when the batch is finished. After an error, it is no
+    /// part of the batch.
     ///
     /// # Errors
     /// Returns the errors of [`write()`].
@@ -65,8 +65,13 @@ impl Batch {
         path: &Path,
         content: impl FnOnce(&mut File) -> io::Result<()>,
     ) -> Result<(), FileError> {
+        let known = [self.files.len(), self.through.len()];
         let mut file = self.create(path)?;
-        content(&mut file).map_err(|error| FileError::unwritable(path, &error))
+        content(&mut file).map_err(|error| {
+            self.files.truncate(known[0]);
+            self.through.truncate(known[1]);
+            FileError::unwritable(path, &error)
+        })
     }
 
     /// Creates a file, whose content must be written before the batch is finished.
@@ -87,7 +92,7 @@ impl Batch {
         }
         let new = Temporary::in_folder(folder_of(&target))?;
         let file = new.file.as_file().try_clone();
-        self.files.push(Complete { new, target, old, path: path.to_owned() });
+        self.files.push(Pending { new, target, old, path: path.to_owned() });
         file
     }
 
@@ -97,7 +102,7 @@ impl Batch {
     /// Returns an error if a file cannot reach the disk or be given its final name; all files are then as they
     /// were before.
     pub fn finish(self) -> Result<(), FileError> {
-        for Complete { new, old, path, .. } in &self.files {
+        for Pending { new, old, path, .. } in &self.files {
             let file = new.file.as_file();
             let permitted =
                 old.as_ref().map_or(Ok(()), |old| file.set_permissions(old.permissions()));
@@ -119,13 +124,13 @@ impl Batch {
 
 /// Renames the files to their final names. If one rename fails, all are undone. Meanwhile, [`abandon`]
 /// blocks.
-fn place(files: Vec<Complete>) -> Result<(), FileError> {
+fn place(files: Vec<Pending>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
     // Dropping `_names` removes the names from the list, which must happen after the list has been
     // unlocked.
     let (_names, files): (Vec<Known>, Vec<_>) = files
         .into_iter()
-        .map(|Complete { new, target, old, path }| {
+        .map(|Pending { new, target, old, path }| {
             (new.name, (new.file, target, old.is_some(), path))
         })
         .unzip();

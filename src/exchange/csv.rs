@@ -187,7 +187,8 @@ impl<'a> CsvTable<'a> {
                 _ if count == limits::ROWS => return Err(self.error_at(self.row.0, TOO_MANY)),
                 cells if cells != width => {
                     let right = format!("it must have {width}, as the first line has");
-                    let problem = format!("the row has {cells} cells: {right}");
+                    let noun = if cells == 1 { "cell" } else { "cells" };
+                    let problem = format!("the row has {cells} {noun}: {right}");
                     return Err(self.error_at(self.row.0, problem));
                 }
                 _ => each(&self)?,

@@ -79,13 +79,13 @@ impl FileError {
 /// Returns the system's message for an error without the error number, which does not help users.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
-    // The crate `png` keeps the text of an error, but not its kind.
-    match text.split_once(" (os error") {
-        Some(("File too large", _)) => {
+    match error.kind() {
+        io::ErrorKind::FileTooLarge => {
             "the file may not become larger, by ulimit -f or on this disk".to_owned()
         }
-        Some((of_system, _)) => of_system.to_lowercase(),
-        None => text,
+        // A reason of the program's own.
+        io::ErrorKind::Other => text,
+        _ => text.split(" (os error").next().unwrap_or_default().to_lowercase(),
     }
 }
 

@@ -158,8 +158,14 @@ impl OpenDocument {
         &self.origin
     }
 
-    /// Returns true if the document has unsaved changes.
+    /// Returns true if the document has unsaved changes, or is in no file since its own was removed.
     pub fn has_changes(&self) -> bool {
+        let is_removed = self.scene_file().is_some() && self.stamps[0].is_none();
+        self.has_edits() || is_removed && !self.forgiving
+    }
+
+    /// Returns true if the document differs from the one that was opened or last saved.
+    pub fn has_edits(&self) -> bool {
         !self.forgiving && *self.own() != self.saved
     }
 

@@ -104,13 +104,14 @@ pub(super) fn run_within(limit: &str, folder: &Path, line: &str) -> super::Run {
 fn of_two_files_none_is_written_if_one_cannot_be() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("out.png"), "old").unwrap();
-    let line = "render canonical -o out.png --aov out.exr --shade object";
-    let run = run_within("-f 100", folder.path(), line);
-    run.failed(
-        1,
-        "out.exr: cannot be written: the file may not become larger, by ulimit -f or on this disk",
-    );
-    assert_eq!(contents(folder.path()), [("out.png".to_owned(), "old".to_owned())]);
+    let problem = "cannot be written: the file may not become larger, by ulimit -f or on this disk";
+    for (limit, line, file) in [
+        ("-f 100", "render canonical -o out.png --aov out.exr --shade object", "out.exr"),
+        ("-f 20", "render planet -o out.png --width 900", "out.png"),
+    ] {
+        run_within(limit, folder.path(), line).failed(1, &format!("{file}: {problem}"));
+        assert_eq!(contents(folder.path()), [("out.png".to_owned(), "old".to_owned())]);
+    }
 }
 
 #[cfg(unix)]

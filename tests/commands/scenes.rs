@@ -20,9 +20,9 @@ fn a_line_for_each_scene() {
 
 #[test]
 fn a_reader_who_has_seen_enough_is_no_error() {
-    for arguments in [&["scenes"][..], &["inspect", "canonical", "--uv", "0,0"]] {
+    for line in ["scenes", "inspect canonical --uv 0,0", "render planet --width 300 -o -"] {
         let mut child = command_in(&std::env::temp_dir())
-            .args(arguments)
+            .args(line.split(' '))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()

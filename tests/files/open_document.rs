@@ -126,6 +126,17 @@ fn a_change_of_the_same_length_and_time_is_noticed() {
     assert!(open.was_changed_by_others(), "it is as it was read, but not as it was kept from");
 }
 
+#[test]
+fn a_scene_whose_file_was_removed_is_not_saved() {
+    let folder = folder();
+    let path = folder.path().join("scene.toml");
+    let mut open = open(&path);
+    fs::remove_file(&path).unwrap();
+    assert!(open.take_removal() && open.has_changes() && !open.has_edits());
+    open.save_to(&path).unwrap();
+    assert!(!open.has_changes());
+}
+
 /// A large table takes a while to read.
 #[test]
 fn a_change_while_the_files_are_read_is_noticed() {

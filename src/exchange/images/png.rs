@@ -1,12 +1,12 @@
 //! Reads and writes pictures as PNG.
 
+use std::cell::RefCell;
 use std::io::{self, Cursor, Write};
 use std::path::Path;
 
 use pinhole_core::{ImageSize, Rgb};
 use png::{
-    BitDepth, ColorType, Decoder, DecodingError, Encoder, EncodingError, SrgbRenderingIntent,
-    Transformations,
+    BitDepth, ColorType, Decoder, DecodingError, Encoder, SrgbRenderingIntent, Transformations,
 };
 
 use crate::FileError;
@@ -35,21 +35,44 @@ pub fn encode_rows(
     transparent: bool,
     draw: impl FnOnce(&mut dyn FnMut(&[[u8; 4]]) -> io::Result<()>) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut encoder = Encoder::new(out, width, height);
+    // The encoder passes on the text of an error alone.
+    let kept = RefCell::new(None);
+    let of_writer = |error| kept.take().unwrap_or_else(|| io::Error::other(error));
+    let mut encoder = Encoder::new(KeepsError { out, kept: &kept }, width, height);
     encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header().map_err(to_io)?;
-    let mut stream = writer.stream_writer().map_err(to_io)?;
+    let mut writer = encoder.write_header().map_err(of_writer)?;
+    let mut stream = writer.stream_writer().map_err(of_writer)?;
     let channels = if transparent { 4 } else { 3 };
     draw(&mut |pixels| {
         pixels.chunks(width as usize).try_for_each(|row| {
             let bytes: Vec<u8> = row.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
-            stream.write_all(&bytes)
+            stream.write_all(&bytes).map_err(|error| of_writer(error.into()))
         })
     })?;
-    stream.finish().map_err(to_io)?;
-    writer.finish().map_err(to_io)
+    stream.finish().map_err(of_writer)?;
+    writer.finish().map_err(of_writer)
+}
+
+/// A writer that keeps its last error.
+struct KeepsError<'a, W> {
+    out: W,
+    kept: &'a RefCell<Option<io::Error>>,
+}
+
+impl<W: Write> Write for KeepsError<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.out.write(bytes).map_err(|error| {
+            let kind = error.kind();
+            self.kept.replace(Some(error));
+            kind.into()
+        })
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
 }
 
 /// A decoded picture.
@@ -116,11 +139,4 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
         _ => bytes.iter().map(|grey| [*grey, *grey, *grey, 255]).collect(),
     };
     Ok(Decoded { size, pixels })
-}
-
-fn to_io(error: EncodingError) -> io::Error {
-    match error {
-        EncodingError::IoError(error) => error,
-        other => io::Error::other(other),
-    }
 }

@@ -282,7 +282,7 @@ impl App {
             return None;
         }
         let file = self.scene.open.changed_by_others()?;
-        if self.scene.open.has_changes() {
+        if self.scene.open.has_edits() {
             return Some(App::ask_which_version(&file, false, None));
         }
         let dialog = self.take_theirs(ctx);
