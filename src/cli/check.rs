@@ -16,7 +16,7 @@ use super::console::{CommandError, is_standard, named, read, scene_fault, to_jso
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
-/// What is printed, and the exit status: an error unless all answers agree.
+/// What is printed, and the exit status: an error unless all judged answers agree.
 pub(super) type CheckOutcome = (String, Result<(), CommandError>);
 
 /// Runs `pinhole check`. If the scene or another input cannot be read, the exit status is not that of wrong
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     }
 }
 
-/// Returns the status of answers that all agree, or that do not.
+/// Returns the status of judged answers that all agree, or that do not.
 pub(super) fn status(all_agree: bool) -> Result<(), CommandError> {
     if all_agree { Ok(()) } else { Err(CommandError::Disagrees) }
 }
@@ -185,9 +185,9 @@ fn text(graded: &Graded) -> String {
 /// The JSON output, with its fields in the order in which the man page explains them.
 #[derive(Serialize)]
 pub(super) struct Check {
-    pub(super) kind: &'static str,
-    pub(super) answers: usize,
-    pub(super) agree: usize,
+    kind: &'static str,
+    answers: usize,
+    agree: usize,
     tolerance: f64,
     worst: Value,
     mistakes: Vec<&'static str>,
@@ -200,7 +200,7 @@ pub(super) struct Check {
     /// Number of pixels without an answer if such pixels count as wrong; otherwise 0.
     unanswered: usize,
     /// Number of answers that are not judged, because wrong ones would be accepted, too.
-    pub(super) not_judged: usize,
+    not_judged: usize,
 }
 
 impl Check {

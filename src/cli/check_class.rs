@@ -8,6 +8,7 @@ use std::{fs, io};
 
 use pinhole_exchange::{FileError, legible, limits};
 use pinhole_lecture::Mistake;
+use pinhole_lecture::grading::Graded;
 use pinhole_lecture::numbers::grouped;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -142,6 +143,9 @@ struct Student {
     /// The reason why the file cannot be graded.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
+    /// How many answers agree, such as `hits: 3 of 4, 1 not judged`; empty if the file cannot be graded.
+    #[serde(skip)]
+    agreement: String,
     #[serde(skip)]
     outcomes: BTreeSet<String>,
     #[serde(skip)]
@@ -163,22 +167,21 @@ impl Student {
         let verdict =
             [RIGHT, INCOMPLETE, NOT_JUDGED, BROKEN].into_iter().find(is).unwrap_or("wrong");
         let problem = graded.as_ref().err().map(ToString::to_string);
+        let agreement = graded.as_ref().map(|Graded { grade, .. }| {
+            let [agree, all] = [grade.agree(), grade.answers()].map(|count| grouped(count as u64));
+            format!("{}: {agree} of {all}{}", grade.kind.name(), grade.not_judged_in_words())
+        });
+        let agreement = agreement.unwrap_or_default();
         let check = graded.as_ref().ok().map(Check::new);
-        Student { name, file, verdict, check, problem, outcomes, made }
+        Student { name, file, verdict, check, problem, agreement, outcomes, made }
     }
 
     /// Returns the cells of the student's line.
     fn cells(&self) -> [String; 4] {
-        let agreement = self.check.as_ref().map(|check| {
-            let [agree, all, not] =
-                [check.agree, check.answers, check.not_judged].map(|count| grouped(count as u64));
-            let not = if not == "0" { String::new() } else { format!(", {not} not judged") };
-            format!("{}: {agree} of {all}{not}", check.kind)
-        });
         let found = self.outcomes.iter().map(String::as_str).filter(|one| *one != self.verdict);
         let found: Vec<&str> = found.chain(self.problem.as_deref()).collect();
         let [name, found] = [&self.name, &found.join(", ")].map(|text| legible(text));
-        [name, self.verdict.to_owned(), agreement.unwrap_or_default(), found]
+        [name, self.verdict.to_owned(), self.agreement.clone(), found]
     }
 }
 

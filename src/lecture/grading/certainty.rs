@@ -8,7 +8,7 @@
 use pinhole_core::{DVec3, Pixel, RankedRoot, Scene};
 
 use super::diagnosis::GradingContext;
-use super::first_hits::{Finding, FirstHits};
+use super::first_hits::{Finding, FirstHits, PossibleHit};
 use crate::mistakes::PipelineCamera;
 
 /// Whether an accepted answer is known to be right.
@@ -37,18 +37,15 @@ impl GradingContext<'_> {
         says_t: bool,
         is_given: impl Fn(DVec3, Finding) -> bool,
     ) -> Certainty {
-        let direction =
-            |camera: &PipelineCamera| camera.direction(pixel.row.into(), pixel.column.into());
-        let find = |camera| FirstHits::find(scene, camera, direction(camera), tolerance);
-        let (first, direction) = (find(&self.right), direction(&self.right));
+        let find = |camera: &PipelineCamera| {
+            let direction = camera.direction(pixel.row.into(), pixel.column.into());
+            (FirstHits::find(scene, camera, direction, tolerance), direction)
+        };
+        let (first, direction) = find(&self.right);
         if !first.may_be(truth) {
             // The numbers are beyond the range in which their errors are estimated.
             return Certainty::Doubtful;
         }
-        let object = |outcome: Finding| outcome.map(|hit| hit.object);
-        // A t says nothing if it may be 0, or if it may be off by itself.
-        let is_vague =
-            |hit: &Finding| says_t && hit.is_some_and(|h| h.least <= 0.0 || h.most - h.least > h.t);
         let (given, mut others): (Vec<_>, Vec<_>) =
             first.outcomes().partition(|outcome| is_given(direction, *outcome));
         let mut own: Vec<_> = given.iter().map(|hit| object(*hit)).collect();
@@ -56,10 +53,44 @@ impl GradingContext<'_> {
             own.push(truth);
         }
         others.retain(|other| !own.contains(&object(*other)));
-        let may_be_vague = given.iter().any(is_vague);
+        let may_be_vague = says_t && given.iter().any(|outcome| is_vague(*outcome));
         if others.is_empty() && !may_be_vague {
             return Certainty::Sure;
         }
+        let is_open = |first: &FirstHits, others: &[Finding]| {
+            let is_other = others.iter().any(|other| first.may_be(object(*other)));
+            first.outcomes().any(|hit| {
+                own.contains(&object(hit)) && (is_other || may_be_vague && is_vague(hit))
+            })
+        };
+        let around = self.around.iter().map(|camera| find(camera).0);
+        let around: Vec<FirstHits> = around.take_while(|first| is_open(first, &others)).collect();
+        let may_be_open = around.len() == self.around.len();
+        // Exact ties take long to decide, and nearly all edges are far from one.
+        let meets = |hit: &PossibleHit| {
+            let mut given = first.hits.iter().filter(|given| own.contains(&Some(given.object)));
+            given.any(|given| given.least <= hit.most && hit.least <= given.most)
+        };
+        if !may_be_open && !others.iter().flatten().any(|hit| meets(hit)) {
+            return Certainty::Sure;
+        }
+        let (tie, others) = self.without_ties(scene, pixel, &own, others);
+        if may_be_open && is_open(&first, &others) && around.iter().all(|one| is_open(one, &others))
+        {
+            return Certainty::Doubtful;
+        }
+        tie.map_or(Certainty::Sure, Certainty::Tie)
+    }
+
+    /// Returns two objects that are hit first at exactly the same t, the first of which is one of `own`, and
+    /// those of `others` that are wrong, because they are not in such a tie.
+    fn without_ties<'a>(
+        &self,
+        scene: &Scene,
+        pixel: Pixel,
+        own: &[Option<u32>],
+        others: Vec<Finding<'a>>,
+    ) -> (Option<[u32; 2]>, Vec<Finding<'a>>) {
         let mut roots = Vec::new();
         if others.len() <= MOST {
             roots = scene.ranked_roots_of(&self.given.resolved.exact_ray(pixel));
@@ -67,7 +98,7 @@ impl GradingContext<'_> {
         let rank = roots.iter().find(|one| one.root.t > 0.0).map(|one| one.rank);
         let first_of_all = roots.iter().filter(|one| Some(one.rank) == rank);
         let tied: Vec<_> = first_of_all.map(|one| Some(one.root.object)).collect();
-        let own_tied = own.iter().find(|own| tied.contains(own));
+        let own_tied = own.iter().copied().find(|own| tied.contains(own)).flatten();
         let (exact, others): (Vec<_>, Vec<_>) = others.into_iter().partition(|other| {
             // An object that the eye is exactly on is not hit there.
             let is_zero =
@@ -75,19 +106,16 @@ impl GradingContext<'_> {
             own_tied.is_some() && tied.contains(&object(*other))
                 || other.is_some_and(|hit| hit.least <= 0.0) && roots.iter().any(is_zero)
         });
-        let is_open = |first: &FirstHits| {
-            let is_own = |outcome: &Finding| own.contains(&object(*outcome));
-            first.outcomes().any(|hit| is_own(&hit))
-                && others.iter().any(|other| first.may_be(object(*other)))
-                || may_be_vague && first.outcomes().any(|hit| is_own(&hit) && is_vague(&hit))
-        };
-        if is_open(&first) && self.around.iter().all(|camera| is_open(&find(camera))) {
-            return Certainty::Doubtful;
-        }
-        let other = exact.into_iter().map(object).find(|other| tied.contains(other));
-        match (own_tied, other) {
-            (Some(Some(own)), Some(Some(other))) => Certainty::Tie([*own, other]),
-            _ => Certainty::Sure,
-        }
+        let other = exact.into_iter().map(object).find(|other| tied.contains(other)).flatten();
+        (own_tied.zip(other).map(<[u32; 2]>::from), others)
     }
+}
+
+fn object(outcome: Finding) -> Option<u32> {
+    outcome.map(|hit| hit.object)
+}
+
+/// Returns true if a t says nothing, because it may be 0, or be off by itself.
+fn is_vague(outcome: Finding) -> bool {
+    outcome.is_some_and(|hit| hit.least <= 0.0 || hit.most - hit.least > hit.t)
 }

@@ -39,14 +39,15 @@ pub struct Grade {
     /// The tolerance: a maximum relative error or, for a picture, a maximum error in levels (steps of
     /// an 8-bit channel).
     pub tolerance: f64,
-    /// For each answer, in order, true if it is right.
+    /// For each answer, in order, true if it is judged and right.
     pub is_right: Vec<bool>,
-    /// The indices of the answers that are acceptable, but where a wrong answer would be, too. They count
-    /// neither as right nor as wrong.
+    /// The indices, in ascending order, of the answers that are accepted where a wrong answer would be,
+    /// too. They are among [`Grade::answers`], but neither right nor wrong, and do not keep a grade from
+    /// [passing](Grade::passes) if others are judged.
     pub not_judged: Vec<usize>,
     /// For each answer that names one of several objects that are hit at exactly the same t, two of them.
     pub ties: Vec<[u32; 2]>,
-    /// The answer with the largest error; `None` if there is no answer.
+    /// The answer with the largest error; `None` if no answer is judged.
     pub worst: Option<Worst>,
     /// The shading that a graded picture is assumed to have; `None` for other kinds of answers.
     pub shade: Option<Shade>,
@@ -63,7 +64,8 @@ pub struct Grade {
     pub unanswered: usize,
 }
 
-/// The answer with the largest error: of the wrong answers if there are any, otherwise of all answers.
+/// The answer with the largest error: of the wrong answers if there are any, otherwise of the right
+/// ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Worst {
@@ -151,6 +153,15 @@ impl Grade {
     /// Returns the number of wrong answers among those that are given.
     pub fn wrong(&self) -> usize {
         self.is_right.len() - self.agree() - self.not_judged.len()
+    }
+
+    /// Returns the number of answers that are not judged as text, such as `, 3 not judged`; empty if there
+    /// are none.
+    pub fn not_judged_in_words(&self) -> String {
+        match self.not_judged.len() {
+            0 => String::new(),
+            count => format!(", {} not judged", grouped(count as u64)),
+        }
     }
 
     /// Returns true if not all answers are [`Grade::not_judged`].

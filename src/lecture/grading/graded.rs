@@ -63,8 +63,9 @@ const READ_FROM_ONE: &str = "Look at where counting begins: they were read as co
                              from 0, leave out --count-from 1, or clear “The file counts from 1”.";
 
 /// The reason why answers are not judged.
-const NOT_JUDGED: &str = "What is not judged: numbers of this size are rounded by more than a pixel, or the \
-                          tolerance is larger than one, so that a wrong answer would pass, too.";
+const WHY_NOT: &str = "What is not judged: numbers of this size are rounded by more than a pixel, the tolerance \
+                       is larger than one or than the contrast of colours, or two surfaces are closer than the \
+                       tolerance, so that a wrong answer would pass, too.";
 
 impl Graded {
     /// Returns the map: whether each pixel's answer is right, row by row from the top. Returns `None`
@@ -129,7 +130,7 @@ impl Graded {
     /// 0.00001 of their distance`, and that of answers that are not judged.
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
-        let (agree, all) = (grade.agree(), grade.answers());
+        let [agree, all] = [grade.agree(), grade.answers()].map(|count| grouped(count as u64));
         let plural = match grade.kind {
             AnswerKind::Basis => "vectors",
             AnswerKind::Rays => "rays",
@@ -137,16 +138,14 @@ impl Graded {
             AnswerKind::Picture => "pixels",
         };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
-        let [agree, all, not] =
-            [agree, all, grade.not_judged.len()].map(|count| grouped(count as u64));
-        let not = if not == "0" { String::new() } else { format!(", {not} not judged") };
+        let not = grade.not_judged_in_words();
         format!("{agree} of {all} {plural} {verb}{not}, within {}", self.tolerance())
     }
 
     /// Returns the reason why answers are not judged, and what is said of exact ties.
     pub fn notes(&self) -> Vec<String> {
         let Grade { not_judged, ties, .. } = &self.grade;
-        let not_judged = (!not_judged.is_empty()).then(|| NOT_JUDGED.to_owned());
+        let not_judged = (!not_judged.is_empty()).then(|| WHY_NOT.to_owned());
         let ties = ties.first().map(|[a, b]| {
             let n = grouped(ties.len() as u64);
             format!("Either of two objects is right where both are hit at the same t ({n} times, such as {a} and {b}).")

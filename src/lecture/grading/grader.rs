@@ -11,17 +11,14 @@ use super::diagnosis::{Diagnosis, Fits, GradingContext, diagnose};
 use super::grade::{
     Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
+use super::graded::Cell;
 use super::hits::{Hits, Rays, Vectors, truth_of};
-use super::picture::{Picture, brightest, off, right_pictures};
+use super::picture::{Picture, brightest, contrast, off, right_pictures};
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera};
 
 /// Minimum number of digits with which a mistake is diagnosed in answers that have fewer digits than
 /// they should.
 const ENOUGH_FOR_MISTAKES: u32 = 3;
-
-/// Number of answers, spread evenly, that are looked at first for ones that cannot be judged. There are
-/// usually none, and looking at all takes minutes for a large picture of many spheres.
-const FIRST_LOOKS: usize = 20_000;
 
 /// The answers, and everything needed to grade them.
 pub(super) struct Grader<'a> {
@@ -128,7 +125,9 @@ impl<'a> Grader<'a> {
         }
         if digits >= ENOUGH_FOR_MISTAKES {
             // Computation in `f32` is not considered as the reason for missing digits.
-            let diagnosis = diagnose(&self.given, &*held, &grade.is_right, false);
+            let accepted: Vec<bool> =
+                (0..grade.is_right.len()).map(|index| grade.cell(index) != Cell::Wrong).collect();
+            let diagnosis = diagnose(&self.given, &*held, &accepted, false);
             if diagnosis.mistakes.len() == 1 {
                 return Grade { right_digits, diagnosis, ..grade };
             }
@@ -204,6 +203,7 @@ impl<'a> Grader<'a> {
                 brightest,
                 right: &pictures[k],
                 objects: &objects,
+                contrast: contrast(&pictures[k], &objects),
                 context,
             };
             Grade { shade: Some(fits.shade), ..self.graded(&fits, &right) }
@@ -243,18 +243,15 @@ impl<'a> Grader<'a> {
         } else {
             diagnose(&self.given, answers, &is_right, self.may_be_single)
         };
-        let worst = worst_of(&judged);
         let certainty = |index: usize| match is_right[index] {
             true => answers.certainty(index),
             false => Certainty::Sure,
         };
-        let all = (0..judged.len()).into_par_iter();
-        let looks = all.clone().step_by((judged.len() / FIRST_LOOKS) | 1);
-        let is_any_open = looks.any(|index| certainty(index) != Certainty::Sure);
-        let found = if is_any_open { all.map(certainty).collect() } else { Vec::new() };
+        let found: Vec<_> = (0..judged.len()).into_par_iter().map(certainty).collect();
         let doubtful = (0..found.len()).filter(|index| found[*index] == Certainty::Doubtful);
         let not_judged: Vec<usize> = doubtful.collect();
         not_judged.iter().for_each(|index| is_right[*index] = false);
+        let worst = worst_of(&judged, &not_judged);
         let tie = |found| if let Certainty::Tie(objects) = found { Some(objects) } else { None };
         let ties = found.into_iter().filter_map(tie).collect();
         Grade {
@@ -289,10 +286,12 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
 
 /// Returns the index and the error of the wrong answer with the largest error or, if no answer is
 /// wrong, of the right answer with the largest error. If several errors are equal, the first answer is
-/// returned. Returns `None` if there are no answers.
-fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
+/// returned. Returns `None` if no answer is judged.
+fn worst_of(judged: &[Judged], not_judged: &[usize]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
-    let candidates = judged.iter().enumerate().filter(|(_, judged)| judged.is_right != any_wrong);
+    let candidates = judged.iter().enumerate().filter(|(index, judged)| {
+        judged.is_right != any_wrong && not_judged.binary_search(index).is_err()
+    });
     let worst = candidates.rev().max_by(|(_, a), (_, b)| a.error.total_cmp(&b.error));
     worst.map(|(index, judged)| (index, judged.error))
 }

@@ -11,7 +11,7 @@ use pinhole_core::{
 use super::certainty::Certainty;
 use super::diagnosis::{Fits, GradingContext};
 use super::first_hits::{Finding, FirstHits, normal_at, work};
-use super::grade::{AnswerValue, RELATIVE_TOLERANCE, Truth};
+use super::grade::{AnswerValue, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 /// A student's picture that is compared under the assumption that it has a certain shading.
@@ -27,6 +27,8 @@ pub(super) struct Picture<'a> {
     pub(super) right: &'a [Rgb],
     /// The objects that are hit first.
     pub(super) objects: &'a [u32],
+    /// The right picture's [`contrast`].
+    pub(super) contrast: f64,
     pub(super) context: GradingContext<'a>,
 }
 
@@ -51,6 +53,12 @@ pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
     greys.rev().max_by_key(|(_, color)| color[0]).map(|(index, _)| index)
 }
 
+/// Returns the largest difference of a hit's colour from the background, in levels; 255 if nothing is hit.
+pub(super) fn contrast(right: &[Rgb], objects: &[u32]) -> f64 {
+    let hits = right.iter().zip(objects).filter(|(_, object)| **object != NO_OBJECT);
+    hits.map(|(color, _)| off(*color, BACKGROUND)).reduce(f64::max).unwrap_or(255.0)
+}
+
 impl Fits for Picture<'_> {
     fn prepare(&self, camera: &mut PipelineCamera) {
         if self.shade == Shade::T
@@ -73,6 +81,15 @@ impl Fits for Picture<'_> {
     fn certainty(&self, index: usize) -> Certainty {
         let width = self.context.given.resolved.image().width();
         let pixel = Pixel { row: index as u32 / width, column: index as u32 % width };
+        // The background would pass for the hit, or every hit for the background. At the usual tolerance,
+        // such colours are alike in the right picture itself.
+        let contrast = match self.objects[index] {
+            NO_OBJECT => self.contrast,
+            _ => off(self.right[index], BACKGROUND),
+        };
+        if self.context.tolerance > LEVELS_TOLERANCE && contrast <= self.context.tolerance {
+            return Certainty::Doubtful;
+        }
         let about = (pixel, Some(self.objects[index]).filter(|object| *object != NO_OBJECT));
         let (camera, says_t) = (&self.context.right, self.shade != Shade::Object);
         let is =

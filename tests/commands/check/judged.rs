@@ -21,6 +21,8 @@ fn what_a_wrong_answer_would_pass_for_as_well_is_not_judged() {
     for (change, camera, answers, tolerance, status, told) in [
         (PLANET, same, &*sky, "1e-5", 2, "0 of 426 hits agree, 426 not judged, within 0.00001 of"),
         (BEHIND, far, &sky, "1e-5", 2, "0 of 426 hits agree, 426 not judged"),
+        (BALL, same, "", "255", 2, "0 of 1200 pixels agree, 1200 not judged"),
+        (BALL, same, "", "20", 0, "1200 of 1200 pixels agree, within 20 of 255 levels"),
         (BEHIND, far, "", "2", 2, "0 of 1200 pixels agree, 1200 not judged"),
         (&narrow, same, ray, "1e-5", 2, "0 of 1 rays agree, 1 not judged"),
         (BALL, unsure, RIGHT_BASIS, "3", 2, "0 of 3 vectors agree, 3 not judged"),

@@ -58,3 +58,35 @@ fn single_precision_is_enough_at_every_pixel_of_an_ordinary_scene() {
         assert_right(&exercise, &Answers::Hits(student.hits()));
     }
 }
+
+#[test]
+fn one_of_many_answers_that_cannot_be_judged_is_found_wherever_it_is() {
+    let ball = |radius| ([0.0, 0.0, -5.0], radius);
+    let exercise = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [4.0, 4.0, 1.0],
+        image: [301, 201],
+        spheres: vec![ball(1.0), ball(1.0 + 1e-10)],
+        planes: vec![],
+    };
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    let hits = student.hits();
+    let (mut middle, mut answers) = (Vec::new(), Vec::new());
+    for answer in hits {
+        match answer.hit {
+            None => answers.push(answer),
+            Some(_) if answer.pixel == (Pixel { row: 100, column: 150 }) => middle.push(answer),
+            Some(_) => {}
+        }
+    }
+    assert!(middle.len() == 1 && answers.len() > 40_000);
+    for index in [0, 1, 2, 40_001, answers.len()] {
+        let mut answers = answers.clone();
+        answers.insert(index, middle[0]);
+        let grade = graded(&exercise, &Answers::Hits(answers));
+        assert_eq!((grade.wrong(), &grade.not_judged), (0, &vec![index]));
+        assert_ne!(grade.worst.unwrap().index, index);
+    }
+}
