@@ -71,16 +71,11 @@ fn one_of_many_answers_that_cannot_be_judged_is_found_wherever_it_is() {
         spheres: vec![ball(1.0), ball(1.0 + 1e-10)],
         planes: vec![],
     };
-    let student = Student { exercise: &exercise, mistakes: &[] };
-    let hits = student.hits();
-    let (mut middle, mut answers) = (Vec::new(), Vec::new());
-    for answer in hits {
-        match answer.hit {
-            None => answers.push(answer),
-            Some(_) if answer.pixel == (Pixel { row: 100, column: 150 }) => middle.push(answer),
-            Some(_) => {}
-        }
-    }
+    let middle = Pixel { row: 100, column: 150 };
+    let hits = Student { exercise: &exercise, mistakes: &[] }.hits().into_iter();
+    let (middle, answers): (Vec<_>, Vec<_>) = hits
+        .filter(|answer| answer.hit.is_none() || answer.pixel == middle)
+        .partition(|answer| answer.hit.is_some());
     assert!(middle.len() == 1 && answers.len() > 40_000);
     for index in [0, 1, 2, 40_001, answers.len()] {
         let mut answers = answers.clone();
