@@ -19,26 +19,6 @@ use crate::ui::widgets::{ViewTexture, clipped, inside};
 use crate::view::derive::{Derived, SecondPicture};
 use crate::view::typesetting::theme::{self, STACKED};
 
-/// Returns the page of a layout.
-pub(crate) fn page(layout: ViewLayout) -> &'static Page {
-    match layout {
-        ViewLayout::Both => &BOTH,
-        ViewLayout::World => &WORLD,
-        ViewLayout::Camera => &CAMERA,
-        ViewLayout::Derivation => &DERIVATION,
-        ViewLayout::DerivationAlone => &ALONE,
-        ViewLayout::Plot => &PLOT,
-        ViewLayout::Lines => &LINES,
-        ViewLayout::Mistakes => &MISTAKES,
-        ViewLayout::Compare => &COMPARE,
-        ViewLayout::Translator => &TRANSLATOR,
-        ViewLayout::Exercises => &EXERCISES,
-        ViewLayout::Answers => &ANSWERS,
-        ViewLayout::Class => &CLASS,
-        ViewLayout::Accuracy => &ACCURACY,
-    }
-}
-
 /// A page of a workspace.
 pub(crate) struct Page {
     /// True if the side panel with camera and objects is shown.
@@ -93,6 +73,132 @@ impl Page {
     };
 }
 
+/// Returns the page of a layout.
+pub(crate) fn page(layout: ViewLayout) -> Page {
+    match layout {
+        ViewLayout::Both => Page {
+            follows_pointer: true,
+            areas: |divider| match divider.has_all_numbers {
+                true => divider.above_numbers(),
+                false => divider.figure_and_column(),
+            },
+            rest: numbers,
+            hovered: |ctx, _, _| readouts::hovered(ctx),
+            ..Page::VIEWS
+        },
+        ViewLayout::World => Page {
+            areas: |divider| {
+                let (view, rest) = divider.figure_and_foot();
+                Areas { world: Some(view), camera: None, second: None, rest }
+            },
+            rest: foot,
+            ..page(ViewLayout::Both)
+        },
+        ViewLayout::Camera => Page {
+            areas: |divider| {
+                let (view, rest) = divider.figure_and_foot();
+                Areas { world: None, camera: Some(view), second: None, rest }
+            },
+            rest: foot,
+            figure: FigureSubject::Camera,
+            ..page(ViewLayout::Both)
+        },
+        ViewLayout::Derivation => Page {
+            follows_pointer: true,
+            areas: |divider| divider.stack_beside(),
+            rest: derived_lines,
+            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+            figure: FigureSubject::Derivation,
+            ..Page::VIEWS
+        },
+        ViewLayout::DerivationAlone => {
+            Page { areas: |divider| divider.no_views(), ..page(ViewLayout::Derivation) }
+        }
+        ViewLayout::Plot => Page {
+            follows_pointer: true,
+            areas: |divider| {
+                if divider.whole.width() < STACKED {
+                    return divider.stack_beside();
+                }
+                let (views, rest) = divider.above(Split::Plot);
+                let (left, right) = divider.across(views, Split::Views, "views handle");
+                Areas { world: Some(left), camera: Some(right), second: None, rest }
+            },
+            rest: |ui, context| plot::ui(ui, context.session, context.derived),
+            hovered: |ctx, _, derived| plot::hovered(ctx, derived),
+            ..Page::VIEWS
+        },
+        ViewLayout::Lines => Page {
+            has_panel: false,
+            areas: |divider| divider.no_views(),
+            rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
+            figure: FigureSubject::Lines,
+            ..Page::VIEWS
+        },
+        ViewLayout::Mistakes => Page {
+            areas: |divider| divider.three_above(Split::Mistakes),
+            second: Some(SecondPicture::WrongCamera),
+            rest: |ui, context| {
+                let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
+                mistakes::ui(ui, context.derived, document, context.session, gallery);
+            },
+            figure: FigureSubject::Camera,
+            ..Page::VIEWS
+        },
+        ViewLayout::Compare => Page {
+            areas: |divider| divider.three_above(Split::Compare),
+            second: Some(SecondPicture::Ghost),
+            rest: |ui, context| {
+                compare::ui(ui, context.derived, &context.open.document, context.session);
+            },
+            ..Page::VIEWS
+        },
+        ViewLayout::Translator => Page {
+            areas: |divider| divider.stack_beside(),
+            rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
+            ..Page::VIEWS
+        },
+        ViewLayout::Exercises => Page {
+            has_panel: false,
+            areas: |divider| divider.no_views(),
+            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+            ..Page::VIEWS
+        },
+        ViewLayout::Answers => Page {
+            areas: |divider| divider.three_above(Split::Answers),
+            second: Some(SecondPicture::Answers),
+            rest: |ui, context| answers::ui(ui, context.derived, context.session),
+            figure: FigureSubject::Camera,
+            ..Page::VIEWS
+        },
+        ViewLayout::Class => Page {
+            has_panel: false,
+            areas: |divider| divider.no_views(),
+            rest: |ui, context| class::ui(ui, context.session),
+            ..Page::VIEWS
+        },
+        ViewLayout::Accuracy => Page {
+            areas: |divider| {
+                let (views, rest) = divider.above(Split::Accuracy);
+                // Both pictures leave space for the error map's legend, so that they have the same size.
+                let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
+                let (left, right) =
+                    halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
+                Areas { world: None, camera: Some(left), second: Some(right), rest }
+            },
+            second: Some(SecondPicture::ErrorMap),
+            rest: |ui, context| {
+                let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
+                let name = title_of(context.open.origin());
+                measuring.step(ui.ctx(), &name, &document.camera, context.derived);
+                accuracy::ui(ui, measuring, context.derived, document, context.session);
+            },
+            figure: FigureSubject::Camera,
+            ..Page::VIEWS
+        },
+    }
+}
+
 /// Shows, in place of a page, a message that the answer is hidden, if there is room. Shows nothing while
 /// presenting, when a dot tells the lecturer.
 pub(crate) fn hidden(ui: &mut Ui) {
@@ -106,36 +212,6 @@ pub(crate) fn hidden(ui: &mut Ui) {
         });
     }
 }
-
-const BOTH: Page = Page {
-    follows_pointer: true,
-    areas: |divider| match divider.has_all_numbers {
-        true => divider.above_numbers(),
-        false => divider.figure_and_column(),
-    },
-    rest: numbers,
-    hovered: |ctx, _, _| readouts::hovered(ctx),
-    ..Page::VIEWS
-};
-
-const WORLD: Page = Page {
-    areas: |divider| {
-        let (view, rest) = divider.figure_and_foot();
-        Areas { world: Some(view), camera: None, second: None, rest }
-    },
-    rest: foot,
-    ..BOTH
-};
-
-const CAMERA: Page = Page {
-    areas: |divider| {
-        let (view, rest) = divider.figure_and_foot();
-        Areas { world: None, camera: Some(view), second: None, rest }
-    },
-    rest: foot,
-    figure: FigureSubject::Camera,
-    ..BOTH
-};
 
 /// Distance of the numbers at a figure's foot from its left and right edges, in points.
 const BESIDE_NUMBERS: f32 = 8.0;
@@ -200,110 +276,9 @@ pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     }
 }
 
-const DERIVATION: Page = Page {
-    follows_pointer: true,
-    areas: |divider| divider.stack_beside(),
-    rest: derived_lines,
-    hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
-    figure: FigureSubject::Derivation,
-    ..Page::VIEWS
-};
-
-const ALONE: Page = Page { areas: |divider| divider.no_views(), ..DERIVATION };
-
 fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
     let Some(derived) = &context.derived.derivation else { return };
     derivation::head(ui, derived, context.session);
     let document = &context.open.document;
     context.tools.derivation.ui(ui, derived, document, context.session);
 }
-
-const PLOT: Page = Page {
-    follows_pointer: true,
-    areas: |divider| {
-        if divider.whole.width() < STACKED {
-            return divider.stack_beside();
-        }
-        let (views, rest) = divider.above(Split::Plot);
-        let (left, right) = divider.across(views, Split::Views, "views handle");
-        Areas { world: Some(left), camera: Some(right), second: None, rest }
-    },
-    rest: |ui, context| plot::ui(ui, context.session, context.derived),
-    hovered: |ctx, _, derived| plot::hovered(ctx, derived),
-    ..Page::VIEWS
-};
-
-const LINES: Page = Page {
-    has_panel: false,
-    areas: |divider| divider.no_views(),
-    rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
-    figure: FigureSubject::Lines,
-    ..Page::VIEWS
-};
-
-const TRANSLATOR: Page = Page {
-    areas: |divider| divider.stack_beside(),
-    rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
-    ..Page::VIEWS
-};
-
-const EXERCISES: Page = Page {
-    has_panel: false,
-    areas: |divider| divider.no_views(),
-    hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
-    ..Page::VIEWS
-};
-
-const CLASS: Page = Page {
-    has_panel: false,
-    areas: |divider| divider.no_views(),
-    rest: |ui, context| class::ui(ui, context.session),
-    ..Page::VIEWS
-};
-
-const ACCURACY: Page = Page {
-    areas: |divider| {
-        let (views, rest) = divider.above(Split::Accuracy);
-        // Both pictures leave space for the error map's legend, so that they have the same size.
-        let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
-        let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
-        Areas { world: None, camera: Some(left), second: Some(right), rest }
-    },
-    second: Some(SecondPicture::ErrorMap),
-    rest: |ui, context| {
-        let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
-        let name = title_of(context.open.origin());
-        measuring.step(ui.ctx(), &name, &document.camera, context.derived);
-        accuracy::ui(ui, measuring, context.derived, document, context.session);
-    },
-    figure: FigureSubject::Camera,
-    ..Page::VIEWS
-};
-
-const MISTAKES: Page = Page {
-    areas: |divider| divider.three_above(Split::Mistakes),
-    second: Some(SecondPicture::WrongCamera),
-    rest: |ui, context| {
-        let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
-        mistakes::ui(ui, context.derived, document, context.session, gallery);
-    },
-    figure: FigureSubject::Camera,
-    ..Page::VIEWS
-};
-
-const COMPARE: Page = Page {
-    areas: |divider| divider.three_above(Split::Compare),
-    second: Some(SecondPicture::Ghost),
-    rest: |ui, context| {
-        compare::ui(ui, context.derived, &context.open.document, context.session);
-    },
-    ..Page::VIEWS
-};
-
-const ANSWERS: Page = Page {
-    areas: |divider| divider.three_above(Split::Answers),
-    second: Some(SecondPicture::Answers),
-    rest: |ui, context| answers::ui(ui, context.derived, context.session),
-    figure: FigureSubject::Camera,
-    ..Page::VIEWS
-};

@@ -104,7 +104,7 @@ impl App {
         }
     }
 
-    pub(super) fn page(&self) -> &'static Page {
+    pub(super) fn page(&self) -> Page {
         let session = &self.scene.session;
         let layout = session.settings.layout;
         // While a question waits for the class's answer, the views take the space of the derivation or the
