@@ -333,22 +333,27 @@ pub struct SphereDerivation {
     pub first: Option<usize>,
 }
 
-/// The ways in which a ray and a sphere can intersect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum SphereMeeting {
+pinhole_core::texts! {
+    /// The ways in which a ray and a sphere can intersect.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum SphereMeeting[1];
+    {
+        /// Describes what the discriminant means.
+        of_discriminant,
+    }
     /// D < 0: the ray's line misses the sphere.
-    Missed,
+    Missed: "𝐷 < 0: the line passes by";
     /// D = 0 and t > 0: the ray touches the sphere at one point, which is the hit.
-    Tangent,
+    Tangent: "𝐷 = 0: the line touches the sphere";
     /// D > 0 and both t > 0: the ray enters at one point and leaves at the other.
-    Through,
+    Through: "𝐷 > 0: two roots, in and out";
     /// The ray starts inside the sphere: one t is negative, and the other one is the hit.
-    FromInside,
+    FromInside: "𝐷 > 0, 𝑐 < 0: the eye is inside";
     /// The ray starts on the surface and passes through the sphere: one t is 0, and the other one is
     /// the hit.
-    FromSurface,
+    FromSurface: "𝐷 > 0, 𝑐 = 0: the eye is on the sphere";
     /// The ray's line meets the sphere, but the ray itself does not: no t is greater than 0.
-    Behind,
+    Behind: "𝐷 ≥ 0, but no root is ahead of the eye";
 }
 
 /// The intersection of a ray and a plane: `n . (p + t d - point) = 0` gives
@@ -482,17 +487,24 @@ pub struct ImplicitUnit {
     pub origin: UnitOrigin,
 }
 
-/// The quantity from which an [`ImplicitUnit`] is calculated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum UnitOrigin {
+pinhole_core::texts! {
+    /// The quantity from which an [`ImplicitUnit`] is calculated.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum UnitOrigin[2];
+    {
+        /// Returns the symbol.
+        symbol,
+        /// Returns the words that follow a quantity in this unit; empty for the number 1.
+        words,
+    }
     /// A sphere's `r^2`. At its centre, f is `-r^2`.
-    SquaredRadius,
+    SquaredRadius: "r²", ", in units of r²";
     /// A plane's `|f(0)|`: the value at the ray's origin.
-    RayOrigin,
+    RayOrigin: "|f(p)|", ", in units of its size at the eye";
     /// A plane's `|f(1)|`, its value at t = 1, if the plane contains the ray's origin.
-    OneStep,
+    OneStep: "|f(p + d)|", ", in units of its size at t = 1";
     /// The number 1, because the unit would otherwise be 0, subnormal or out of range.
-    One,
+    One: "1", "";
 }
 
 impl ImplicitUnit {

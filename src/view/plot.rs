@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
 use pinhole_lecture::numbers::{equated, written as number};
-use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting, UnitOrigin};
+use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting};
 
 use crate::model::inspection::Inspection;
 
@@ -165,33 +165,18 @@ impl Curve {
         if zeros.is_empty() { self.vertex.map(beyond).into_iter().collect() } else { zeros }
     }
 
-    /// Returns the symbol of the unit of f.
-    fn unit_symbol(&self) -> &'static str {
-        match self.unit.origin {
-            UnitOrigin::SquaredRadius => "r²",
-            UnitOrigin::RayOrigin => "|f(p)|",
-            UnitOrigin::OneStep => "|f(p + d)|",
-            UnitOrigin::One => "1",
-        }
-    }
-
     fn height_words(&self) -> String {
         let f = if self.is_straight() {
             "n · (p + t d − point)"
         } else {
             "|p + t d − centre|² − r²"
         };
-        match self.unit.origin {
-            UnitOrigin::SquaredRadius => format!("{f}, in units of r²"),
-            UnitOrigin::RayOrigin => format!("{f}, in units of its size at the eye"),
-            UnitOrigin::OneStep => format!("{f}, in units of its size at t = 1"),
-            UnitOrigin::One => f.to_owned(),
-        }
+        format!("{f}{}", self.unit.origin.words())
     }
 
     /// Describes the unit of f in words.
     pub(crate) fn unit_words(&self, digits: usize) -> String {
-        format!("unit {} {}", self.unit_symbol(), equated(self.unit.value, digits))
+        format!("unit {} {}", self.unit.origin.symbol(), equated(self.unit.value, digits))
     }
 
     /// Returns the height in the plot at which a value of f is drawn.

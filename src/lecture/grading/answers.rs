@@ -18,17 +18,24 @@ pub enum Answers {
     Picture(Vec<Rgb>),
 }
 
-/// A kind of answers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AnswerKind {
+pinhole_core::texts! {
+    /// A kind of answers.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+    pub enum AnswerKind[2];
+    {
+        /// Returns the kind's name in files.
+        name,
+        /// Returns what is counted.
+        plural,
+    }
     /// u, v and w.
-    Basis,
+    Basis: "basis", "vectors";
     /// The view rays of pixels.
-    Rays,
+    Rays: "rays", "rays";
     /// The first hits of the view rays of pixels.
-    Hits,
+    Hits: "hits", "hits";
     /// The whole picture.
-    Picture,
+    Picture: "picture", "pixels";
 }
 
 /// A number or vector as the student wrote it, possibly rounded.
@@ -80,18 +87,6 @@ impl<T> Written<T> {
     /// 0.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
-    }
-}
-
-impl AnswerKind {
-    /// Returns the kind's name: `basis`, `rays`, `hits` or `picture`.
-    pub fn name(self) -> &'static str {
-        match self {
-            AnswerKind::Basis => "basis",
-            AnswerKind::Rays => "rays",
-            AnswerKind::Hits => "hits",
-            AnswerKind::Picture => "picture",
-        }
     }
 }
 

@@ -131,12 +131,7 @@ impl Graded {
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let [agree, all] = [grade.agree(), grade.answers()].map(|count| grouped(count as u64));
-        let plural = match grade.kind {
-            AnswerKind::Basis => "vectors",
-            AnswerKind::Rays => "rays",
-            AnswerKind::Hits => "hits",
-            AnswerKind::Picture => "pixels",
-        };
+        let plural = grade.kind.plural();
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
         let not = grade.not_judged_in_words();
         format!("{agree} of {all} {plural} {verb}{not}, within {}", self.tolerance())

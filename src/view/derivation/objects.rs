@@ -3,9 +3,7 @@
 
 use pinhole_core::{Object, Plane, Ray, Root, Sphere};
 use pinhole_exchange::document::Document;
-use pinhole_lecture::{
-    ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
-};
+use pinhole_lecture::{ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation};
 
 use super::DerivedLine;
 use super::camera::along;
@@ -190,7 +188,7 @@ impl ObjectLines<'_> {
             minus(power(squared(b), "2"), dot(a, c.guarded())),
             numbers.scalar(quadratic.discriminant),
         ];
-        self.noted_line(Discriminant, sides, meaning(derivation.meeting));
+        self.noted_line(Discriminant, sides, derivation.meeting.of_discriminant());
     }
 
     fn sphere_root(&mut self, derivation: &SphereDerivation, k: usize, root: &Root, is_only: bool) {
@@ -273,18 +271,6 @@ impl ObjectLines<'_> {
         let numbers = substituted.into_iter().chain([self.numbers.vector(hit.normal)]);
         let formula = numbers.fold(equation(normal, symbols), equation);
         self.lines.push(DerivedLine::new(Concept::Normal, formula));
-    }
-}
-
-/// Describes the meaning of the discriminant.
-fn meaning(meeting: SphereMeeting) -> &'static str {
-    match meeting {
-        SphereMeeting::Missed => "𝐷 < 0: the line passes by",
-        SphereMeeting::Tangent => "𝐷 = 0: the line touches the sphere",
-        SphereMeeting::Through => "𝐷 > 0: two roots, in and out",
-        SphereMeeting::FromInside => "𝐷 > 0, 𝑐 < 0: the eye is inside",
-        SphereMeeting::FromSurface => "𝐷 > 0, 𝑐 = 0: the eye is on the sphere",
-        SphereMeeting::Behind => "𝐷 ≥ 0, but no root is ahead of the eye",
     }
 }
 

@@ -12,7 +12,7 @@
 //! column.
 
 use crate::model::{Given, symbols};
-use crate::view::formula::{Arrangement, Formula, Gap, Operator, SymbolInk, gap};
+use crate::view::formula::{Arrangement, Formula, Operator, SymbolInk, gap};
 
 /// The font of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -102,12 +102,6 @@ const DESCENT: f32 = 0.24;
 /// Height of the math axis above the baseline, in ems: of fraction bars, minus signs and the middle of
 /// brackets.
 const AXIS: f32 = 0.34;
-/// Width of `Gap::Thin`, in ems.
-const THIN: f32 = 0.17;
-/// Width of `Gap::Medium`, in ems.
-const MEDIUM: f32 = 0.24;
-/// Width of `Gap::Wide`, in ems.
-const WIDE: f32 = 0.34;
 /// Width of strokes, in ems.
 const STROKE: f32 = 0.066;
 /// Size of superscripts and subscripts, relative to the surrounding text.
@@ -209,12 +203,7 @@ impl Layout {
 
 /// Returns the gap between two adjacent parts.
 pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
-    size * match gap(before, after) {
-        Gap::None => 0.0,
-        Gap::Thin => THIN,
-        Gap::Medium => MEDIUM,
-        Gap::Wide => WIDE,
-    }
+    size * gap(before, after)
 }
 
 pub(super) fn row(parts: &[Formula], size: f32, measure: Measure<'_>) -> Layout {

@@ -81,40 +81,31 @@ pub enum SymbolInk {
     Ray,
 }
 
-/// An operator.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "the names of the signs")]
-pub enum Operator {
-    Equals,
-    Approximately,
-    Plus,
-    Minus,
+pinhole_core::texts! {
+    /// An operator.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    #[allow(missing_docs, reason = "the names of the signs")]
+    pub enum Operator[1];
+    {
+        /// Returns the operator's character.
+        sign,
+    }
+    Equals: "=";
+    Approximately: "≈";
+    Plus: "+";
+    Minus: "−";
     /// Minus for the first of two values, plus for the second.
-    MinusOrPlus,
+    MinusOrPlus: "∓";
     /// The cross product.
-    Times,
+    Times: "×";
     /// The dot product, and the product of two numbers.
-    Dot,
-    Comma,
+    Dot: "·";
+    Comma: ",";
     /// The negative sign of a number or vector.
-    Negative,
+    Negative: "−";
 }
 
 impl Operator {
-    /// Returns the operator's character.
-    pub fn sign(self) -> &'static str {
-        match self {
-            Operator::Equals => "=",
-            Operator::Approximately => "≈",
-            Operator::Plus => "+",
-            Operator::Minus | Operator::Negative => "−",
-            Operator::MinusOrPlus => "∓",
-            Operator::Times => "×",
-            Operator::Dot => "·",
-            Operator::Comma => ",",
-        }
-    }
-
     /// Returns true for a relation between two sides of a formula, such as `=`. A formula that is too long
     /// is broken before its relations first.
     pub fn is_relation(self) -> bool {
@@ -296,30 +287,25 @@ impl Formula {
     }
 }
 
-/// The size of the gap between two parts of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Gap {
-    None,
-    /// The gap between two factors.
-    Thin,
-    /// The gap around `+` and after a comma.
-    Medium,
-    /// The gap around `=`.
-    Wide,
-}
+/// Gap between two factors, in ems.
+const THIN: f32 = 0.17;
+/// Gap around `+` and after a comma, in ems.
+const MEDIUM: f32 = 0.24;
+/// Gap around `=`, in ems.
+const WIDE: f32 = 0.34;
 
-/// Returns the gap between a part of a row and the next one.
-fn gap(before: &Formula, after: &Formula) -> Gap {
+/// Returns the gap between a part of a row and the next one, in ems.
+fn gap(before: &Formula, after: &Formula) -> f32 {
     match (before, after) {
         (_, Formula::Operator(Operator::Comma))
         | (Formula::Operator(Operator::Negative), _)
-        | (Formula::Word(_), Formula::Parentheses(_)) => Gap::None,
-        (Formula::Operator(o), _) | (_, Formula::Operator(o)) if o.is_relation() => Gap::Wide,
-        (Formula::Operator(_), _) => Gap::Medium,
-        (_, Formula::Operator(Operator::Negative)) => Gap::Thin,
-        (_, Formula::Operator(_)) => Gap::Medium,
-        (Formula::Word(_), _) | (_, Formula::Word(_)) => Gap::Medium,
-        _ => Gap::Thin,
+        | (Formula::Word(_), Formula::Parentheses(_)) => 0.0,
+        (Formula::Operator(o), _) | (_, Formula::Operator(o)) if o.is_relation() => WIDE,
+        (Formula::Operator(_), _) => MEDIUM,
+        (_, Formula::Operator(Operator::Negative)) => THIN,
+        (_, Formula::Operator(_)) => MEDIUM,
+        (Formula::Word(_), _) | (_, Formula::Word(_)) => MEDIUM,
+        _ => THIN,
     }
 }
 
@@ -362,7 +348,7 @@ const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆',
 
 fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     for (k, part) in parts.iter().enumerate() {
-        if k > 0 && gap(&parts[k - 1], part) != Gap::None {
+        if k > 0 && gap(&parts[k - 1], part) > 0.0 {
             f.write_char(' ')?;
         }
         write!(f, "{part}")?;
