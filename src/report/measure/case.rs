@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use web_time::Instant;
 
-use pinhole_core::Steps;
 use pinhole_core::methods::{Method, MethodHit, Precision};
 use pinhole_reference::{Hit, angle_between};
 use rayon::ThreadPool;
@@ -154,9 +153,8 @@ impl Set {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
         let follow = |index: usize| {
-            let found = |worker: &Worker| self.subject.found(&worker.kernel, index);
-            let found: Vec<Option<MethodHit>> = self.workers.iter().map(found).collect();
-            (self.subject.truth(index), found)
+            let found = self.workers.iter().map(|worker| worker.kernel.found(index));
+            (self.subject.truth(index), found.collect::<Vec<Option<MethodHit>>>())
         };
         let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
         for (truth, found) in answers {
@@ -179,7 +177,8 @@ impl Set {
             let index = self.timings % self.workers.len();
             let worker = &mut self.workers[index];
             worker.tally.times.push(self.subject.time(&mut worker.kernel, one_thread));
-            worker.tally.steps = worker.kernel.steps();
+            let row = &mut worker.tally.row;
+            (row.steps, row.steps_of_t) = worker.kernel.steps().map(|[a, b]| (a, b)).unzip();
             self.timings += 1;
         }
     }
@@ -188,21 +187,12 @@ impl Set {
 /// The results of one method in one case so far.
 #[derive(Default)]
 struct ErrorTally {
-    /// Number of decisions.
-    decisions: u64,
-    /// Number of wrong decisions.
-    wrong: u64,
+    /// The counts and the largest errors. Quantiles and shares are those of all results, at the end.
+    row: MethodRow,
     /// Errors of `t` in ulps.
     ulps: Vec<f64>,
-    /// Number of rays with the right hit whose true t is outside the range of the method's precision.
-    t_out_of_range: u64,
-    normal_error_max: Option<f64>,
-    backward_error_max: Option<f64>,
     /// Nanoseconds per pixel in each round.
     times: Vec<f64>,
-    /// Only for the ladder: how many decisions, and how many values of `t`, were made in `f64`, in
-    /// double-double and in exact integers, in the last round.
-    steps: Option<[Steps; 2]>,
 }
 
 impl ErrorTally {
@@ -215,7 +205,7 @@ impl ErrorTally {
         truth: Option<&(Hit, Problem)>,
         found: Option<&MethodHit>,
     ) {
-        self.decisions += 1;
+        self.row.decisions += 1;
         let unit = match method.precision() {
             Precision::F32 => f64::from(f32::EPSILON),
             Precision::F64 => f64::EPSILON,
@@ -224,7 +214,7 @@ impl ErrorTally {
             truth.object == found.object as usize && !problem.is_other_root(truth, found.t, unit)
         });
         let Some(((truth, problem), found)) = both else {
-            self.wrong += u64::from(truth.is_some() || found.is_some());
+            self.row.wrong += u64::from(truth.is_some() || found.is_some());
             return;
         };
         let t = &truth.t;
@@ -235,15 +225,17 @@ impl ErrorTally {
         if is_in_range {
             self.ulps.push(ulps.min(f64::MAX));
             let backward = problem.backward_error(truth, found.t).into_iter();
-            self.backward_error_max = backward.chain(self.backward_error_max).reduce(f64::max);
+            self.row.backward_error_max =
+                backward.chain(self.row.backward_error_max).reduce(f64::max);
         } else {
-            self.t_out_of_range += 1;
+            self.row.t_out_of_range += 1;
         }
         let angle = angle_between(&truth.normal, found.normal.to_array());
         // A normal that is NaN or zero gets the largest possible error, that of the opposite of the
         // true normal.
         let angle = if angle.is_nan() { PI } else { angle };
-        self.normal_error_max = Some(self.normal_error_max.map_or(angle, |max| max.max(angle)));
+        let largest = self.row.normal_error_max.map_or(angle, |max| max.max(angle));
+        self.row.normal_error_max = Some(largest);
     }
 
     fn row(&self, method: Method) -> MethodRow {
@@ -253,29 +245,22 @@ impl ErrorTally {
             p99: quantile(&ulps, 0.99),
             max: ulps.last().copied(),
         };
+        let MethodRow { wrong, decisions, .. } = self.row;
         MethodRow {
             name: method.name().to_owned(),
-            wrong: self.wrong,
-            decisions: self.decisions,
-            wrong_share: (self.decisions > 0).then(|| self.wrong as f64 / self.decisions as f64),
+            wrong_share: (decisions > 0).then(|| wrong as f64 / decisions as f64),
             ulp,
             ulp_f64: ulp.times(match method.precision() {
                 Precision::F32 => SINGLE,
                 Precision::F64 => 1.0,
             }),
-            normal_error_max: self.normal_error_max,
-            backward_error_max: self.backward_error_max,
-            t_out_of_range: self.t_out_of_range,
-            // Set by the caller, which knows the subject.
-            pixels_timed: 0,
             ns_per_pixel: Times {
                 median: quantile(&times, 0.5),
                 min: times.first().copied(),
                 lower_quartile: quantile(&times, 0.25),
                 upper_quartile: quantile(&times, 0.75),
             },
-            steps: self.steps.map(|[decisions, _]| decisions),
-            steps_of_t: self.steps.map(|[_, of_t]| of_t),
+            ..self.row.clone()
         }
     }
 }

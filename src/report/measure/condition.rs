@@ -25,6 +25,7 @@
 //! 0` through the point q, c is replaced by q, and r by `|p - q|`, the effect of a change of the
 //! normal, where p is the hit point.
 
+use pinhole_core::arithmetic::length;
 use pinhole_core::{DVec3, Object, Ray};
 use pinhole_reference::{Hit, Real};
 
@@ -122,12 +123,6 @@ impl Problem {
         let error = off.abs() / (self.fixed + 1.0 + moved) / UNIT;
         error.is_finite().then_some(error)
     }
-}
-
-/// Returns the length of a vector. Intermediate results do not overflow or underflow.
-fn length(v: DVec3) -> f64 {
-    let largest = v.abs().max_element();
-    if largest > 0.0 { largest * (v / largest).length() } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -110,11 +110,6 @@ impl CaseSubject {
         })
     }
 
-    /// Returns the first hit that a method finds for the ray `index`; `None` if it finds none.
-    pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
-        kernel.compared.hit(index)
-    }
-
     /// Returns the number of pixels (or rays) that are traced for timing.
     pub(super) fn pixels_timed(&self) -> usize {
         match self {
@@ -142,6 +137,11 @@ impl CaseSubject {
 }
 
 impl Kernel {
+    /// Returns the first hit that the method finds for the ray `index`; `None` if it finds none.
+    pub(super) fn found(&self, index: usize) -> Option<MethodHit> {
+        self.compared.hit(index)
+    }
+
     /// Returns how many decisions, and how many values of `t`, the ladder made in `f64`, in
     /// double-double and in exact integers, in the last time measurement; `None` for other methods.
     pub(super) fn steps(&self) -> Option<[Steps; 2]> {
