@@ -1,17 +1,17 @@
 //! Derivation of the camera: how u, v and w follow from the view direction and up, or the checks of a basis
 //! that the user entered directly; then the view ray of a pixel or of a point (u, v).
 
-use pinhole_core::{BasisError, Camera, DVec3, Pixel, Ray, ResolvedCamera, Selection, Viewport};
+use pinhole_core::{Camera, DVec3, Pixel, Ray, ResolvedCamera, Selection, Viewport};
 use pinhole_lecture::{
     BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, RayDerivation,
 };
 
-use crate::model::{Concept, Given, GivenVector, Inspection, symbols};
-use crate::view::derivation::DerivedLine;
+use crate::model::{Concept, Given, GivenVector, Inspection};
 use crate::view::derivation::numbers::{
     AT, D, DISTANCE, EYE, NumberFormat, P, T, U, UP, V, VIEW, W, dot, equation, joined, minus,
     normalize, times,
 };
+use crate::view::derivation::{DerivedLine, failed};
 use crate::view::formula::{
     Formula, Operator, fraction, negative, norm, number, parentheses, row, tuple, word,
 };
@@ -123,12 +123,6 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
     equation(equation(symbols, substituted), result)
 }
 
-/// Creates the line at which the derivation fails. Its note gives the reason.
-fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> DerivedLine {
-    let why = why.map_or_else(String::new, symbols::typeset_message);
-    DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
-}
-
 fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> {
     let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
     let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
@@ -151,8 +145,7 @@ fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> 
         lines.push(judged(line, check.passes, texts));
     }
     if let Err(error) = derivation.basis {
-        let line = failed(Concept::W, word("there is no basis"), Some(error));
-        lines.push(DerivedLine { concept: None, ..line });
+        lines.push(failed(None, word("there is no basis"), Some(error)));
     }
     lines
 }

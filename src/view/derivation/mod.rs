@@ -69,10 +69,10 @@ pub struct DerivedLine {
 }
 
 impl DerivedLine {
-    fn new(concept: Concept, formula: Formula) -> DerivedLine {
+    fn new(concept: impl Into<Option<Concept>>, formula: Formula) -> DerivedLine {
         DerivedLine {
             formula,
-            concept: Some(concept),
+            concept: concept.into(),
             also: &[],
             note: String::new(),
             is_fault: false,
@@ -343,7 +343,7 @@ pub fn derivation(inputs: &DerivationInputs) -> Derivation {
                 let mut lines = camera::ray_givens(camera, selection, None, numbers);
                 // The line of the basis that fails gives the reason.
                 let without_reason = |line| DerivedLine { note: String::new(), ..line };
-                let no_ray = fault.as_ref().map(fault_line);
+                let no_ray = fault.map(|fault| failed(None, word("no ray"), Some(fault)));
                 lines.extend(if fails { no_ray.map(without_reason) } else { no_ray });
                 lines
             }
@@ -369,15 +369,14 @@ fn exact_ray(resolved: &ResolvedCamera, at: Selection) -> Option<(ExactRay<'_>, 
     Some((at.exact_ray(resolved).ok()?, derived))
 }
 
-fn fault_line(fault: &impl fmt::Display) -> DerivedLine {
-    DerivedLine {
-        formula: word("no ray"),
-        concept: None,
-        also: &[],
-        note: symbols::typeset_message(fault),
-        is_fault: true,
-        is_given: false,
-    }
+/// Creates the line at which the derivation fails. Its note gives the reason.
+fn failed(
+    concept: impl Into<Option<Concept>>,
+    formula: Formula,
+    why: Option<impl fmt::Display>,
+) -> DerivedLine {
+    let why = why.map_or_else(String::new, symbols::typeset_message);
+    DerivedLine { is_fault: true, ..DerivedLine::new(concept, formula).noted(why) }
 }
 
 /// Adds lines with the given numbers of the objects. After the numbers of a faulty object, adds the reason.
@@ -396,7 +395,7 @@ fn add_given_objects(derivation: &mut Derivation, inputs: &DerivationInputs) {
     for object in listed {
         let mut lines = objects::givens(document, object, settings.numbers);
         if let Some((_, error)) = faulty.filter(|(index, _)| *index == object) {
-            lines.push(DerivedLine { formula: word("no picture"), ..fault_line(&error) });
+            lines.push(failed(None, word("no picture"), Some(error)));
         }
         derivation.sections.push(object_section(document, object, lines));
     }
