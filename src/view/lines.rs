@@ -6,8 +6,8 @@ use std::cmp::Ordering;
 use std::ops::Range;
 
 use egui::{
-    Align2, Color32, FontId, FontSelection, Painter, Pos2, Rect, RichText, Shape, Stroke,
-    StrokeKind, Ui, UiBuilder, Vec2, pos2, vec2,
+    Align2, Color32, FontId, Painter, Pos2, Rect, RichText, Shape, Stroke, StrokeKind, Ui,
+    UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
 use pinhole_lecture::Rounding;
@@ -20,7 +20,7 @@ use crate::view::chart::{self, SOLID, Scale, Tick};
 use crate::view::overlay::Colors;
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
 use crate::view::typesetting::notation;
-use crate::view::typesetting::theme::{self, STACKED, error_color};
+use crate::view::typesetting::theme::{self, STACKED, error_color, text_size};
 
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
@@ -32,10 +32,6 @@ const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// Writes a line of text of the font's size, with its formulas typeset.
 pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, text_size(ui), ui.visuals().text_color());
-}
-
-fn text_size(ui: &Ui) -> f32 {
-    FontSelection::Default.resolve(ui.style()).size
 }
 
 /// Draws the plane with both lines, and the steps of the substitution. Draws no background and ignores

@@ -27,17 +27,15 @@ use crate::view::typesetting::theme::{self, Look};
 
 const OPEN: FileQuestion = FileQuestion {
     title: "Open a scene",
-    verb: "Open",
     endings: &["toml"],
     hint: "path of a .toml scene",
     writes: None,
 };
 const SAVE_AS: FileQuestion =
-    FileQuestion { title: "Save the scene as", verb: "Save", writes: Some("toml"), ..OPEN };
+    FileQuestion { title: "Save the scene as", writes: Some("toml"), ..OPEN };
 
 const IMPORT: FileQuestion = FileQuestion {
     title: "Import a camera",
-    verb: "Import",
     endings: &["gltf", "glb", "txt"],
     hint: "path of a glTF or of a text with numbers",
     writes: None,
@@ -45,7 +43,6 @@ const IMPORT: FileQuestion = FileQuestion {
 
 const SAVE_PAGE: FileQuestion = FileQuestion {
     title: "Save as a page for a browser",
-    verb: "Save",
     endings: &["html"],
     hint: "path of a .html file",
     writes: Some("html"),

@@ -67,7 +67,6 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
     let format = scene.session.translator.chosen();
     let question = FileQuestion {
         title: "Save the camera for another program",
-        verb: "Save",
         endings: &[],
         hint: "path of the file",
         writes: Some(format.ending()),
@@ -115,7 +114,6 @@ const MOST_BYTES: u64 = 100_000_000;
 
 const ANSWERS: FileQuestion = FileQuestion {
     title: "Check a student's answers",
-    verb: "Check",
     endings: &["csv", "png"],
     hint: "path of a .csv or .png file of answers",
     writes: None,

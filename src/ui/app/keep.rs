@@ -14,7 +14,6 @@ use crate::ui::dialogs::{Dialog, FileQuestion, PathField};
 
 const SAVE_STEP: FileQuestion = FileQuestion {
     title: "Save this view at the end of a lesson, or begin one",
-    verb: "Save",
     endings: &["toml"],
     hint: "path of a lesson; a new file begins one",
     writes: Some("toml"),

@@ -61,7 +61,6 @@ pub(crate) struct ExportForm {
 
 const FIGURE: FileQuestion = FileQuestion {
     title: "Export a figure",
-    verb: "Export",
     endings: &["svg", "pdf", "png", "tex", "md"],
     hint: "path of an .svg, .pdf or .png file",
     writes: Some("svg"),

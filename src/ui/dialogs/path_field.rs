@@ -11,16 +11,21 @@ use crate::view::typesetting::theme::error_color;
 /// A question that asks for a file to read or to write.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FileQuestion {
-    /// The heading of the dialog.
+    /// The heading of the dialog. Its first word is the verb on the button that answers the question.
     pub title: &'static str,
-    /// The name of the button that answers it.
-    pub verb: &'static str,
     /// The extensions of the listed files.
     pub endings: &'static [&'static str],
     /// The hint in the empty field.
     pub hint: &'static str,
     /// For a file to write, the extension that is added to a name without one; `None` for a file to read.
     pub writes: Option<&'static str>,
+}
+
+impl FileQuestion {
+    /// Returns the name of the button that answers it.
+    pub fn verb(&self) -> &'static str {
+        self.title.split(' ').next().unwrap_or_default()
+    }
 }
 
 /// A question for the desktop's dialog.
@@ -178,7 +183,7 @@ impl PathField {
         let typed = self.text.trim();
         let mut ready = entered;
         ui.horizontal(|ui| {
-            let verb = Button::new(self.question.verb);
+            let verb = Button::new(self.question.verb());
             ready |= ui.add_enabled(!typed.is_empty(), verb).clicked();
             *cancel |= ui.button("Cancel").clicked();
         });
@@ -253,7 +258,7 @@ impl PathField {
         ui.add_space(8.0);
         let mut is_old = chosen.is_some();
         ui.horizontal(|ui| {
-            let verb = Button::new(format!("{}…", self.question.verb));
+            let verb = Button::new(format!("{}…", self.question.verb()));
             if ui.add_enabled(!is_open, verb).clicked() {
                 is_old = true;
                 self.leave_to_desktop(true);
@@ -291,7 +296,7 @@ impl PathField {
             Some(path)
         });
         if let Some(path) = &self.overwrite {
-            let verb = self.question.verb;
+            let verb = self.question.verb();
             let text = format!("{} exists. {verb} once more to replace it.", path.display());
             ui.label(RichText::new(text).color(error_color(ui)));
         }

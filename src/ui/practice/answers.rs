@@ -29,15 +29,6 @@ const NARROWEST: f32 = 330.0;
 const NONE: &str = "Drop a student's answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
-/// Returns the reason why the answers are not graded at the moment: either the scene is invalid, or grading
-/// takes long and the user is dragging something.
-fn not_graded(derived: &Derived) -> &'static str {
-    match derived.fault {
-        Some(_) => "The scene is invalid, so the answers cannot be checked.",
-        None => "The answers are checked when you release the mouse button.",
-    }
-}
-
 /// Shows the name of the answers as the title above the map.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, session: &Session, map: Option<&Graded>) {
     strip_above(ui, area, |ui| {
@@ -78,19 +69,20 @@ fn legend(ui: &mut Ui, whole: bool, has_doubt: bool) {
 
 /// Returns the description of the map for screen readers.
 pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
-    match (derived.grading.as_ref(), &session.answers) {
-        (_, None) => NONE.to_owned(),
-        (None, Some(_)) => not_graded(derived).to_owned(),
-        (Some(Err(error)), _) => error.to_string(),
-        (Some(Ok(graded)), _) => format!("{}. {}", graded.agreement(), graded.advice()),
+    match derived.grading.as_ref().filter(|_| session.answers.is_some()) {
+        Some(Err(error)) => error.to_string(),
+        Some(Ok(graded)) => format!("{}. {}", graded.agreement(), graded.advice()),
+        None => why_not(derived, session).to_owned(),
     }
 }
 
-/// Returns the reason why there is no map.
+/// Returns the reason why there is no map. Answers are not graded while the scene is invalid, nor, if grading
+/// takes long, while the user is dragging something.
 pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
-    match (derived.grading.as_ref(), &session.answers) {
-        (_, None) => NONE,
-        (None, Some(_)) => not_graded(derived),
+    match (derived.grading.as_ref(), derived.fault) {
+        _ if session.answers.is_none() => NONE,
+        (None, Some(_)) => "The scene is invalid, so the answers cannot be checked.",
+        (None, None) => "The answers are checked when you release the mouse button.",
         (Some(Err(_)), _) => "These answers cannot be read.",
         (Some(Ok(_)), _) => "Answers about a basis have no map.",
     }
@@ -106,7 +98,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
             return;
         }
         match derived.grading.as_ref() {
-            None => drop(ui.strong(not_graded(derived))),
+            None => drop(ui.strong(why_not(derived, session))),
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));
             }

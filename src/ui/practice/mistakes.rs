@@ -18,7 +18,7 @@ use crate::ui::scene::view_rects::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::{self, ResponseExt as _, cell, combo, sign, vector_color};
 use crate::view::derive::Derived;
-use crate::view::typesetting::theme::{STACKED, error_color};
+use crate::view::typesetting::theme::{STACKED, error_color, text_size};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
@@ -94,11 +94,6 @@ pub(crate) fn headings(ui: &mut Ui, areas: [Rect; 2], is_asking: bool) {
             }
         });
     }
-}
-
-/// Returns the size of a label's text, in points.
-fn text_size(ui: &Ui) -> f32 {
-    FontSelection::Default.resolve(ui.style()).size
 }
 
 /// Returns the width of a text in a label.
@@ -352,15 +347,10 @@ fn checks(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     ui.strong(summary(wrong));
     ui.add_space(3.0);
     for passes in [false, true] {
-        rows(ui, wrong, passes, style);
-    }
-}
-
-/// Shows the checks that pass, or those that catch the mistake.
-fn rows(ui: &mut Ui, wrong: &ComparedCamera, passes: bool, style: NumberStyle) {
-    let rows = wrong.checks.iter().zip(&wrong.right_checks);
-    for (here, right) in rows.filter(|(here, _)| here.passes == passes) {
-        row(ui, here, right, style);
+        let all = wrong.checks.iter().zip(&wrong.right_checks);
+        for (here, right) in all.filter(|(here, _)| here.passes == passes) {
+            row(ui, here, right, style);
+        }
     }
 }
 

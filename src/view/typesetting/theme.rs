@@ -8,8 +8,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, Id, Stroke, StrokeKind,
-    TextStyle, Theme, Ui, Visuals,
+    Color32, Context, FontData, FontDefinitions, FontFamily, FontId, FontSelection, Id, Stroke,
+    StrokeKind, TextStyle, Theme, Ui, Visuals,
 };
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
@@ -79,6 +79,11 @@ pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
 /// Returns the colour in which the window shows an object.
 pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
+}
+
+/// Returns the size of a label's text, in points.
+pub(crate) fn text_size(ui: &Ui) -> f32 {
+    FontSelection::Default.resolve(ui.style()).size
 }
 
 /// Makes rows of text as tall as for a mouse: they are no buttons, which a finger needs taller.

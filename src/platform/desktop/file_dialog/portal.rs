@@ -136,7 +136,7 @@ fn options(request: &FileRequest) -> HashMap<&'static str, Value<'static>> {
     let mut folder = request.folder.as_os_str().as_bytes().to_owned();
     folder.push(0);
     let mut options = HashMap::from([
-        ("accept_label", Value::from(question.verb)),
+        ("accept_label", Value::from(question.verb())),
         ("current_folder", Value::from(folder)),
     ]);
     if question.writes.is_some() {
