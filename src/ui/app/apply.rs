@@ -19,7 +19,7 @@ use crate::ui::action::{
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
-use crate::ui::dialogs::{Dialog, FileQuestion, PathField, Question};
+use crate::ui::dialogs::{Dialog, FileQuestion, Question};
 use crate::ui::practice::vote;
 use crate::ui::widgets::may_explain;
 use crate::view::derive::Deriver;
@@ -214,19 +214,16 @@ impl App {
     fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
         match action {
             FileAction::AskOpen => {
-                let field = PathField::new(OPEN, self.scene.open.file(), "");
-                Some(Dialog::file(field, files::dropped))
+                Some(Dialog::file(OPEN, self.scene.open.file(), "", files::dropped))
             }
             FileAction::Save => self.save(ctx, None),
             FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
             FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
             FileAction::AskSavePage => {
-                let name = format!(
-                    "{}.html",
-                    Path::new(&self.scene.open.file_name()).with_extension("").display()
-                );
-                let field = PathField::new(SAVE_PAGE, self.scene.open.file(), &name);
-                Some(Dialog::file(field, FileAction::SavePage))
+                let open = &self.scene.open;
+                let name = Path::new(&open.file_name()).with_extension("html");
+                let name = name.to_string_lossy();
+                Some(Dialog::file(SAVE_PAGE, open.file(), &name, FileAction::SavePage))
             }
             FileAction::SavePage(path) => {
                 let saved = files::save_page(&self.scene, &path);
@@ -350,9 +347,9 @@ impl App {
     }
 
     fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
+        let save_as = move |path| FileAction::SaveAs { path, then: then.clone() };
         let open = &self.scene.open;
-        let field = PathField::new(SAVE_AS, open.file(), &open.file_name());
-        Dialog::file(field, move |path| FileAction::SaveAs { path, then: then.clone() })
+        Dialog::file(SAVE_AS, open.file(), &open.file_name(), save_as)
     }
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
@@ -395,8 +392,8 @@ impl App {
                 self.take_camera(ctx, taken, "paste a camera");
             }
             ExchangeAction::AskImport => {
-                let field = PathField::new(IMPORT, self.scene.open.file(), "");
-                return Some(Dialog::file(field, ExchangeAction::Import));
+                let near = self.scene.open.file();
+                return Some(Dialog::file(IMPORT, near, "", ExchangeAction::Import));
             }
             ExchangeAction::Import(path) => {
                 let taken = imported(&path, &self.scene.open.document.camera);

@@ -19,7 +19,7 @@ use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Lea
 use crate::ui::app::App;
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
-use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, PathField, Question};
+use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, Question};
 use crate::ui::ray::lines;
 use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
@@ -71,8 +71,7 @@ pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog>
         hint: "path of the file",
         writes: Some(format.ending()),
     };
-    let field = PathField::new(question, scene.open.file(), format.file);
-    Some(Dialog::file(field, ExchangeAction::Save))
+    Some(Dialog::file(question, scene.open.file(), format.file, ExchangeAction::Save))
 }
 
 /// Saves the translated camera.
@@ -148,8 +147,8 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
         AnswersAction::Ask => {
             // Start in the folder of the last answers, or of the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let field = PathField::new(ANSWERS, last.or(scene.open.file()), "");
-            return Some(Dialog::file(field, AnswersAction::Check));
+            let near = last.or(scene.open.file());
+            return Some(Dialog::file(ANSWERS, near, "", AnswersAction::Check));
         }
         AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Question),
         AnswersAction::PutAway => {

@@ -40,7 +40,7 @@ impl App {
         let place = known.or(self.scene.open.file());
         let mut field = PathField::new(SAVE_STEP, place, &name.to_string_lossy());
         field.adds = true;
-        Dialog::file(field, FileAction::SaveStep)
+        Dialog::File(field, Box::new(|path| FileAction::SaveStep(path).into()))
     }
 
     /// Adds what is shown to a lesson file, as its last step. Returns a message if that fails.

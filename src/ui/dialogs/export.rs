@@ -70,7 +70,6 @@ const ANIMATION: FileQuestion = FileQuestion {
     endings: &["gif"],
     hint: "path of a .gif file",
     writes: Some("gif"),
-    ..FIGURE
 };
 
 impl ExportForm {

@@ -1,7 +1,7 @@
 //! Dialogs over the window: files, figures, questions and messages. The submodules also hold the command
 //! palette, the list of keys and the texts of the Help menu.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use egui::{Context, Id, Modal, ProgressBar, ScrollArea, Ui, Vec2};
 
@@ -102,11 +102,15 @@ impl Dialog {
         }
     }
 
-    /// Creates a dialog that asks for a file and then requests the action for its path.
+    /// Creates a dialog that asks for a file, at first in the folder of `near` and with this name, and then
+    /// requests the action for its path.
     pub(crate) fn file<A: Into<Action>>(
-        field: PathField,
+        question: FileQuestion,
+        near: Option<&Path>,
+        name: &str,
         action: impl Fn(PathBuf) -> A + Send + 'static,
     ) -> Dialog {
+        let field = PathField::new(question, near, name);
         Dialog::File(field, Box::new(move |path| action(path).into()))
     }
 
