@@ -10,14 +10,12 @@ use crate::ui::widgets::no_picture;
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
-/// Returns the picture's name, for its title and for screen readers.
+/// Returns the picture's name for screen readers. While a question is open, it does not say which camera is
+/// wrong.
 pub(crate) fn name(second: SecondPicture, is_asking: bool) -> &'static str {
     match second {
         SecondPicture::WrongCamera if is_asking => mistakes::HEADINGS[1],
-        SecondPicture::ErrorMap => views::MAP,
-        SecondPicture::WrongCamera => views::WRONG,
-        SecondPicture::Ghost => views::GHOST,
-        SecondPicture::Answers => views::ANSWERS,
+        named => named.name(),
     }
 }
 

@@ -5,7 +5,7 @@ use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollAr
 use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 use crate::ui::dialogs::Dialog;
-use crate::ui::widgets::cell;
+use crate::ui::widgets::{cell, column_of};
 
 /// Minimum and maximum size of the text, in points; the largest size at which the text fits is used.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
@@ -47,7 +47,7 @@ pub(crate) fn ui(ctx: &Context) -> bool {
             scroll(ui, room.y);
             ui.columns(columns, |columns| {
                 for (k, entries) in groups.iter().enumerate() {
-                    let column = column_of(&groups, k, columns.len());
+                    let column = column_of(&heights(&groups), k, columns.len());
                     group(&mut columns[column], entries, text);
                 }
             });
@@ -71,16 +71,9 @@ fn scroll(ui: &mut Ui, page: f32) {
     }
 }
 
-/// Returns the height of groups in rows; a heading counts as two rows.
-fn height(groups: &[Entries]) -> usize {
-    groups.iter().map(|(_, rows)| rows.len() + 2).sum()
-}
-
-/// Returns the index of the column that shows group `k`. All groups form one long column, which is cut into
-/// `columns` equal parts. A group belongs to the part that contains its middle.
-fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
-    let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
-    (columns * middle / height(groups).max(1)).min(columns - 1)
+/// Returns the height of each group in rows; a heading counts as two rows.
+fn heights(groups: &[Entries]) -> Vec<usize> {
+    groups.iter().map(|(_, rows)| rows.len() + 2).collect()
 }
 
 /// Returns the number of columns and the largest text size at which all groups fit; the smallest
@@ -88,10 +81,10 @@ fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
 fn fitting(groups: &[Entries], room: egui::Vec2) -> (usize, f32) {
     let columns = |text: f32| ((room.x / (COLUMN * text)) as usize).clamp(1, 4);
     let fits = |text: f32| {
-        let columns = columns(text);
+        let (columns, heights) = (columns(text), heights(groups));
         let mut rows = vec![0; columns];
-        for k in 0..groups.len() {
-            rows[column_of(groups, k, columns)] += height(&groups[k..=k]);
+        for (k, height) in heights.iter().enumerate() {
+            rows[column_of(&heights, k, columns)] += height;
         }
         rows.into_iter().max().unwrap_or(0) as f32 * ROW * text <= room.y
     };

@@ -12,9 +12,8 @@ use crate::model::Session;
 use crate::model::symbols::typeset_message;
 use crate::ui::action::{AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::scene::views;
 use crate::ui::widgets::{ResponseExt as _, sign};
-use crate::view::derive::Derived;
+use crate::view::derive::{Derived, SecondPicture};
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -34,8 +33,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, session: &Session, map: Option<&Gra
     strip_above(ui, area, |ui| {
         let title = match &session.answers {
             Some(answers) if area.width() < NARROW => answers.name(),
-            Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
-            None => views::ANSWERS.to_owned(),
+            Some(answers) => format!("{}: {}", SecondPicture::Answers.name(), answers.name()),
+            None => SecondPicture::Answers.name().to_owned(),
         };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if let Some(graded) = map {

@@ -15,9 +15,8 @@ use crate::model::{Concept, MistakesView, NumberStyle, Session};
 use crate::ui::practice::gallery::{CELL, Gallery};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::scene::views;
 use crate::ui::widgets::{self, ResponseExt as _, cell, combo, sign, vector_color};
-use crate::view::derive::Derived;
+use crate::view::derive::{Derived, SecondPicture};
 use crate::view::typesetting::theme::{STACKED, error_color, text_size};
 
 /// Size of the text, in points.
@@ -71,7 +70,9 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &mut MistakesView) {
 
 fn title(mistakes_view: &MistakesView) -> String {
     match mistakes_view.open_vote {
-        None => format!("{}: {}", views::WRONG, mistakes_view.chosen.name()),
+        None => {
+            format!("{}: {}", SecondPicture::WrongCamera.name(), mistakes_view.chosen.name())
+        }
         Some(_) => "Wrong picture".to_owned(),
     }
 }

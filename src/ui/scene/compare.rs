@@ -7,11 +7,10 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
-use super::views;
 use crate::model::{Ghost, Inspection, NumberStyle, Session};
 use crate::ui::action::GhostAction;
 use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
-use crate::view::derive::{AgainstGhost, Derived};
+use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
 use crate::view::typesetting::theme::STACKED;
 
 /// Size of the text, in points, where the tables are side by side and where they are stacked.
@@ -31,10 +30,10 @@ const NO_GHOST: &str = "Freeze the camera as a ghost, then change it and compare
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     strip_above(ui, area, |ui| match ghost {
         None => {
-            ui.strong(views::GHOST);
+            ui.strong(SecondPicture::Ghost.name());
         }
         Some(Ghost { shows_differences, .. }) => {
-            ui.selectable_value(shows_differences, false, views::GHOST);
+            ui.selectable_value(shows_differences, false, SecondPicture::Ghost.name());
             ui.selectable_value(shows_differences, true, "Differences");
         }
     });

@@ -38,16 +38,6 @@ use crate::view::typesetting::{labels, theme};
 pub(crate) const WORLD: &str = "World view";
 /// Name of the camera view.
 pub(crate) const CAMERA: &str = "Camera view";
-/// Name of the error map.
-pub(crate) const MAP: &str = "Error map";
-/// Name of the wrong camera's picture.
-pub(crate) const WRONG: &str = "Wrong camera";
-
-/// Name of the map of a student's answers.
-pub(crate) const ANSWERS: &str = "Answers";
-
-/// Name of the ghost's picture.
-pub(crate) const GHOST: &str = "Ghost";
 
 /// Returns the sizes of the two views, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, rects: &ViewRects) -> ViewSizes {

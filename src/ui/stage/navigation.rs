@@ -1,7 +1,5 @@
 //! The buttons that lead through the lessons, and the table of contents.
 
-use std::sync::Arc;
-
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{
     Align2, Area, Button, Context, Event, Id, Order, Pos2, Rect, RichText, ScrollArea, Ui, Vec2,
@@ -12,7 +10,7 @@ use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
 use crate::ui::commands_table::{keys_text, shortcut};
-use crate::ui::widgets::ResponseExt as _;
+use crate::ui::widgets::{ResponseExt as _, column_of};
 use crate::view::typesetting::theme;
 
 /// Size of the buttons' text, in points.
@@ -130,17 +128,12 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>) {
             entries(ui, Which::File, lesson, open);
             ui.separator();
         }
-        let rows = |lessons: &[Arc<Lesson>]| -> usize {
-            lessons.iter().map(|lesson| lesson.steps.len() + 1).sum()
-        };
         let all = builtin::all();
+        let rows: Vec<usize> = all.iter().map(|lesson| lesson.steps.len() + 1).collect();
         ui.columns(count, |columns| {
             for (index, lesson) in all.iter().enumerate() {
-                // All columns form one long column that is cut into equal parts. A lesson belongs to the
-                // part that contains its middle.
-                let middle = rows(&all[..index]) + lesson.steps.len() / 2;
-                let column = (count * middle / rows(all).max(1)).min(count - 1);
-                entries(&mut columns[column], Which::Builtin(index), lesson, open);
+                let column = &mut columns[column_of(&rows, index, count)];
+                entries(column, Which::Builtin(index), lesson, open);
             }
         });
     });

@@ -24,10 +24,9 @@ use crate::report::plot::panels;
 use crate::report::summary::Summary;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::scene::views::MAP;
 use crate::ui::widgets::{ResponseExt as _, clipped, combo, inside};
 use crate::view::accuracy::{self, Comparison, PixelError};
-use crate::view::derive::{Compared, Derived};
+use crate::view::derive::{Compared, Derived, SecondPicture};
 use crate::view::typesetting::theme::{self, error_color};
 
 #[cfg(feature = "report")]
@@ -50,7 +49,7 @@ fn hint(method: Method) -> String {
 /// of the method that the user chooses there.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     strip_above(ui, area, |ui| {
-        ui.label(MAP);
+        ui.label(SecondPicture::ErrorMap.name());
         let chosen = &mut settings.compared;
         combo(ui, "error map of", 150.0, chosen.name(), |ui| {
             for method in Method::of_frames() {

@@ -125,6 +125,13 @@ pub(crate) fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> 
     inner.inner
 }
 
+/// Returns the index of the column that shows group `k` of groups with these numbers of rows. All groups form one
+/// long column, which is cut into `columns` equal parts. A group belongs to the part that contains its middle.
+pub(crate) fn column_of(rows: &[usize], k: usize, columns: usize) -> usize {
+    let middle = rows[..k].iter().sum::<usize>() + rows[k] / 2;
+    (columns * middle / rows.iter().sum::<usize>().max(1)).min(columns - 1)
+}
+
 /// Shows a menu of choices with this accessible name.
 pub(crate) fn combo(ui: &mut Ui, name: &str, width: f32, shown: &str, list: impl FnOnce(&mut Ui)) {
     let combo =

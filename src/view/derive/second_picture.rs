@@ -24,19 +24,24 @@ use crate::view::derive::{
 };
 use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
-/// The kind of a second picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SecondPicture {
+pinhole_core::texts! {
+    /// The kind of a second picture.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum SecondPicture[1];
+    {
+        /// Returns the picture's name, on the screen and for screen readers.
+        name,
+    }
     /// The map of the errors of another method.
-    ErrorMap,
+    ErrorMap: "Error map";
     /// The picture of a camera with a classic mistake, or a map of the pixels in which it differs from the
     /// right one.
-    WrongCamera,
+    WrongCamera: "Wrong camera";
     /// The picture of the ghost (the frozen camera), or a map of the pixels in which it differs from the
     /// edited camera's.
-    Ghost,
+    Ghost: "Ghost";
     /// The map of a student's right and wrong answers.
-    Answers,
+    Answers: "Answers";
 }
 
 /// The edited camera compared with the ghost (the frozen camera).
