@@ -61,17 +61,21 @@ struct KeepsError<'a, W> {
     kept: &'a RefCell<Option<io::Error>>,
 }
 
+impl<W> KeepsError<'_, W> {
+    fn keep(&self, error: io::Error) -> io::Error {
+        let kind = error.kind();
+        self.kept.replace(Some(error));
+        kind.into()
+    }
+}
+
 impl<W: Write> Write for KeepsError<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.out.write(bytes).map_err(|error| {
-            let kind = error.kind();
-            self.kept.replace(Some(error));
-            kind.into()
-        })
+        self.out.write(bytes).map_err(|error| self.keep(error))
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
+        self.out.flush().map_err(|error| self.keep(error))
     }
 }
 
