@@ -77,6 +77,12 @@ pub(super) trait Fits: Sync {
     /// index.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 
+    /// Returns true if that the answer [fits](Fits::fits) such a program is evidence, because other answers
+    /// would not.
+    fn is_evidence(&self, _camera: &PipelineCamera, _index: usize) -> bool {
+        true
+    }
+
     /// Returns true if the answer may come from a program that does not see the object that the ray
     /// hits first: it is a miss, or a hit of an object behind.
     fn may_be_unseen(&self, _index: usize) -> bool {
@@ -171,8 +177,8 @@ struct Search<'a> {
     given: &'a GivenCamera,
     answers: &'a dyn Fits,
     count: usize,
-    /// The indices of those that are compared first.
-    looks: Vec<usize>,
+    /// The indices of the wrong and of the right ones that are compared first.
+    looks: [Vec<usize>; 2],
 }
 
 impl Search<'_> {
@@ -186,12 +192,13 @@ impl Search<'_> {
         found.collect()
     }
 
-    /// Returns true if the pipeline gives all the answers.
+    /// Returns true if the pipeline gives all the answers, and would not give any others just as well.
     fn explains(&self, pipeline: &Pipeline) -> bool {
         let mut camera = self.given.camera_of(*pipeline);
         self.answers.prepare(&mut camera);
         let all = (0..self.count).into_par_iter().step_by(self.stride(pipeline));
-        self.looks.iter().all(|index| self.answers.fits(&camera, *index))
+        self.looks.iter().flatten().all(|index| self.answers.fits(&camera, *index))
+            && self.looks[0].iter().any(|index| self.answers.is_evidence(&camera, *index))
             && all.all(|index| self.answers.fits(&camera, index))
     }
 
@@ -204,12 +211,11 @@ impl Search<'_> {
 
 /// Returns the indices of some wrong and some right answers, spread evenly. Comparing these first
 /// quickly rules out most pipelines.
-fn first_looks(is_right: &[bool]) -> Vec<usize> {
-    let some = |wanted: bool| {
+fn first_looks(is_right: &[bool]) -> [Vec<usize>; 2] {
+    [false, true].map(|wanted| {
         let all: Vec<usize> =
             (0..is_right.len()).filter(|index| is_right[*index] == wanted).collect();
         let step = (all.len() / FIRST_LOOKS).max(1);
-        all.into_iter().step_by(step).take(FIRST_LOOKS).collect::<Vec<_>>()
-    };
-    [some(false), some(true)].concat()
+        all.into_iter().step_by(step).take(FIRST_LOOKS).collect()
+    })
 }

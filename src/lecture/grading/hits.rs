@@ -28,9 +28,14 @@ impl Fits for Hits<'_> {
         if !camera.answers_for(pixel) {
             return false;
         }
-        let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let first = FirstHits::find(self.scene, camera, direction, self.context.tolerance);
+        let (direction, first) = self.found(camera, index);
         first.outcomes().any(|outcome| self.is(camera, direction, outcome, hit))
+    }
+
+    fn is_evidence(&self, camera: &PipelineCamera, index: usize) -> bool {
+        // Without the square root, rounding errors may outgrow t.
+        let (_, first) = self.found(camera, index);
+        first.hits.iter().all(|hit| hit.most - hit.least <= hit.t.abs())
     }
 
     fn certainty(&self, index: usize) -> Certainty {
@@ -77,6 +82,13 @@ impl GradingContext<'_> {
 }
 
 impl Hits<'_> {
+    /// Returns the direction of an answer's ray and the hits that a program with this camera may find first.
+    fn found(&self, camera: &PipelineCamera, index: usize) -> (DVec3, FirstHits) {
+        let Pixel { row, column } = self.answers[index].pixel;
+        let direction = camera.direction(row.into(), column.into());
+        (direction, FirstHits::find(self.scene, camera, direction, self.context.tolerance))
+    }
+
     /// Returns true if the student's answer is within the range of the acceptable `outcome`, on the
     /// same object, or if both are misses.
     fn is(

@@ -85,3 +85,23 @@ fn one_of_many_answers_that_cannot_be_judged_is_found_wherever_it_is() {
         assert_ne!(grade.worst.unwrap().index, index);
     }
 }
+
+/// Without the square root, rounding outgrows t on a large sphere, so that any t would fit.
+#[test]
+fn a_mistake_that_any_answer_would_fit_is_not_named() {
+    let planet = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [1.0; 3],
+        image: [16, 16],
+        spheres: vec![([0.0, 0.0, -5e5], 1e5)],
+        planes: vec![],
+    };
+    let answers = [(7, 7, 1.25e5), (7, 8, 8.5e5), (8, 7, 2.75e5), (8, 8, 7.0e5)];
+    let hits = answers.map(|(row, column, t)| {
+        let t = Some(Written::exactly(t));
+        HitAnswer { pixel: Pixel { row, column }, hit: Some(GivenHit { t, ..GivenHit::default() }) }
+    });
+    assert_eq!(found(&planet, &Answers::Hits(hits.to_vec())), [Vec::<&str>::new()]);
+}
