@@ -41,8 +41,8 @@ pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result
     Ok(())
 }
 
-/// Writes what a command made into a file, but over none of these that it reads; for `-` or no file, to
-/// standard output.
+/// Writes what a command made to a file, which must not be one that it reads; for `-` or no file, to standard
+/// output.
 ///
 /// # Errors
 /// Returns an error if the file is one of `inputs`, or if it cannot be written.

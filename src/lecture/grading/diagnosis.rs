@@ -77,8 +77,8 @@ pub(super) trait Fits: Sync {
     /// index.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 
-    /// Returns true if that the answer [fits](Fits::fits) such a program is evidence, because other answers
-    /// would not.
+    /// Returns true if an answer that [fits](Fits::fits) is evidence of such a program: most other answers
+    /// would not fit.
     fn is_evidence(&self, _camera: &PipelineCamera, _index: usize) -> bool {
         true
     }
