@@ -1,6 +1,6 @@
 //! What the program is made of: its licences are allowed and listed, no crate is there in two versions for
 //! no reason, and all are from crates.io. What is allowed stands in `.cargo/deny.toml`.
-//! `UPDATE_EXPECT=1` writes the list anew.
+//! `UPDATE_EXPECT=1` writes the list anew. `.ci/licences` finds the texts of the licences.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -32,7 +32,8 @@ struct Package {
     repository: String,
 }
 
-/// The crates that are linked into the program, but for our own.
+/// The crates that are linked into the program for Linux x86-64, but for our own. Cargo has fetched them where
+/// that is the system that it builds for.
 fn packages() -> BTreeSet<Package> {
     let output = Command::new(env!("CARGO"))
         .args(["tree", "--offline", "--locked", "-p", "pinhole", "-e", "normal"])
@@ -121,6 +122,10 @@ fn expressions_are_understood() {
 }
 
 #[test]
+#[cfg_attr(
+    not(all(target_os = "linux", target_arch = "x86_64")),
+    ignore = "it is about the crates for Linux x86-64, and cargo has fetched this system's"
+)]
 fn every_licence_is_allowed() {
     let packages = packages();
     assert!(packages.len() > 200, "{}", packages.len());
@@ -180,6 +185,10 @@ fn everything_is_from_crates_io() {
 }
 
 #[test]
+#[cfg_attr(
+    not(all(target_os = "linux", target_arch = "x86_64")),
+    ignore = "it is about the crates for Linux x86-64, and cargo has fetched this system's"
+)]
 fn the_list_is_current() {
     let packages = packages();
     let mut by_licence: BTreeMap<&str, Vec<&Package>> = BTreeMap::new();
@@ -198,33 +207,6 @@ fn the_list_is_current() {
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/licences/THIRD_PARTY.md");
     expect_file![path].assert_eq(&format!("{}\n", list.trim_end()));
-}
-
-#[test]
-#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
-fn a_release_has_the_text_of_every_licence() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("LICENCES.txt");
-    let output = Command::new(root.join(".ci/licences")).arg(&file).output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let text = std::fs::read_to_string(&file).unwrap();
-    let words: BTreeSet<&str> = text.split_whitespace().collect();
-    for Package { name, version, .. } in packages() {
-        assert!(words.contains(&*format!("{name}-{version}")), "{name} {version}");
-    }
-    // One that comes without its licence's text, and one whose texts are those of its fonts.
-    let line = "=".repeat(80);
-    let blocks: Vec<&str> = text.split(&line).collect();
-    for crate_name in ["egui-0.", "epaint_default_fonts-0."] {
-        let named = |block: &&&str| {
-            let (names, text) = block.trim_start().split_once("\n\n").unwrap_or_default();
-            names.split_whitespace().any(|name| name.starts_with(crate_name))
-                && text.starts_with("Copyright (c) Emil Ernerfeldt")
-                && text.contains("Permission is hereby granted, free of charge")
-        };
-        assert_eq!(blocks.iter().filter(named).count(), 1, "{crate_name}");
-    }
-    assert!(text.contains("Bitstream Vera"), "the fonts' own");
 }
 
 #[test]

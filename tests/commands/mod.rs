@@ -75,6 +75,13 @@ impl Run {
     }
 }
 
+/// Sends a signal by the shell's own `kill`: there need be no program of that name.
+#[cfg(unix)]
+fn send_signal(to: &std::process::Child, signal: &str) {
+    let line = format!("kill -{signal} {}", to.id());
+    assert!(Command::new("sh").args(["-c", &line]).status().unwrap().success());
+}
+
 /// The files of a folder, sorted.
 fn entries(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).unwrap();

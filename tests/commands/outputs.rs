@@ -146,9 +146,7 @@ fn a_run_that_is_ended_by_a_signal_leaves_nothing() {
             std::thread::sleep(Duration::from_millis(10));
         }
         assert!(entries(folder.path())[0].starts_with(".pinhole-"));
-        let id = child.id().to_string();
-        let kill = std::process::Command::new("kill").args([&format!("-{signal}"), &id]).status();
-        assert!(kill.unwrap().success());
+        super::send_signal(&child, signal);
         // A shell has its background jobs ignore SIGINT, and what is ignored stays so.
         if signal == "INT" && ignores_interrupts() {
             child.kill().unwrap();

@@ -197,8 +197,7 @@ fn an_interrupted_run_leaves_nothing() {
         .unwrap();
     std::thread::sleep(Duration::from_millis(300));
     // Not SIGINT, which a shell has its background jobs ignore until they say otherwise.
-    let kill = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
-    assert!(kill.unwrap().success());
+    super::send_signal(&child, "TERM");
     assert!(!child.wait().unwrap().success());
     assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
 }

@@ -1,7 +1,7 @@
 //! A monkey at the real window: it clicks, drags, scrolls and types anywhere. The program meets no fault,
 //! and its memory does not grow.
 //!
-//! It plays ten seconds with a fixed seed, and as long as `PINHOLE_MONKEY_SECONDS` says by hand.
+//! It plays ten seconds with the seed of `PROPTEST_RNG_SEED`, and as long as `PINHOLE_MONKEY_SECONDS` says by hand.
 
 use std::ffi::OsStr;
 use std::fs::{self, File};
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Pos2, pos2, vec2};
 
-use crate::mutants::{Random, plays};
+use crate::mutants::{self, Random};
 use crate::screen::Screen;
 use crate::window::{NO_DRIVER, Setting, Window, binary, built_in};
 
@@ -77,7 +77,7 @@ fn act(window: &Window, random: &mut Random) {
 
 /// Plays; a window that the monkey has closed opens again.
 pub(crate) fn plays_a_while() {
-    let (seed, time) = plays("PINHOLE_MONKEY_SECONDS", Duration::from_secs(10))[0];
+    let (seed, time) = mutants::play("PINHOLE_MONKEY_SECONDS", Duration::from_secs(10));
     println!("real window, {}, seed {seed}", SETTING.name);
     let screen = Screen::start();
     let folder = tempfile::tempdir().unwrap();

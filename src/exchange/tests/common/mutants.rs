@@ -1,8 +1,8 @@
 //! Fuzzing: reads mutated copies of valid texts, and checks that no reader panics, takes too long, or
 //! returns an overlong message or one with hidden characters.
 //!
-//! A run takes two seconds with a fixed seed and, if `PROPTEST_RNG_SEED` is set, two more with that
-//! seed; with `PINHOLE_FUZZ_SECONDS=3600` it takes an hour. A text that fails is printed with its seed.
+//! A run takes two seconds with the seed of `PROPTEST_RNG_SEED`; with `PINHOLE_FUZZ_SECONDS=3600` it takes an
+//! hour. A text that fails is printed with its seed.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
@@ -14,22 +14,17 @@ pub(crate) type Reader = (&'static str, fn(&[u8]) -> Vec<String>);
 
 /// Reads mutants of the samples with every reader.
 pub(crate) fn fuzz(samples: &[Vec<u8>], readers: &[Reader]) {
-    for (seed, time) in plays("PINHOLE_FUZZ_SECONDS", Duration::from_secs(2)) {
-        run(samples, readers, seed, time);
-    }
+    let (seed, time) = play("PINHOLE_FUZZ_SECONDS", Duration::from_secs(2));
+    run(samples, readers, seed, time);
 }
 
-/// Returns the seeds to run with, each with its duration: a fixed seed and, if set,
-/// `PROPTEST_RNG_SEED`, for the time `usual`. If the environment variable `seconds` is set, returns
-/// only one seed, `PROPTEST_RNG_SEED` or the clock, for that many seconds.
-pub(crate) fn plays(seconds: &str, usual: Duration) -> Vec<(u64, Duration)> {
+/// Returns the seed of `PROPTEST_RNG_SEED`, or of the clock, and for how long to draw cases with it: `usual`, or as
+/// many seconds as the environment variable `seconds` says.
+pub(crate) fn play(seconds: &str, usual: Duration) -> (u64, Duration) {
     let number = |name: &str| std::env::var(name).ok().and_then(|given| given.parse().ok());
-    let fresh = number("PROPTEST_RNG_SEED");
-    if let Some(seconds) = number(seconds) {
-        let clock = || SystemTime::now().duration_since(UNIX_EPOCH).unwrap().as_nanos() as u64;
-        return vec![(fresh.unwrap_or_else(clock), Duration::from_secs(seconds))];
-    }
-    [Some(20), fresh].into_iter().flatten().map(|seed| (seed, usual)).collect()
+    let clock = || SystemTime::now().duration_since(UNIX_EPOCH).unwrap().as_nanos() as u64;
+    let seed = number("PROPTEST_RNG_SEED").unwrap_or_else(clock);
+    (seed, number(seconds).map_or(usual, Duration::from_secs))
 }
 
 /// Texts that are inserted where they do not belong.
