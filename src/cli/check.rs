@@ -6,7 +6,7 @@ use std::path::Path;
 
 use pinhole_core::{ImageSize, Scene};
 use pinhole_exchange::images::png;
-use pinhole_exchange::{Document, FileError, answers, atomic, limits};
+use pinhole_exchange::{Document, FileError, answers, atomic};
 use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Worst, grade};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -102,7 +102,7 @@ pub(super) struct Task<'a> {
     scene_path: &'a Path,
     document: Document,
     scene: Scene,
-    image: ImageSize,
+    pub(super) image: ImageSize,
 }
 
 impl<'a> Task<'a> {
@@ -116,7 +116,7 @@ impl<'a> Task<'a> {
     /// Grades the answers in a file.
     pub(super) fn grade(&self, answers_path: &Path) -> Result<Graded, CommandError> {
         let (arguments, document, image) = (self.arguments, &self.document, self.image);
-        let (path, bytes) = read(answers_path, limits::TABLE)?;
+        let (path, bytes) = read(answers_path, answers::largest(image))?;
         if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
             && asked != kind.name()
         {

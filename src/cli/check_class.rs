@@ -1,12 +1,12 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
 use std::collections::BTreeSet;
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::{fs, io, iter};
 
-use pinhole_exchange::{FileError, legible, limits};
+use pinhole_exchange::{FileError, answers, legible, legible_name, limits};
 use pinhole_lecture::Mistake;
 use pinhole_lecture::grading::Graded;
 use pinhole_lecture::numbers::grouped;
@@ -61,12 +61,18 @@ pub(super) fn of_folder(
         return Err(FileError::of_file(folder, problem).into());
     }
     let progress = Progress::new("file", files.len());
-    let graded = files.par_iter().map(|path| {
-        let student = Student::new(path, task);
+    let grade = |path: &PathBuf| {
+        let student = Student::new(folder, path, task);
         progress.add(1);
         student
-    });
-    let mut students: Vec<Student> = graded.collect();
+    };
+    // As many as there is memory for, even if each file takes as much as a file can.
+    let (mut at_once, most) = (files.len(), answers::most_memory(task.image));
+    while at_once > 1 && limits::memory("the files", most * at_once as u64).is_err() {
+        at_once /= 2;
+    }
+    let graded = files.chunks(at_once).map(|some| some.par_iter().map(grade).collect::<Vec<_>>());
+    let mut students: Vec<Student> = graded.flatten().collect();
     drop(progress);
     name_apart(&mut students);
     let mistakes = students.iter().flat_map(|student| &student.made).copied().collect();
@@ -74,8 +80,8 @@ pub(super) fn of_folder(
     let tally = Tally::new(outcomes, &mistakes, |one| one.advice());
     let is_open = |student: &Student| [BROKEN, NOT_JUDGED].contains(&student.verdict);
     let status = if students.iter().all(is_open) {
-        let problem = format!("{}: none of its files can be graded", folder.display());
-        Err(CommandError::Unreadable(problem))
+        let problem = FileError::of_file(folder, "none of its files can be graded");
+        Err(CommandError::Unreadable(problem.to_string()))
     } else {
         status(students.iter().all(|student| student.verdict == RIGHT))
     };
@@ -85,9 +91,11 @@ pub(super) fn of_folder(
         csv(&students)
     } else {
         let plural = if students.len() == 1 { "file" } else { "files" };
-        let title = format!("{}: {} {plural}", folder.display(), students.len());
-        let rows: Vec<[String; 4]> = students.iter().map(Student::cells).collect();
-        columns(&rows).join("\n") + "\n\n" + &table(&legible(&title), students.len(), &tally)
+        let title = format!("{}: {} {plural}", legible_name(folder), students.len());
+        let names = short_names(&students);
+        let rows: Vec<_> =
+            names.into_iter().zip(&students).map(|(name, own)| own.cells(name)).collect();
+        columns(&rows).join("\n") + "\n\n" + &table(&title, students.len(), &tally)
     };
     Ok((text, status))
 }
@@ -104,8 +112,13 @@ fn entries(folder: &Path) -> Result<(Vec<String>, Vec<PathBuf>), FileError> {
     names.sort_by_key(|name| (stem(name), name.clone()));
     let (mut skipped, mut files) = (Vec::new(), Vec::new());
     for name in names {
-        let (text, path) = (name.to_string_lossy().into_owned(), folder.join(&name));
-        if text.starts_with('.') || path.is_dir() { skipped.push(text) } else { files.push(path) }
+        let path = folder.join(&name);
+        let is_hidden = name.as_encoded_bytes().starts_with(b".");
+        if is_hidden || path.is_dir() {
+            skipped.push(legible_name(name));
+        } else {
+            files.push(path);
+        }
     }
     Ok((skipped, files))
 }
@@ -116,6 +129,41 @@ fn name_apart(students: &mut [Student]) {
     if names.len() < students.len() {
         students.iter_mut().for_each(|student| student.name.clone_from(&student.file));
     }
+}
+
+/// Returns an error for a link to a file outside of the folder: what is there is not for the reader of grades.
+fn refuse_link_out_of(folder: &Path, path: &Path) -> Result<(), FileError> {
+    let unreadable = |error| FileError::unreadable(path, &error);
+    let target = path.canonicalize().map_err(unreadable)?;
+    if target.starts_with(folder.canonicalize().map_err(unreadable)?) {
+        return Ok(());
+    }
+    let target = legible_name(target);
+    let problem = format!("it is a link out of the folder, to {target}, which is not followed");
+    Err(FileError::of_file(path, problem))
+}
+
+/// Maximum length of a name in the table, in characters.
+const LONGEST_NAME: usize = 40;
+
+/// Returns the students' names, with the middle of long ones left out. Names that would then be alike are
+/// numbered.
+fn short_names(students: &[Student]) -> Vec<String> {
+    let names = students.iter().map(|student| &student.name);
+    let is_short = |name: &&String| name.chars().count() <= LONGEST_NAME;
+    let mut used: BTreeSet<String> = names.clone().filter(is_short).cloned().collect();
+    let short = |name: &String| {
+        if is_short(&name) {
+            return name.clone();
+        }
+        let chars: Vec<char> = name.chars().collect();
+        let (start, end) = (LONGEST_NAME / 2, chars.len() + 1 - LONGEST_NAME / 2);
+        let [start, end] = [&chars[..start], &chars[end..]].map(String::from_iter);
+        let gaps = iter::once("…".to_owned()).chain((2..).map(|number| format!("…{number}…")));
+        let mut shortened = gaps.map(|gap| format!("{start}{gap}{end}"));
+        shortened.find(|name| used.insert(name.clone())).unwrap_or_default()
+    };
+    names.map(short).collect()
 }
 
 /// The JSON output for a folder.
@@ -133,7 +181,8 @@ const BROKEN: &str = "broken";
 /// A student's file, and what was found in it.
 #[derive(Serialize)]
 struct Student {
-    /// The file's name, without its ending if such names are all different.
+    /// The file's name, without its ending if such names are all different; as `file`, in the form of
+    /// [`legible_name`].
     name: String,
     file: String,
     /// [`RIGHT`], `wrong`, [`INCOMPLETE`], [`NOT_JUDGED`] or [`BROKEN`].
@@ -153,11 +202,12 @@ struct Student {
 }
 
 impl Student {
-    /// Grades a file.
-    fn new(path: &Path, task: &Task) -> Student {
-        let text = |part: Option<&OsStr>| part.unwrap_or_default().to_string_lossy().into_owned();
-        let (name, file) = (text(path.file_stem()), text(path.file_name()));
-        let graded = task.grade(path);
+    /// Grades a file in the folder.
+    fn new(folder: &Path, path: &Path, task: &Task) -> Student {
+        let [name, file] =
+            [path.file_stem(), path.file_name()].map(|name| legible_name(name.unwrap_or_default()));
+        let is_inside = refuse_link_out_of(folder, path).map_err(CommandError::from);
+        let graded = is_inside.and_then(|()| task.grade(path));
         let mut made = BTreeSet::new();
         let outcomes = match &graded {
             Ok(graded) => outcomes_of_grade(&graded.grade, &mut made),
@@ -176,11 +226,11 @@ impl Student {
         Student { name, file, verdict, check, problem, agreement, outcomes, made }
     }
 
-    /// Returns the cells of the student's line.
-    fn cells(&self) -> [String; 4] {
+    /// Returns the cells of the student's line, which begins with this name.
+    fn cells(&self, name: String) -> [String; 4] {
         let found = self.outcomes.iter().map(String::as_str).filter(|one| *one != self.verdict);
         let found: Vec<&str> = found.chain(self.problem.as_deref()).collect();
-        let [name, found] = [&self.name, &found.join(", ")].map(|text| legible(text));
+        let found = legible(&found.join(", "));
         [name, self.verdict.to_owned(), self.agreement.clone(), found]
     }
 }
@@ -190,21 +240,30 @@ fn csv(students: &[Student]) -> String {
     const COLUMNS: &str = "name,file,verdict,kind,answers,agree,not_judged,mistakes,advice,problem";
     let cell = |value: &Value| match value {
         Value::Null => String::new(),
-        Value::String(text) => text.clone(),
+        Value::String(text) => text_cell(text),
         Value::Array(all) => all.iter().filter_map(Value::as_str).collect::<Vec<_>>().join(" "),
         other => other.to_string(),
     };
     let row = |student: &Student| {
         let fields = json!(student);
-        let cells = COLUMNS.split(',').map(|column| quoted(cell(&fields[column])));
+        let cells = COLUMNS.split(',').map(|column| cell(&fields[column]));
         cells.collect::<Vec<_>>().join(",") + "\n"
     };
     format!("{COLUMNS}\n") + &students.iter().map(row).collect::<String>()
 }
 
-/// Returns a cell of a CSV file, in quotes if it needs them.
-fn quoted(cell: String) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
+/// Returns a text as a cell of a CSV file. If a spreadsheet would take the text for a formula, also where semicolons
+/// separate cells, an apostrophe stands before it (OWASP, *CSV Injection*). Unlike texts stay unlike, since an
+/// apostrophe that stands there already gets another one.
+fn text_cell(text: &str) -> String {
+    const OF_FORMULA: [char; 11] =
+        ['=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
+    let guarded = |part: &str| {
+        let is_formula = part.trim_start_matches(['\'', '"', ' ']).starts_with(OF_FORMULA);
+        if is_formula { format!("'{part}") } else { part.to_owned() }
+    };
+    let cell = text.split(';').map(guarded).collect::<Vec<_>>().join(";");
+    if cell.contains([',', ';', '"', '\t', '\n', '\r']) {
         return format!("\"{}\"", cell.replace('"', "\"\""));
     }
     cell

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::builder::Styles;
-use pinhole_exchange::{FileError, legible, limits};
+use pinhole_exchange::{FileError, legible, legible_name, limits};
 use serde::Serialize;
 
 /// Returns true for `-`, which stands for standard input or output.
@@ -145,7 +145,7 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
 /// Returns the error for a scene whose camera or objects are invalid.
 pub(super) fn scene_fault(scene: &Path, error: impl fmt::Display) -> CommandError {
     let name = if is_standard(scene) { Path::new("standard input") } else { scene };
-    CommandError::Input(format!("{}: {error}", name.display()))
+    CommandError::Input(format!("{}: {error}", legible_name(name)))
 }
 
 /// Returns the error for a command that requires a feature that this build lacks.

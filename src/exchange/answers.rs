@@ -12,7 +12,7 @@
 
 use std::path::Path;
 
-use pinhole_core::{DVec3, ImageSize, Pixel};
+use pinhole_core::{BACKGROUND, DVec3, ImageSize, Pixel};
 use pinhole_lecture::grading::{
     AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
 };
@@ -20,7 +20,7 @@ use pinhole_lecture::grading::{
 use crate::csv::{CsvTable, NO_DIRECTION, other_separator};
 use crate::error::is_hidden;
 use crate::images::png;
-use crate::{FileError, Location};
+use crate::{FileError, Location, limits};
 
 const BASIS: &[&str] = &["ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"];
 const RAYS: &[&str] = &["row", "column", "ox", "oy", "oz", "dx", "dy", "dz"];
@@ -61,6 +61,30 @@ pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     }
 }
 
+/// Returns the maximum size in bytes of a file of answers about an image of this size. The longest row of answers
+/// has some 200 bytes; beside the pixels of a picture stands what programs add to it.
+pub fn largest(image: ImageSize) -> u64 {
+    (512 * image.pixel_count() + (16 << 20)).min(limits::TABLE)
+}
+
+/// Bytes of memory that an answer in a table takes until it is graded: a fifth more than was measured.
+const ANSWER: u64 = 480;
+
+/// Returns how much memory in bytes it takes at most to grade a file of answers about an image of this size.
+pub fn most_memory(image: ImageSize) -> u64 {
+    largest(image) + ANSWER * image.pixel_count()
+}
+
+/// Returns how much memory in bytes it takes to grade these answers.
+fn memory(kind: AnswerKind, bytes: &[u8], image: ImageSize) -> u64 {
+    let pixels = image.pixel_count();
+    if kind == AnswerKind::Picture {
+        return 80 * pixels;
+    }
+    let lines = bytes.iter().filter(|byte| matches!(byte, b'\r' | b'\n')).count();
+    pixels / 8 + ANSWER * pixels.min(lines.min(limits::ROWS) as u64)
+}
+
 /// Returns true if a file that is dropped on the window should be treated as answers: it contains
 /// answers, or is a table of something other than spheres.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
@@ -73,7 +97,8 @@ pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
 fn header(bytes: &[u8]) -> Vec<String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let line = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).find(|line| !line.is_empty());
-    let line = String::from_utf8_lossy(line.unwrap_or_default());
+    let line = line.unwrap_or_default();
+    let line = String::from_utf8_lossy(&line[..line.len().min(limits::ROW)]);
     let name = |name: &str| name.trim().trim_matches('"').trim().to_ascii_lowercase();
     line.split(',').map(name).collect()
 }
@@ -84,16 +109,21 @@ fn header(bytes: &[u8]) -> Vec<String> {
 ///
 /// # Errors
 /// Returns an error for the first invalid row, with line, column and value, or if the file contains no
-/// answers.
+/// answers, or more than there is memory to grade.
 pub fn parse(
     path: &Path,
     bytes: &[u8],
     image: ImageSize,
     count_from: u32,
 ) -> Result<Answers, FileError> {
-    let answers = match kind_of(bytes) {
+    let kind = kind_of(bytes);
+    let memory = kind.map_or(0, |kind| memory(kind, bytes, image));
+    limits::memory("grading it", memory).map_err(|problem| FileError::of_file(path, problem))?;
+    let answers = match kind {
         None => return Err(no_answers(path, bytes)),
-        Some(AnswerKind::Picture) => return picture(path, bytes, image),
+        Some(AnswerKind::Picture) => {
+            return png::decode(path, bytes, image, BACKGROUND).map(Answers::Picture);
+        }
         Some(AnswerKind::Basis) => return basis(path, bytes),
         Some(AnswerKind::Rays) => rays(path, bytes, AnsweredPixels::new(image, count_from))?,
         Some(AnswerKind::Hits) => hits(path, bytes, AnsweredPixels::new(image, count_from))?,
@@ -124,20 +154,6 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         RAYS.join(",")
     );
     FileError::at(path, Location::START, problem)
-}
-
-fn picture(path: &Path, bytes: &[u8], image: ImageSize) -> Result<Answers, FileError> {
-    let picture = png::decode(path, bytes)?;
-    let (width, height) = (image.width(), image.height());
-    if picture.size != [width, height] {
-        let [columns, rows] = picture.size;
-        let problem = format!(
-            "the picture has {columns} x {rows} pixels: it must have {width} x {height}, as the \
-             scene's image has"
-        );
-        return Err(FileError::of_file(path, problem));
-    }
-    Ok(Answers::Picture(picture.over(pinhole_core::BACKGROUND)))
 }
 
 fn basis(path: &Path, bytes: &[u8]) -> Result<Answers, FileError> {

@@ -1,6 +1,8 @@
 //! File errors, and suggestions for mistyped names.
 
-use std::path::Path;
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::path::{Path, is_separator};
 use std::{fmt, io};
 
 use strsim::osa_distance;
@@ -11,7 +13,7 @@ use strsim::osa_distance;
 /// and column, then the field, its value, and the rule for valid values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileError {
-    /// The file, as the user gave it.
+    /// The file, as the user gave it, in the form of [`legible_name`].
     pub file: String,
     /// Location in the file; `None` if the error is about the whole file.
     pub location: Option<Location>,
@@ -49,7 +51,7 @@ impl FileError {
     /// shortened (see [`legible()`]).
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         let problem = legible(&problem.into());
-        FileError { file: path.display().to_string(), location: None, problem }
+        FileError { file: legible_name(path), location: None, problem }
     }
 
     /// Creates an error about a location in the file.
@@ -127,7 +129,19 @@ pub fn is_hidden(c: char) -> bool {
     c.is_control() || is_of_direction || ends_a_line || is_none
 }
 
-/// Returns the message with hidden characters escaped, as in `\u{202e}`. If it has more than 1000
+/// Returns true for a character without a mark of its own, such as a byte order mark: those that Unicode lists
+/// as `Default_Ignorable_Code_Point`, and the blank of Braille.
+fn is_empty(c: char) -> bool {
+    matches!(
+        c,
+        '\u{ad}' | '\u{34f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'
+            | '\u{200b}'..='\u{200d}' | '\u{2060}'..='\u{206f}' | '\u{2800}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}'
+            | '\u{feff}' | '\u{ffa0}' | '\u{fff0}'..='\u{fff8}' | '\u{1bca0}'..='\u{1bca3}'
+            | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}'
+    )
+}
+
+/// Returns the message with characters escaped that cannot be seen, as in `\u{202e}`. If it has more than 1000
 /// characters, its middle is omitted, because the beginning names the field and the end gives the
 /// remedy.
 pub fn legible(message: &str) -> String {
@@ -135,7 +149,7 @@ pub fn legible(message: &str) -> String {
     const GAP: &str = " ... ";
     let mut shown = String::with_capacity(message.len());
     for c in message.chars() {
-        if is_hidden(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+        if is_hidden(c) || is_empty(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
     }
     let count = shown.chars().count();
     if count <= LONGEST {
@@ -144,6 +158,25 @@ pub fn legible(message: &str) -> String {
     let end = (LONGEST - GAP.len()) / 2;
     let begin = shown.chars().take(end).collect::<String>();
     begin + GAP + &shown.chars().skip(count - end).collect::<String>()
+}
+
+/// Returns the name or path of a file so that all of it is seen: other characters than letters, signs and plain
+/// spaces are escaped, as in `\u{202e}`, and bytes that are not UTF-8, as in `\xff`. Two unlike names stay unlike,
+/// since a backslash in a name becomes two.
+pub fn legible_name(name: impl AsRef<OsStr>) -> String {
+    let mut shown = String::new();
+    for chunk in name.as_ref().as_encoded_bytes().utf8_chunks() {
+        // Quotation marks are seen as they are.
+        let escaped = chunk.valid().escape_debug().to_string();
+        for c in escaped.replace(r"\'", "'").replace(r#"\""#, "\"").chars() {
+            if is_empty(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+        }
+        for byte in chunk.invalid() {
+            let _ = write!(shown, r"\x{byte:02x}");
+        }
+    }
+    // Where a backslash separates folders, no name has one.
+    if is_separator('\\') { shown.replace(r"\\", r"\") } else { shown }
 }
 
 /// Returns the `known` names of which `word` may be a misspelling, the nearest first.

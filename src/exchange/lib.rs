@@ -42,7 +42,7 @@ pub mod seal;
 mod template;
 
 pub use document::Document;
-pub use error::{FileError, Location, is_hidden, legible};
+pub use error::{FileError, Location, is_hidden, legible, legible_name};
 pub use format::{Conventions, ExportScene, Exported, Format};
 pub use scenes::{BuiltinScene, SceneSource};
 

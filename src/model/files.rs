@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
 use pinhole_exchange::host::{Stamp, host};
-use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
+use pinhole_exchange::{Document, FileError, SceneSource, legible_name, limits, scene_file};
 
 /// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
@@ -27,10 +27,9 @@ pub fn title_of(origin: &Origin) -> String {
     match origin {
         Origin::Step(title) => title.clone(),
         Origin::Scene(SceneSource::Builtin(scene)) => scene.name.to_owned(),
-        Origin::Scene(SceneSource::File(path)) => match path.file_name() {
-            Some(name) => name.to_string_lossy().into_owned(),
-            None => path.display().to_string(),
-        },
+        Origin::Scene(SceneSource::File(path)) => {
+            legible_name(path.file_name().unwrap_or(path.as_os_str()))
+        }
     }
 }
 

@@ -291,6 +291,7 @@ fn a_picture_is_graded_in_its_own_shading() {
         2,
         "in.png: the picture has 80 x 60 pixels: it must have 40 x 30, as the scene's image has",
     );
+    run_in(folder.path(), &["render", "s.toml", "-o", "in.png"]).done();
     let picture = fs::read(folder.path().join("in.png")).unwrap();
     let mut damaged = picture.clone();
     damaged[60..80].fill(0xff);

@@ -1,5 +1,6 @@
 //! Reads and writes pictures as PNG.
 
+use std::array;
 use std::cell::RefCell;
 use std::io::{self, Cursor, Write};
 use std::path::Path;
@@ -79,68 +80,65 @@ impl<W: Write> Write for KeepsError<'_, W> {
     }
 }
 
-/// A decoded picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Decoded {
-    /// Columns and rows.
-    pub size: [u32; 2],
-    /// The pixels, row by row from the top, with opacity. Colours are not premultiplied.
-    pub pixels: Vec<[u8; 4]>,
-}
-
-impl Decoded {
-    /// Returns the colours of the picture when it is drawn over an opaque background.
-    pub fn over(&self, background: Rgb) -> Vec<Rgb> {
-        let mix = |front: u8, back: u8, alpha: u8| {
-            let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
-            ((front * alpha + back * (255 - alpha) + 127) / 255) as u8
-        };
-        let over = |[r, g, b, alpha]: &[u8; 4]| {
-            let [back_r, back_g, back_b] = background;
-            [mix(*r, back_r, *alpha), mix(*g, back_g, *alpha), mix(*b, back_b, *alpha)]
-        };
-        self.pixels.iter().map(over).collect()
-    }
-}
-
 /// Returns true if the bytes begin with the signature of PNG.
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }
 
-/// Decodes any kind of PNG to eight bits per channel. `path` is used in messages. Colours are assumed
-/// to be sRGB.
+/// Decodes any kind of PNG to the colours that it has over an opaque background, row by row from the top. Its
+/// colours are assumed to be sRGB. `path` is used in messages.
 ///
 /// # Errors
-/// Returns an error if the bytes are not a PNG or are damaged, or if the picture is larger than the
-/// maximum image size.
-pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
-    let at_fault = |error: &dyn std::fmt::Display| {
-        FileError::of_file(path, format!("cannot be read as PNG: {error}"))
-    };
-    let damaged = |error: &DecodingError| match error {
-        DecodingError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
-            at_fault(&"the picture ends too early: is all of the file there?")
-        }
-        DecodingError::Format(_) => at_fault(&"the picture is damaged: it must be written again"),
-        error => at_fault(error),
+/// Returns an error if the bytes are not a PNG or are damaged, or if the picture's size is not that of `image`.
+pub(crate) fn decode(
+    path: &Path,
+    bytes: &[u8],
+    image: ImageSize,
+    background: Rgb,
+) -> Result<Vec<Rgb>, FileError> {
+    let damaged = |error: DecodingError| {
+        let problem = match &error {
+            DecodingError::IoError(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+                "the picture ends too early: is all of the file there?".to_owned()
+            }
+            DecodingError::Format(_) => "the picture is damaged: it must be written again".into(),
+            error => error.to_string(),
+        };
+        FileError::of_file(path, format!("cannot be read as PNG: {problem}"))
     };
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
-    let mut reader = decoder.read_info().map_err(|error| damaged(&error))?;
-    let size = [reader.info().width, reader.info().height];
-    ImageSize::new(size[0], size[1]).map_err(|error| at_fault(&error))?;
-    let length = reader.output_buffer_size().ok_or_else(|| at_fault(&"it is too large"))?;
-    let mut buffer = vec![0; length];
-    let info = reader.next_frame(&mut buffer).map_err(|error| damaged(&error))?;
+    // What is not used could take much more memory than the file.
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
+    let header = decoder.read_header_info().map_err(damaged)?;
+    let ([columns, rows], [width, height]) =
+        ([header.width, header.height], [image.width(), image.height()]);
+    if [columns, rows] != [width, height] {
+        let problem = format!(
+            "the picture has {columns} x {rows} pixels: it must have {width} x {height}, as the \
+             scene's image has"
+        );
+        return Err(FileError::of_file(path, problem));
+    }
+    let mut reader = decoder.read_info().map_err(damaged)?;
+    let mut buffer = vec![0; reader.output_buffer_size().unwrap_or_default()];
+    let info = reader.next_frame(&mut buffer).map_err(damaged)?;
     let bytes = &buffer[..info.buffer_size()];
-    let pixels = match info.color_type {
-        ColorType::Rgba => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect(),
-        ColorType::Rgb => bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect(),
-        ColorType::GrayscaleAlpha => {
-            bytes.chunks_exact(2).map(|p| [p[0], p[0], p[0], p[1]]).collect()
+    // The transformations leave no other kinds.
+    Ok(match info.color_type {
+        ColorType::Rgba => {
+            bytes.chunks_exact(4).map(|p| over([p[0], p[1], p[2]], p[3], background)).collect()
         }
-        _ => bytes.iter().map(|grey| [*grey, *grey, *grey, 255]).collect(),
+        _ => bytes.chunks_exact(2).map(|p| over([p[0]; 3], p[1], background)).collect(),
+    })
+}
+
+/// Returns a colour with this opacity over an opaque background. It is not premultiplied.
+fn over(front: Rgb, alpha: u8, back: Rgb) -> Rgb {
+    let mix = |front: u8, back: u8| {
+        let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
+        ((front * alpha + back * (255 - alpha) + 127) / 255) as u8
     };
-    Ok(Decoded { size, pixels })
+    array::from_fn(|k| mix(front[k], back[k]))
 }

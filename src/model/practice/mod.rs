@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_core::{Camera, ResolvedCamera, Scene};
+use pinhole_exchange::legible_name;
 use pinhole_lecture::{AnswerKind, Mistake, Vote};
 use vote::OpenVote;
 
@@ -125,8 +126,7 @@ pub struct StudentAnswers {
 impl StudentAnswers {
     /// Returns the file's name.
     pub fn name(&self) -> String {
-        let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());
-        name.to_string_lossy().into_owned()
+        legible_name(self.file.path.file_name().unwrap_or(self.file.path.as_os_str()))
     }
 
     /// Returns true if the answers contain row and column numbers; those for a basis or a picture do not.

@@ -8,7 +8,9 @@ use std::sync::Arc;
 use egui::{ColorImage, Context, Event, Ui};
 use pinhole_exchange::host::host;
 use pinhole_exchange::programs::is_gltf;
-use pinhole_exchange::{Document, ExportScene, Exported, SceneSource, answers, limits, link};
+use pinhole_exchange::{
+    Document, ExportScene, Exported, SceneSource, answers, legible_name, limits, link,
+};
 
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
@@ -184,7 +186,7 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     if size > MOST_BYTES {
         let problem = format!(
             "{} has {} MB, and the window would stop responding: grade it with pinhole check",
-            path.display(),
+            legible_name(path),
             size / 1_000_000
         );
         return Err(Question::message("Too many answers", problem));

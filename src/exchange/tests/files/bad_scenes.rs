@@ -356,6 +356,49 @@ fn a_long_value_makes_no_long_message_and_what_is_hidden_is_escaped() {
     assert_eq!(message, expected);
 }
 
+/// Each of these names is another one, of bytes that make or look like escapes and signs.
+#[cfg(unix)]
+#[test]
+fn unlike_names_are_shown_unlike_and_nothing_in_them_is_hidden() {
+    use std::collections::BTreeMap;
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt as _;
+
+    let parts: [&[u8]; 15] = [
+        b"a",
+        b"\\",
+        b"u{202e}",
+        "\u{202e}".as_bytes(),
+        b"xe2",
+        b"\xe2",
+        b"\x80",
+        b"\xae",
+        b"'",
+        b"\"",
+        b"n",
+        b"\n",
+        "\u{301}".as_bytes(),
+        "\u{200d}".as_bytes(),
+        "\u{3164}".as_bytes(),
+    ];
+    let mut shown = BTreeMap::new();
+    let mut names = vec![Vec::new()];
+    for _ in 0..4 {
+        for name in &names {
+            let legible = pinhole_exchange::legible_name(OsStr::from_bytes(name));
+            assert!(
+                !legible.contains(['\n', '\u{202e}', '\u{200d}', '\u{3164}', '\u{fffd}']),
+                "{legible:?}"
+            );
+            let other = shown.insert(legible.clone(), name.clone());
+            assert!(other.is_none_or(|other| other == *name), "{legible}");
+        }
+        names = names.iter().flat_map(|name| parts.map(|part| [name, part].concat())).collect();
+    }
+    let plain = "O'Brien, \"Zo\u{eb}\" \u{5c71}-1.csv";
+    assert_eq!(pinhole_exchange::legible_name(plain), plain);
+}
+
 #[test]
 fn cameras() {
     check(CAMERA_START, CAMERAS);

@@ -12,7 +12,7 @@ use pinhole_exchange::{FileError, answers, scene_file, scenes};
 
 use crate::common::mutants::{Reader, fuzz};
 
-const READERS: [Reader; 6] = [
+const READERS: [Reader; 5] = [
     ("scene", |bytes| with_text(bytes, scene)),
     ("importers", |bytes| with_text(bytes, every_importer)),
     ("spheres", |bytes| told(spheres(Path::new("in"), bytes).err())),
@@ -21,7 +21,6 @@ const READERS: [Reader; 6] = [
         let image = ImageSize::new(40, 30).unwrap();
         told(answers::parse(Path::new("in"), bytes, image, 0).err())
     }),
-    ("png", |bytes| told(png::decode(Path::new("in"), bytes).err())),
 ];
 
 fn told(errors: impl IntoIterator<Item = FileError>) -> Vec<String> {

@@ -1,5 +1,9 @@
-//! Tests of written PNG and GIF files: what an image viewer reads from them.
+//! Tests of PNG and GIF files: what an image viewer reads from written ones, and which are refused.
 
+use std::path::Path;
+
+use pinhole_core::ImageSize;
+use pinhole_exchange::answers;
 use pinhole_exchange::images::gif;
 use pinhole_exchange::images::png;
 
@@ -68,4 +72,19 @@ fn a_gif_that_cannot_be_is_refused() {
     }
     let mut animation = gif::Animated::new(Vec::new(), [2, 2], 10, true).unwrap();
     assert!(animation.push(&[[0; 4]; 3]).is_err());
+}
+
+/// Nothing follows the heads of these pictures.
+#[test]
+fn a_picture_of_another_size_is_refused_by_its_head() {
+    let mut picture = Vec::new();
+    png::encode(&mut picture, [16_384, 1], &[[0; 4]; 16_384], true).unwrap();
+    let image = ImageSize::new(40, 30).unwrap();
+    let refused =
+        |bytes: &[u8]| answers::parse(Path::new("in"), bytes, image, 0).unwrap_err().to_string();
+    let told =
+        "in: the picture has 16384 x 1 pixels: it must have 40 x 30, as the scene's image has";
+    assert_eq!(refused(&picture[..33]), told);
+    let told = "in: cannot be read as PNG: the picture ends too early: is all of the file there?";
+    assert_eq!(refused(&picture[..30]), told);
 }
