@@ -161,8 +161,8 @@ pub fn legible(message: &str) -> String {
 }
 
 /// Returns the name or path of a file so that all of it is seen: other characters than letters, signs and plain
-/// spaces are escaped, as in `\u{202e}`, and bytes that are not UTF-8, as in `\xff`. Two unlike names stay unlike,
-/// since a backslash in a name becomes two.
+/// spaces between them are escaped, as in `\u{202e}`, and bytes that are not UTF-8, as in `\xff`. Two unlike names
+/// stay unlike, since a backslash in a name becomes two.
 pub fn legible_name(name: impl AsRef<OsStr>) -> String {
     let mut shown = String::new();
     for chunk in name.as_ref().as_encoded_bytes().utf8_chunks() {
@@ -174,6 +174,12 @@ pub fn legible_name(name: impl AsRef<OsStr>) -> String {
         for byte in chunk.invalid() {
             let _ = write!(shown, r"\x{byte:02x}");
         }
+    }
+    // Nobody sees a space where nothing stands beside it.
+    let inside = shown.trim_matches(' ');
+    let spaces = |part: &str| r"\u{20}".repeat(part.len());
+    if let Some((before, after)) = shown.split_once(inside) {
+        shown = spaces(before) + inside + &spaces(after);
     }
     // Where a backslash separates folders, no name has one.
     if is_separator('\\') { shown.replace(r"\\", r"\") } else { shown }

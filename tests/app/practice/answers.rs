@@ -10,6 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
+use pinhole_exchange::images::png;
 
 use crate::app::files::scene_files::drop_file;
 use crate::harness::{assert_says, click_at, export_to, says, show, texts_with, type_into, window};
@@ -201,6 +202,21 @@ fn answers_are_opened_from_the_menu_and_faults_are_told() {
     assert_eq!(window.state().document().camera.eye.z, 9.0);
     drop_file(&mut window, &write(folder.path(), "balls.csv", "x,y,z,r\n0,0,0,1\n"));
     assert_says(&window, "This scene cannot be opened");
+}
+
+/// Nothing follows the head of this picture; its name is written backwards behind a mark that nobody sees.
+#[test]
+fn a_picture_is_refused_by_the_size_in_its_head_and_all_of_its_name_is_seen() {
+    let (folder, mut window) = alone();
+    let mut picture = Vec::new();
+    png::encode(&mut picture, [16_384, 1], &[[0; 4]; 16_384], false).unwrap();
+    let path = folder.path().join("mine\u{202e}gnp.csv");
+    fs::write(&path, &picture[..33]).unwrap();
+    drop_file(&mut window, &path);
+    let told = "the picture has 16384 x 1 pixels: it must have 400 x 400, as the scene's image has";
+    let message = format!("{}/mine\\u{{202e}}gnp.csv: {told}", folder.path().display());
+    assert_eq!(map_says(&window), message);
+    assert_says(&window, "Answers: mine\\u{202e}gnp.csv");
 }
 
 /// Before an audience the map's key is needed most: whole, and inside the window.

@@ -223,6 +223,7 @@ const HOSTILE: &[&[u8]] = &[
     b"a;\"=1\"",
     b"a,=1",
     b"anna",
+    b"anna ",
     b"anna\xff",
     b"anna\xfe",
     b"anna\\xff",
@@ -310,6 +311,7 @@ fn no_name_is_a_formula_or_hides_a_part_and_unlike_ones_stay_unlike() {
         r"anna\xff",
         r"anna\\xff",
         r"anna\nbo",
+        r"anna\u{20}",
     ] {
         assert!(shown.contains(name), "{name} in {shown:?}");
     }

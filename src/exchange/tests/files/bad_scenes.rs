@@ -364,8 +364,9 @@ fn unlike_names_are_shown_unlike_and_nothing_in_them_is_hidden() {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt as _;
 
-    let parts: [&[u8]; 15] = [
+    let parts: [&[u8]; 16] = [
         b"a",
+        b" ",
         b"\\",
         b"u{202e}",
         "\u{202e}".as_bytes(),
@@ -390,6 +391,7 @@ fn unlike_names_are_shown_unlike_and_nothing_in_them_is_hidden() {
                 !legible.contains(['\n', '\u{202e}', '\u{200d}', '\u{3164}', '\u{fffd}']),
                 "{legible:?}"
             );
+            assert_eq!(legible.trim(), legible);
             let other = shown.insert(legible.clone(), name.clone());
             assert!(other.is_none_or(|other| other == *name), "{legible}");
         }
