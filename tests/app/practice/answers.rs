@@ -216,7 +216,7 @@ fn a_picture_is_refused_by_the_size_in_its_head_and_all_of_its_name_is_seen() {
     let told = "the picture has 16384 x 1 pixels: it must have 400 x 400, as the scene's image has";
     let message = format!("{}/mine\\u{{202e}}gnp.csv: {told}", folder.path().display());
     assert_eq!(map_says(&window), message);
-    assert_says(&window, "Answers: mine\\u{202e}gnp.csv");
+    assert_says(&window, "mine\\u{202e}gnp.csv");
 }
 
 /// Before an audience the map's key is needed most: whole, and inside the window.
