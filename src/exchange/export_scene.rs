@@ -2,7 +2,7 @@
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
-    DVec3, Object, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
+    Basis, Camera, DVec3, Object, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Scene,
 };
 
 use crate::document::Document;
@@ -80,8 +80,13 @@ impl<'a> ExportScene<'a> {
     /// way.
     pub(crate) fn look_at(&self) -> Result<[DVec3; 2], String> {
         let camera = self.document.camera.given_by(OrientationKind::At);
-        match camera.map(|camera| camera.orientation) {
-            Ok(Orientation::At { at, up }) => Ok([at, up]),
+        let Basis { u, v, .. } = *self.resolved.basis();
+        let keeps_u = |camera: &Camera| {
+            camera.resolve().is_ok_and(|other| (other.basis().u - u).abs().max_element() < 1e-12)
+        };
+        match camera.map(|camera| (camera.orientation, keeps_u(&camera))) {
+            // Where up is nearly parallel to the view, the rounding of at would roll the camera.
+            Ok((Orientation::At { at, up }, keeps_u)) => Ok([at, if keeps_u { up } else { v }]),
             _ => Err(
                 "eye is so far out that no point ahead of it keeps the direction: move the scene \
                       nearer to the origin"

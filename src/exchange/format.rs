@@ -209,8 +209,8 @@ impl Conventions {
     /// Returns the number or numbers that specify the camera's field of view in this format.
     pub fn field_of_view(&self, subject: &ExportScene) -> String {
         let value = |name: &str| template::scene_value(subject, name);
-        let field = template::filled(self.field, value).unwrap_or_default();
-        field.replace(BEYOND, "beyond f64")
+        template::filled(self.field, value)
+            .unwrap_or_else(|_| "none that can be written".to_owned())
     }
 }
 
@@ -221,10 +221,11 @@ fn square_pixels(subject: &ExportScene, program: &str) -> Result<(), String> {
         return Ok(());
     }
     let (viewport, image) = (subject.resolve().viewport(), subject.resolve().image());
+    let digits = n(format!("{shape:.6e}").parse().unwrap_or(shape));
     Err(format!(
         "pixels are {} times as wide as high, and {program} has square ones only: make the \
          viewport's width / height, {} / {}, the image's {} / {}",
-        n((shape * 1e6).round() / 1e6),
+        digits.replace(BEYOND, "infinitely many"),
         n(viewport.width),
         n(viewport.height),
         image.width(),

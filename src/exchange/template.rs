@@ -13,7 +13,9 @@
 use std::ops::Range;
 
 use pinhole_core::arithmetic::unit;
-use pinhole_core::{BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Viewport};
+use pinhole_core::{
+    BACKGROUND, Basis, DVec3, Intrinsics, Object, Rgb, Sphere, Viewport, fov_of_extent,
+};
 
 use crate::error::is_hidden;
 use crate::export_scene::{ExportObject, ExportScene};
@@ -183,6 +185,13 @@ pub(crate) fn filled(
     Ok(text + rest)
 }
 
+/// The largest quotient of a side of the viewport and its distance whose angle tells it to ten digits: towards
+/// 180 degrees, the side changes more and more.
+const WIDEST: f64 = 1e6;
+
+/// The largest quotient of two of the viewport's measures in a template.
+const LARGEST: f64 = 1e300;
+
 /// Returns the value with this name in templates that a scene's camera determines; `None` if no such
 /// value has this name.
 pub(crate) fn scene_value(
@@ -193,8 +202,21 @@ pub(crate) fn scene_value(
     let Basis { u, v, w } = *resolved.basis();
     let (eye, viewport, image) = (resolved.eye(), resolved.viewport(), resolved.image());
     let Viewport { width, height, distance } = *viewport;
-    let (across, upwards) = (viewport.horizontal_fov(), viewport.vertical_fov());
-    let intrinsics = || Intrinsics::from_viewport(viewport, image);
+    let [w_of, h_of, d_of] = [("width", width), ("height", height), ("distance", distance)];
+    let quotient = |(first, a): (&str, f64), (second, b): (&str, f64), most: f64| match a / b {
+        held if (1e-300..=most).contains(&held) => Ok(held),
+        _ => Err(format!(
+            "the viewport's {first} / {second} is {} / {}: it must be between 1e-300 and {most:e}, or the numbers \
+             of this format do not tell it",
+            n(a),
+            n(b)
+        )),
+    };
+    let angle = |side| quotient(side, d_of, WIDEST).map(|_| fov_of_extent(side.1, distance));
+    let (across, upwards) = (|| angle(w_of), || angle(h_of));
+    let focal = |side| quotient(d_of, side, LARGEST);
+    let intrinsics =
+        || focal(w_of).and(focal(h_of)).map(|_| Intrinsics::from_viewport(viewport, image));
     let from_eye = || resolved.basis().to_camera_from_world(eye);
     let row = |k: usize| TemplateValue::Numbers([u, v, w, eye].map(|column| column[k]).to_vec());
     Ok(Some(match name {
@@ -203,8 +225,8 @@ pub(crate) fn scene_value(
         "width" => width.into(),
         "height" => height.into(),
         "distance" => distance.into(),
-        "aspect" => (width / height).into(),
-        "focal" => (distance / width).into(),
+        "aspect" => quotient(w_of, h_of, LARGEST)?.into(),
+        "focal" => focal(w_of)?.into(),
         "eye" => eye.into(),
         "at" => subject.look_at()?[0].into(),
         "up" => subject.look_at()?[1].into(),
@@ -223,15 +245,15 @@ pub(crate) fn scene_value(
         "row_z" => row(2),
         "near" => subject.clip().0.into(),
         "far" => subject.clip().1.into(),
-        "vertical_radians" => upwards.into(),
-        "vertical_degrees" => upwards.to_degrees().into(),
-        "horizontal_radians" => across.into(),
-        "horizontal_degrees" => across.to_degrees().into(),
-        "shorter_degrees" => across.min(upwards).to_degrees().into(),
-        "fx" => intrinsics().fx.into(),
-        "fy" => intrinsics().fy.into(),
-        "cx" => (intrinsics().cx - 0.5).into(),
-        "cy" => (intrinsics().cy - 0.5).into(),
+        "vertical_radians" => upwards()?.into(),
+        "vertical_degrees" => upwards()?.to_degrees().into(),
+        "horizontal_radians" => across()?.into(),
+        "horizontal_degrees" => across()?.to_degrees().into(),
+        "shorter_degrees" => across()?.min(upwards()?).to_degrees().into(),
+        "fx" => intrinsics()?.fx.into(),
+        "fy" => intrinsics()?.fy.into(),
+        "cx" => (intrinsics()?.cx - 0.5).into(),
+        "cy" => (intrinsics()?.cy - 0.5).into(),
         "t_x" => (-from_eye().x).into(),
         "t_y" => from_eye().y.into(),
         "t_z" => from_eye().z.into(),

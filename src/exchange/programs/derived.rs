@@ -13,6 +13,12 @@ use crate::template::n;
 const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: the camera's every z is negated \
                         here, but the objects are not: negate their z, too, for the same picture";
 
+/// Formats a number with at most this many decimals.
+pub(super) fn rounded(x: f64, decimals: usize) -> String {
+    // A large number keeps its digits, and does not overflow.
+    n(format!("{x:.decimals$}").parse().unwrap_or(x))
+}
+
 /// Returns the affine map of a 4 x 4 matrix in column-major order. Returns `None` if there are not 16
 /// numbers, or if the last row is not 0 0 0 1.
 pub(super) fn affine(columns: &[f64]) -> Option<DAffine3> {
@@ -59,7 +65,7 @@ fn orientation(axes: [DVec3; 3], notes: &mut Vec<String>) -> Result<Orientation,
     if off > 0.02 {
         return Err(format!(
             "its axes are off a right angle by up to {}: it must be a rotation, without shear",
-            n((off * 1e4).round() / 1e4)
+            rounded(off, 4)
         ));
     }
     let basis = Basis::from_view_up(-w, v).map_err(|error| error.to_string())?;

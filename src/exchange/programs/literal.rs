@@ -5,13 +5,14 @@
 //! is either understood completely, so that each statement contributes to the camera, or rejected with
 //! the line of the error.
 
+use pinhole_core::arithmetic::length;
 use pinhole_core::glam::DAffine3;
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, Intrinsics, Orientation, Viewport, fov_of_extent, shortest,
+    Basis, Camera, DVec3, ImageSize, Intrinsics, Orientation, Viewport, fov_of_extent,
 };
 
 use super::derived::{
-    affine, image_of, right_handed, settled, shortest_where, size_note, viewport_of_angle,
+    affine, image_of, right_handed, rounded, settled, shortest_where, size_note, viewport_of_angle,
 };
 use crate::FileError;
 use crate::error::one_line;
@@ -218,7 +219,7 @@ fn unsaid(at_hand: &Camera) -> String {
     let degrees = fov_of_extent(viewport.height, viewport.distance).to_degrees();
     format!(
         "the field of view is not given: {} degrees from bottom to top kept",
-        n((degrees * 1e4).round() / 1e4)
+        rounded(degrees, 4)
     )
 }
 
@@ -262,14 +263,14 @@ fn by_intrinsics(source: &Source, at_hand: &Camera) -> Result<Imported, FileErro
         notes.push(format!(
             "the principal point is {} pixels right of the image's middle and {} below it: taken as \
              the middle, which every camera here has there",
-            shortest((right * 1e6).round() / 1e6),
-            shortest((down * 1e6).round() / 1e6)
+            rounded(right, 6),
+            rounded(down, 6)
         ));
     }
     let [x, y, z, t] = pose(source, &mut notes)?;
     // eye = -R^T t: this removes the rounding errors of nine products and six sums.
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
-    let roundings = 4.0 * f64::EPSILON * t.length();
+    let roundings = 4.0 * f64::EPSILON * length(t);
     let eye = DVec3::from_array(eye.to_array().map(|x| settled(x, roundings)));
     let frame = DAffine3::from_cols(x, -y, -z, eye);
     let (orientation, eye) = right_handed(&frame, &mut notes).map_err(|right| {

@@ -125,6 +125,17 @@ fn what_is_written_for_opencv_is_read_back() {
     }
 }
 
+/// Sixty digits are no news, and *inf* is wrong.
+#[test]
+fn a_principal_point_far_out_is_told_with_its_number() {
+    let text = K_R_T.replace("319.5", "1e308") + "width = 640\nheight = 480\n";
+    let notes = read(&text).unwrap().notes.join(" ");
+    assert!(
+        notes.contains("is 1e308 pixels right of the image's middle and 0 below it"),
+        "{notes}"
+    );
+}
+
 #[test]
 fn k_alone_is_a_camera_at_the_origin_and_what_it_leaves_open_is_told() {
     let k = "K = [[500, 0, 319.5], [0, 500, 239.5], [0, 0, 1]]\n";

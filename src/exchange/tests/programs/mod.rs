@@ -5,6 +5,7 @@ mod faults;
 mod gltf;
 mod literal;
 mod other_programs;
+mod round_trip;
 mod writers;
 
 use std::path::Path;
