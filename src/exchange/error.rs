@@ -47,7 +47,7 @@ impl Location {
 }
 
 impl FileError {
-    /// Creates an error about the whole file. Hidden characters in `problem` are escaped, and it is
+    /// Creates an error about the whole file. Characters of `problem` that cannot be seen are escaped, and it is
     /// shortened (see [`legible()`]).
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         let problem = legible(&problem.into());
@@ -62,11 +62,6 @@ impl FileError {
     /// Creates an error about a file that cannot be read, with the system's reason.
     pub fn unreadable(path: &Path, error: &io::Error) -> FileError {
         FileError::of_file(path, format!("cannot be read: {}", reason(error)))
-    }
-
-    /// Creates an error about a file of which at most `most` bytes are read.
-    pub(crate) fn too_large(path: &Path, most: u64) -> FileError {
-        FileError::of_file(path, format!("it is too large: at most {} MiB are read", most >> 20))
     }
 
     /// Creates an error about a file that cannot be written, with the system's reason. Returns the inner error
@@ -183,6 +178,30 @@ pub fn legible_name(name: impl AsRef<OsStr>) -> String {
     }
     // Where a backslash separates folders, no name has one.
     if is_separator('\\') { shown.replace(r"\\", r"\") } else { shown }
+}
+
+/// Returns serde's message about JSON in our words, without its place.
+pub(crate) fn of_json(error: &serde_json::Error) -> String {
+    let said = error.to_string().replace('`', "").replace("f64 values", "numbers");
+    let said = said.rsplit_once(" at line ").map_or(&*said, |(said, _)| said);
+    if let Some(inside) = said.strip_prefix("EOF while parsing ") {
+        return format!("the text ends inside {inside}: is all of the file there?");
+    }
+    if let Some(field) = said.strip_prefix("missing field ") {
+        return format!("{field} is missing");
+    }
+    let Some((found, right)) = said.rsplit_once(", expected ") else {
+        return said.replace("expected value", "a value must stand here");
+    };
+    let found = found.trim_start_matches("invalid type: ").trim_start_matches("invalid value: ");
+    let right = match right {
+        "f64" => "a number",
+        "usize" | "u32" => "a whole number from 0",
+        "a string" => "text in quotes",
+        right if right.starts_with("struct") => "an object",
+        right => right,
+    };
+    format!("{} is there: it must be {right}", one_line(found))
 }
 
 /// Returns the `known` names of which `word` may be a misspelling, the nearest first.

@@ -110,7 +110,7 @@ impl Link {
     /// Reads a link: a whole URL, or what follows its `#`.
     ///
     /// # Errors
-    /// Returns an error if it is no link of this program, if it was cut off or mistyped, or if a newer
+    /// Returns an error if it is no link of this program, if it was cut off or mistyped, or if another
     /// version has written it. The error has the place: line 1 and the character after the `#`.
     pub fn parse(text: &str) -> Result<Link, FileError> {
         let text = text.trim();

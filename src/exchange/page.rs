@@ -11,6 +11,8 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::of_json;
+
 /// The version of the part's format.
 const VERSION: u32 = 1;
 
@@ -67,8 +69,9 @@ impl PagePart {
         if text.trim().is_empty() {
             return Ok(PagePart::default());
         }
-        let part: PagePart = serde_json::from_str(text)
-            .map_err(|error| format!("The page was changed, and cannot be read: {error}."))?;
+        let part: PagePart = serde_json::from_str(text).map_err(|error| {
+            format!("The page was changed, and cannot be read: {}.", of_json(&error))
+        })?;
         if part.pinhole != VERSION {
             return Err(format!(
                 "The page was made by another version of Pinhole: its format is {}, and this program \
@@ -121,10 +124,13 @@ mod tests {
     fn a_changed_part_is_refused_with_a_reason() {
         assert_eq!(PagePart::parse(" "), Ok(PagePart::default()));
         for (text, reason) in [
-            ("{\"pinhole\": 1, \"scene\": 3}", "expected a string"),
-            ("{\"pinhole\": 1", "EOF"),
+            ("{\"pinhole\": 1, \"scene\": 3}", "integer 3 is there: it must be text in quotes"),
+            ("{\"pinhole\": 1", "the text ends inside an object: is all of the file there?"),
             ("{\"pinhole\": 2}", "another version"),
-            ("{\"pinhole\": 1, \"script\": \"\"}", "unknown field"),
+            (
+                "{\"pinhole\": 1, \"script\": \"\"}",
+                "unknown field script is there: it must be one of pinhole, ",
+            ),
         ] {
             let error = PagePart::parse(text).unwrap_err();
             assert!(error.contains(reason), "{error}");

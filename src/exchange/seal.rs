@@ -1,6 +1,8 @@
 //! The form of a text that people pass on by hand, such as a link: the version of the form comes first, and a
 //! check last, the CRC-32 of what precedes it in hexadecimal. So a text that was cut off or mistyped is noticed.
 
+use crate::error::one_line;
+
 /// The number of characters of the check.
 const CHECK: usize = 8;
 
@@ -36,14 +38,18 @@ impl Form {
     /// Returns the content of a text for which [`is_meant`](Self::is_meant) is true.
     ///
     /// # Errors
-    /// Returns an error if a newer version has written the text, or if it was cut off or mistyped.
+    /// Returns an error if another version has written the text, or if it was cut off or mistyped.
     pub fn open<'t>(&self, text: &'t str) -> Result<&'t str, Fault<'t>> {
         let version = self.version_of(text).unwrap_or_default();
         if version != self.version.to_string() {
-            let problem = format!(
-                "of version {version}, and this program reads version {}: a newer Pinhole opens it",
-                self.version
-            );
+            let is_older = version.parse().is_ok_and(|version: u32| version <= self.version);
+            let right = match is_older {
+                true => "mistyped, or of an older Pinhole: make it again",
+                false => "a newer Pinhole opens it",
+            };
+            let (found, own) = (one_line(version), self.version);
+            let problem =
+                format!("of version {found}, and this program reads version {own}: {right}");
             return Err((version, problem));
         }
         let sealed = text.rsplit_once('/').filter(|(_, check)| check.len() >= CHECK);

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use egui::{Context, Event, Id, Popup, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
+use pinhole_exchange::legible;
 use pinhole_exchange::scenes::SceneSource;
 
 use crate::model::files::{OpenDocument, title_of};
@@ -289,6 +290,7 @@ impl App {
 
     /// Shows a notice, which disappears by itself, with a title and notes below it.
     pub(crate) fn say(&mut self, title: String, notes: Vec<String>) {
+        let (title, notes) = (legible(&title), notes.iter().map(|note| legible(note)).collect());
         let notice = Notice { title, notes, worked: true, camera: None, shown_at: None };
         self.scene.session.translator.notice = Some(notice);
     }

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use egui::{Context, Id, Modal, ProgressBar, ScrollArea, Ui, Vec2};
+use pinhole_exchange::legible;
 
 use crate::ui::action::{Action, request};
 use crate::ui::dialogs::share::ShareForm;
@@ -48,7 +49,8 @@ pub(crate) type Choice = (&'static str, &'static str, Option<Action>);
 impl Question {
     /// Creates a question with these answers.
     pub(crate) fn new(title: String, text: impl ToString, answers: Vec<Choice>) -> Question {
-        Question { title, text: text.to_string(), file: String::new(), answers }
+        let text = text.to_string().split('\n').map(legible).collect::<Vec<_>>().join("\n");
+        Question { title, text, file: String::new(), answers }
     }
 
     /// Creates a message.

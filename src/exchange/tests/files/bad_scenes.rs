@@ -354,6 +354,11 @@ fn a_long_value_makes_no_long_message_and_what_is_hidden_is_escaped() {
     let expected = "a\\u{1b}[2J\\u{202e}.toml:1:11: pinhole is \"\\u{202e}gnp\\u{200f}\": the format version \
                     must be 1";
     assert_eq!(message, expected);
+    let text = "pinhole = \"1\u{feff}\u{ad}\u{200b}\u{3164}é\u{301}\"\n";
+    let message = scene_file::parse(text, Path::new("a\u{feff}.toml"), Path::new("")).unwrap_err();
+    let expected = "a\\u{feff}.toml:1:11: pinhole is \"1\\u{feff}\\u{ad}\\u{200b}\\u{3164}é\u{301}\": the format \
+                    version must be 1";
+    assert_eq!(message.to_string(), expected);
 }
 
 /// Each of these names is another one, of bytes that make or look like escapes and signs.

@@ -112,6 +112,7 @@ fn what_is_wrong_is_told_at_its_place() {
         "#7.x".to_owned(),
         "#hello".to_owned(),
         newer,
+        link.replace("v1", "v0"),
         link[..link.len() - 3].to_owned(),
         link.replace("look", "lock"),
         with_end("v1/lock-at"),
@@ -130,6 +131,7 @@ fn what_is_wrong_is_told_at_its_place() {
         link:1:1: not a lesson's step, such as 7.3
         link:1:1: not a link that Pinhole has made: copy the whole link again, to its end, or type a lesson's step, such as 7.3
         link:1:2: of version 2, and this program reads version 1: a newer Pinhole opens it
+        link:1:2: of version 0, and this program reads version 1: mistyped, or of an older Pinhole: make it again
         link:1:17: cut off: copy it again as a whole
         link:1:12: mistyped or cut off: copy it again as a whole
         link:1:4: this program has no scene "lock-at"
@@ -173,8 +175,8 @@ fn a_packed_text_is_checked_like_a_file() {
 #[test]
 fn scenes_without_a_link_are_refused_with_advice() {
     let file = "many.csv";
-    let csv =
-        CsvSpheres { path: file.into(), file: file.into(), stamp: None, items: Default::default() };
+    let (path, items) = (file.to_owned(), Default::default());
+    let csv = CsvSpheres { path, file: file.into(), stamp: None, count: 0, items };
     let with_csv = Document { csv_spheres: Some(csv), ..Document::default() };
     let mut large = ten_spheres();
     let all = large.spheres.clone();
