@@ -24,7 +24,7 @@ use crate::model::practice::class::{
 
 /// Grades the codes of answers in a text.
 pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<CheckOutcome, CommandError> {
-    let (path, bytes) = read(path, limits::TEXT)?;
+    let (path, bytes) = read(path, limits::FOREIGN)?;
     let class = ClassAnswers::read(&String::from_utf8_lossy(&bytes));
     if class.exercises.is_empty() {
         let first = class.not_readable.first();

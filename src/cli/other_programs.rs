@@ -36,7 +36,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         inputs,
         output.filter(|output| !is_standard(output)).map(|output| ("-o", output)),
     )?;
-    let (path, bytes) = read(&arguments.file, limits::TEXT)?;
+    let (path, bytes) = read(&arguments.file, limits::FOREIGN)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };
     let importer = Importer::of_file(&text)?;

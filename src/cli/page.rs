@@ -35,7 +35,7 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
         (None, None) => Default::default(),
     };
     let of_program = match page {
-        Some(page) => limits::read_text(page)?,
+        Some(page) => limits::read_text_of(page, limits::FOREIGN)?,
         None => host().page().map_err(CommandError::Input)?,
     };
     let text = part.in_page(&of_program).map_err(|problem| match page {

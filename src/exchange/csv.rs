@@ -245,7 +245,7 @@ impl<'a> CsvTable<'a> {
         let read = read.map_err(|error| FileError::unreadable(self.file, &error))?;
         self.is_ended = (read as u64) < BLOCK;
         match self.source.limit() {
-            0 => Err(FileError::too_large(self.file, limits::TABLE)),
+            0 => Err(limits::too_large(self.file, limits::TABLE)),
             _ => Ok(()),
         }
     }

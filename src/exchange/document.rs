@@ -108,15 +108,20 @@ pub struct CsvSpheres {
     pub file: PathBuf,
     /// The file's stamp before it was read.
     pub stamp: Option<Stamp>,
-    /// The spheres.
+    /// The number of spheres.
+    pub count: usize,
+    /// The spheres; none while they are [away](Document::without_table).
     pub items: Arc<SphereTable>,
 }
 
 impl PartialEq for CsvSpheres {
     fn eq(&self, other: &Self) -> bool {
-        // Comparing a million spheres takes time, so it is done only if they are not shared.
+        // Comparing a million spheres takes time, and they may be away: one state of a file has the same ones.
+        let is_same_state = self.stamp.is_some() && self.stamp == other.stamp;
+        let are_same = || Arc::ptr_eq(&self.items, &other.items) || self.items == other.items;
         self.path == other.path
-            && (Arc::ptr_eq(&self.items, &other.items) || self.items == other.items)
+            && self.count == other.count
+            && (is_same_state || self.items.spheres.len() == self.count && are_same())
     }
 }
 
@@ -165,7 +170,14 @@ impl Document {
     /// Returns the number of spheres, including those of the CSV file. This is also the index of the
     /// first plane.
     pub fn sphere_count(&self) -> usize {
-        self.spheres.len() + self.csv_spheres.as_ref().map_or(0, |csv| csv.items.spheres.len())
+        self.spheres.len() + self.csv_spheres.as_ref().map_or(0, |csv| csv.count)
+    }
+
+    /// Returns the document without the spheres of its CSV file, which can be many. It equals the document with
+    /// them; [`scene_file::with_table`](crate::scene_file::with_table) fetches them back.
+    pub fn without_table(mut self) -> Document {
+        self.csv_spheres.iter_mut().for_each(|csv| csv.items = Arc::default());
+        self
     }
 
     /// Returns the number of objects.

@@ -7,8 +7,15 @@ use std::path::Path;
 use crate::FileError;
 use crate::host::host;
 
-/// Maximum size of a text in bytes: a scene, a lesson, or another program's file.
-pub const TEXT: u64 = 64 << 20;
+/// Maximum size in bytes of a text that people write, such as a scene or a lesson, and of the program's own
+/// state. It is parsed as a whole, which takes up to 300 times as much memory.
+pub const TEXT: u64 = 2 << 20;
+
+/// Maximum size in bytes of another program's file, of codes, and of what goes into a page.
+pub const FOREIGN: u64 = 64 << 20;
+
+/// Maximum number of values in another program's file that is parsed as a whole.
+pub const VALUES: usize = 1_000_000;
 
 /// Maximum size in bytes of a table, or of a picture to be graded.
 pub const TABLE: u64 = 1 << 30;
@@ -44,13 +51,22 @@ pub fn too_little_memory(what: &str, bytes: u64) -> String {
     format!("there is too little memory: {what} takes {} MB", bytes.div_ceil(1_000_000))
 }
 
+/// Returns the error about a file of which at most `most` bytes are read.
+pub(crate) fn too_large(path: &Path, most: u64) -> FileError {
+    let right = match most {
+        TEXT => ". Many spheres belong in a table: spheres = \"file.csv\"",
+        _ => "",
+    };
+    FileError::of_file(path, format!("it is too large: at most {} MiB are read{right}", most >> 20))
+}
+
 /// Opens a file of at most `most` bytes.
 ///
 /// # Errors
 /// Returns the errors of [`Host::open`](crate::host::Host::open), or an error if the file is larger.
 pub fn open(path: &Path, most: u64) -> Result<Box<dyn Read>, FileError> {
     match host().stamp(path) {
-        Some(stamp) if stamp.length > most => Err(FileError::too_large(path, most)),
+        Some(stamp) if stamp.length > most => Err(too_large(path, most)),
         _ => host().open(path),
     }
 }
@@ -76,9 +92,17 @@ pub(crate) fn not_utf_16(path: &Path, bytes: &[u8]) -> Result<(), FileError> {
 /// Reads a text file of at most [`TEXT`] bytes.
 ///
 /// # Errors
-/// Returns the errors of [`read`], or an error if the text is not UTF-8.
+/// Returns the errors of [`read_text_of`].
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    String::from_utf8(read(path, TEXT)?).map_err(|error| {
+    read_text_of(path, TEXT)
+}
+
+/// Reads a text file of at most `most` bytes.
+///
+/// # Errors
+/// Returns the errors of [`read`], or an error if the text is not UTF-8.
+pub fn read_text_of(path: &Path, most: u64) -> Result<String, FileError> {
+    String::from_utf8(read(path, most)?).map_err(|error| {
         let error = io::Error::new(io::ErrorKind::InvalidData, error.utf8_error());
         FileError::unreadable(path, &error)
     })
@@ -93,7 +117,7 @@ pub fn read_from(source: impl Read, path: &Path, most: u64) -> Result<Vec<u8>, F
     let read = source.take(most + 1).read_to_end(&mut bytes);
     read.map_err(|error| FileError::unreadable(path, &error))?;
     if bytes.len() as u64 > most {
-        return Err(FileError::too_large(path, most));
+        return Err(too_large(path, most));
     }
     not_utf_16(path, &bytes)?;
     Ok(bytes)

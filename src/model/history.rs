@@ -39,6 +39,13 @@ impl<M> History<M> {
         self.future.clear();
     }
 
+    /// Drops the steps that can be undone before the newest ones whose snapshots all fit. They are asked one after
+    /// another, the newest first.
+    pub fn keep_newest(&mut self, mut fits: impl FnMut(&M) -> bool) {
+        let last = self.past.iter().rposition(|(_, before)| !fits(before));
+        self.past.drain(..last.map_or(0, |last| last + 1));
+    }
+
     /// Returns the name of the step that *Undo* would undo; `None` if there is none.
     pub fn undo_name(&self) -> Option<&str> {
         self.past.last().map(|(name, _)| name.as_str())
@@ -158,6 +165,19 @@ mod tests {
         }
         let first = std::iter::from_fn(|| history.step(false, |moment| *moment)).last();
         assert_eq!(first, Some(10));
+    }
+
+    #[test]
+    fn only_the_newest_that_fit_are_kept() {
+        let mut history = History::default();
+        [5, 1, 9, 2, 3].into_iter().for_each(|size| history.record(String::new(), size));
+        let mut sum = 0;
+        history.keep_newest(|size| {
+            sum += size;
+            sum <= 10
+        });
+        let kept: Vec<i32> = std::iter::from_fn(|| history.step(false, |size| *size)).collect();
+        assert_eq!(kept, [3, 2]);
     }
 }
 

@@ -24,7 +24,7 @@ pub fn of_scene(document: &Document) -> Result<PagePart, FileError> {
         // In the folder of its table, the scene names the table alone.
         path = csv.file.with_file_name(SCENE);
         csv.path = csv.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let text = limits::read_text(&csv.file).map_err(|error| {
+        let text = limits::read_text_of(&csv.file, limits::FOREIGN).map_err(|error| {
             let problem = "the scene's spheres are in this table: put it back, then save the page";
             FileError { problem: format!("{}; {problem}", error.problem), ..error }
         })?;
@@ -103,7 +103,7 @@ fn scenes_of(text: &str) -> Vec<String> {
 
 /// Adds a file. In a page, no folder is above the lesson's own.
 fn add(part: &mut PagePart, name: &Path, file: &Path) -> Result<(), FileError> {
-    let text = limits::read_text(file)?;
+    let text = limits::read_text_of(file, limits::FOREIGN)?;
     let name = page::plain(name).to_string_lossy().into_owned();
     match part.files.insert(name.clone(), text.clone()) {
         Some(other) if other != text => {

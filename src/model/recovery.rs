@@ -142,7 +142,8 @@ impl Found {
     fn of(slot: Slot) -> Option<Found> {
         let written = host().stamp(&slot.scene)?.modified?;
         let age = host().now().duration_since(written).unwrap_or_default();
-        let mut text = limits::read_text(&slot.scene);
+        // A slot has one line more than a scene.
+        let mut text = limits::read_text_of(&slot.scene, limits::FOREIGN);
         let source = text.as_mut().ok().and_then(|text| {
             // The last line is cut off before the text is parsed: a name in it may contain characters that
             // are not allowed in a TOML comment.

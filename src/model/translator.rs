@@ -88,7 +88,7 @@ pub fn pasted(text: &str, at_hand: &Camera) -> Taken {
 /// Reads the camera in a file, as [`pasted`] does in a text.
 pub fn imported(path: &Path, at_hand: &Camera) -> Taken {
     let read = || {
-        let text = file_text(path, limits::read(path, limits::TEXT)?)?;
+        let text = file_text(path, limits::read(path, limits::FOREIGN)?)?;
         let text = Input { path, text: &text };
         let importer = Importer::of_file(&text)?;
         Ok((importer, importer.read(&text, at_hand)?))

@@ -47,7 +47,7 @@ fn document() -> Document {
             Item::plain(ball(1.0, 0.0, -4.0, 0.5)),
         ]
         .into(),
-        csv_spheres: Some(CsvSpheres { path, file, stamp: None, items }),
+        csv_spheres: Some(CsvSpheres { path, file, stamp: None, count: 2000, items }),
         planes: vec![Item::plain(Plane { point: DVec3::new(0.0, 0.0, -9.0), normal: DVec3::Z })]
             .into(),
         ..Document::default()

@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{
@@ -11,6 +12,8 @@ use pinhole::model::lessons::{
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::ViewLayout;
 use pinhole_core::{DVec2, DVec3, Pixel, Selection, Sphere};
+use pinhole_exchange::scene_file::with_table;
+use pinhole_exchange::{Document, SceneSource};
 use pinhole_lecture::exercises::Exercise;
 
 #[test]
@@ -183,6 +186,56 @@ fn a_lesson_is_no_scene_of_a_lesson() {
     let expected = "mine.toml:6:9: step 1.scene is \"mine.toml\": it is a lesson: name a scene file, or \
                     a built-in scene";
     assert!(error.ends_with(expected), "{error}");
+}
+
+/// Two hundred steps with a million spheres each fit into memory.
+#[test]
+fn the_tables_of_a_lesson_are_checked_and_not_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let step = |scene: &str| {
+        format!("[[step]]\ntitle = \"A\"\ntext = \"B.\"\nhighlight = \"object 1\"\n{scene}")
+    };
+    for name in ["a", "b"] {
+        write(&format!("{name}.csv"), "x,y,z,r\n0,0,-9,1\n0,1,-9,1\n");
+        write(
+            &format!("{name}.toml"),
+            &format!(
+                "pinhole = 1\nspheres = \"{name}.csv\"\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n"
+            ),
+        );
+    }
+    let [a, b] = ["a", "b"].map(|name| step(&format!("scene = \"{name}.toml\"\n")));
+    let text = format!("pinhole_lesson = 1\ntitle = \"Mine\"\n{a}{b}{}{a}", step(""));
+    write("mine.toml", &text);
+    let path = folder.path().join("mine.toml");
+    let lesson = load(&path).unwrap();
+    for step in &lesson.steps {
+        let csv = step.document.csv_spheres.as_ref().unwrap();
+        assert_eq!((step.document.object_count(), csv.items.spheres.len()), (2, 0));
+    }
+    let shown = |step: usize, at_hand: &Document| with_table(&lesson.steps[step].document, at_hand);
+    let whole = SceneSource::File(folder.path().join("b.toml")).load().unwrap();
+    let [b, goes_on] = [1, 2].map(|step| shown(step, &whole).unwrap());
+    assert_eq!((&b, &lesson.steps[1].document), (&whole, &whole));
+    let items = |document: &Document| Arc::clone(&document.csv_spheres.as_ref().unwrap().items);
+    assert!(
+        Arc::ptr_eq(&items(&b), &items(&whole)) && Arc::ptr_eq(&items(&goes_on), &items(&whole))
+    );
+    assert_eq!(items(&shown(0, &whole).unwrap()).spheres.len(), 2);
+    // A step must not surprise in front of the class.
+    write("b.csv", "x,y,z,r\n0,0,-9,-1\n");
+    let error = load(&path).unwrap_err().to_string();
+    assert!(error.ends_with("b.csv:2:8: column r is \"-1\": it must be greater than 0"), "{error}");
+    write("b.csv", "x,y,z,r\n0,0,-9,1\n");
+    let error = shown(1, &Document::default()).unwrap_err().problem;
+    assert_eq!(
+        error,
+        "has another number of spheres than when the lesson was opened: open it again"
+    );
+    fs::remove_file(folder.path().join("b.csv")).unwrap();
+    let error = load(&path).unwrap_err().to_string();
+    assert!(error.contains("the table of the scene's spheres must be there"), "{error}");
 }
 
 /// The head of lesson 1 is the format's documentation.

@@ -7,16 +7,24 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::derived::{affine, image_of, image_of_ratio, right_handed, viewport_of_radians};
-use crate::FileError;
+use crate::error::of_json;
 use crate::format::{Imported, Input};
 use crate::template::n;
+use crate::{FileError, limits};
 
 /// The bytes with which a binary glTF begins.
 pub(super) const MAGIC: &[u8] = b"glTF";
 
+/// Returns a text without the byte order mark that some editors write.
+fn without_mark(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
+}
+
 /// Returns true if a text looks like a glTF with a camera.
 pub(super) fn detect(text: &str) -> bool {
-    text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"cameras\"")
+    without_mark(text).trim_start().starts_with('{')
+        && text.contains("\"asset\"")
+        && text.contains("\"cameras\"")
 }
 
 /// Returns the JSON part of a binary glTF file, which consists of a header of 12 bytes and of chunks,
@@ -65,7 +73,7 @@ struct Node {
     mesh: Option<usize>,
     #[serde(default)]
     children: Vec<usize>,
-    matrix: Option<[f64; 16]>,
+    matrix: Option<Box<[f64; 16]>>,
     translation: Option<DVec3>,
     rotation: Option<[f64; 4]>,
     scale: Option<DVec3>,
@@ -88,6 +96,11 @@ struct Lens {
 
 /// Reads the camera of a glTF text. Values that it does not specify are those of the camera `at_hand`.
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
+    let input = &Input { text: without_mark(input.text), ..*input };
+    if input.text.matches(',').count() > limits::VALUES {
+        let problem = "it has more than 1000000 values: export the camera alone, without objects";
+        return Err(FileError::of_file(input.path, problem));
+    }
     let gltf: Gltf = serde_json::from_str(input.text).map_err(|error| fault(input, &error))?;
     let mut notes = Vec::new();
     let (index, number) = node_of_camera(&gltf, &mut notes).ok_or_else(|| {
@@ -193,7 +206,7 @@ fn world_of(nodes: &[Node], index: usize) -> Result<DAffine3, String> {
 /// Returns the map from a node's coordinates to its parent's.
 fn local(node: &Node) -> Result<DAffine3, &'static str> {
     if let Some(matrix) = &node.matrix {
-        return affine(matrix).ok_or("matrix: it must be affine, column after column");
+        return affine(matrix.as_slice()).ok_or("matrix: it must be affine, column after column");
     }
     let mut local = DAffine3::from_translation(node.translation.unwrap_or_default());
     if let Some([x, y, z, w]) = node.rotation {
@@ -204,17 +217,10 @@ fn local(node: &Node) -> Result<DAffine3, &'static str> {
     Ok(local * DAffine3::from_scale(node.scale.unwrap_or(DVec3::ONE)))
 }
 
-/// Returns serde's error about a text, with its place in characters.
+/// Returns the error about a text that serde does not read, with its place in characters.
 fn fault(input: &Input, error: &serde_json::Error) -> FileError {
-    let said = error.to_string();
-    let said = said.split(" at line ").next().unwrap_or_default();
-    let problem = match said.strip_prefix("EOF while parsing ") {
-        Some(inside) => {
-            format!("no JSON: the text ends inside {inside}: is all of the file there?")
-        }
-        None if error.is_data() => format!("no glTF with a camera: {said}"),
-        None => format!("no JSON: {said}"),
-    };
+    let what = if error.is_data() { "no glTF with a camera" } else { "no JSON" };
+    let problem = format!("{what}: {}", of_json(error));
     // serde_json counts columns in bytes. Column 0 is before the first byte.
     let lines = input.text.split_inclusive('\n').take(error.line().saturating_sub(1));
     let byte = lines.map(str::len).sum::<usize>() + error.column().saturating_sub(1);

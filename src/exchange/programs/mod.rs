@@ -24,7 +24,7 @@ use pinhole_core::{Camera, DVec3};
 pub use self::writers::FORMATS;
 use crate::code::LANGUAGES;
 use crate::format::{Format, Imported, Input};
-use crate::{FileError, legible, scene_file};
+use crate::{FileError, legible, limits, scene_file};
 
 impl Format {
     /// Returns all formats of other programs, and then all languages.
@@ -70,7 +70,7 @@ impl Importer {
         if text.lines().any(|line| is_scene(line.trim_start())) {
             return Some(Importer::Scene);
         }
-        literal::detect(text).then_some(Importer::Literal)
+        (text.len() <= limits::PASTE && literal::detect(text)).then_some(Importer::Literal)
     }
 
     /// Returns the kind of a file, judging by its content or, if that does not decide it, by its
@@ -85,6 +85,9 @@ impl Importer {
             Some(Importer::Scene) => "this is a scene of Pinhole: open it as it is",
             Some(importer) => return Ok(importer),
             None if text.text.trim().is_empty() => "it is empty: export the camera again",
+            None if text.text.len() > limits::PASTE => {
+                "no glTF, and too large for numbers: at most 128 KiB are read. Give the camera alone"
+            }
             None => UNKNOWN,
         };
         Err(FileError::of_file(text.path, problem))

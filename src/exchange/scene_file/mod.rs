@@ -61,7 +61,7 @@ use crate::host::host;
 use crate::{FileError, Location, limits};
 
 pub(crate) use read::camera;
-pub use read::{TABLES, observer, tables, toml};
+pub use read::{TABLES, observer, tables, toml, with_table};
 pub use write::{observer_fields, to_text};
 
 mod edit;

@@ -94,13 +94,17 @@ pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> 
     Ok(())
 }
 
-/// Parses a TOML text, whose brackets must not be nested more than [`limits::NESTING`] deep. This is
-/// checked first, because the parser is recursive and continues after an error, so that its own limit
-/// does not prevent a stack overflow.
+/// Parses a TOML text of at most [`limits::TEXT`] bytes, whose brackets must not be nested more than
+/// [`limits::NESTING`] deep. This is checked first, because the parser is recursive and continues after an
+/// error, so that its own limit does not prevent a stack overflow.
 ///
 /// # Errors
-/// Returns an error at the first bracket if they are nested too deep, or the first syntax error.
+/// Returns an error if the text is too large, at the first bracket if they are nested too deep, or the first
+/// syntax error.
 pub fn toml<'t>(source: &TomlSource<'t>) -> Result<Toml<&'t str>, FileError> {
+    if source.text.len() as u64 > limits::TEXT {
+        return Err(limits::too_large(source.path, limits::TEXT));
+    }
     if let Some(at) = too_deep(source.text) {
         let problem = format!(
             "from this bracket on they are nested more than {} deep: is it closed?",
@@ -319,10 +323,9 @@ fn csv_spheres(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, Fil
     let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
     let stamp = host().stamp(&file);
-    let read = || csv::spheres(&file, limits::open(&file, limits::TABLE)?);
     let items = match base {
         None => SphereTable::default(),
-        Some(_) => read().map_err(|error| match error.location {
+        Some(_) => table(&file).map_err(|error| match error.location {
             Some(_) => error,
             // The path is wrong, so the error points to the scene file's field with the path.
             None => {
@@ -330,5 +333,31 @@ fn csv_spheres(field: &TomlField, base: Option<&Path>) -> Result<CsvSpheres, Fil
             }
         })?,
     };
-    Ok(CsvSpheres { path: path.to_owned(), file, stamp, items: Arc::new(items) })
+    let (path, count) = (path.to_owned(), items.spheres.len());
+    Ok(CsvSpheres { path, file, stamp, count, items: Arc::new(items) })
+}
+
+fn table(file: &Path) -> Result<SphereTable, FileError> {
+    csv::spheres(file, limits::open(file, limits::TABLE)?)
+}
+
+/// Returns a document with the spheres of its CSV file, which were away. If the document `at_hand` has them, they
+/// are shared with it; otherwise the file is read again.
+///
+/// # Errors
+/// Returns an error if the file cannot be read, or if it has another number of spheres than before, for which the
+/// rest of the document may not be meant.
+pub fn with_table(document: &Document, at_hand: &Document) -> Result<Document, FileError> {
+    let mut document = document.clone();
+    let Some(csv) = &mut document.csv_spheres else { return Ok(document) };
+    csv.items = match &at_hand.csv_spheres {
+        Some(at_hand) if at_hand == csv => Arc::clone(&at_hand.items),
+        _ => Arc::new(table(&csv.file)?),
+    };
+    if csv.items.spheres.len() != csv.count {
+        let problem =
+            "has another number of spheres than when the lesson was opened: open it again";
+        return Err(FileError::of_file(&csv.file, problem));
+    }
+    Ok(document)
 }

@@ -6,18 +6,12 @@ use pinhole_exchange::document::Document;
 use super::lesson::Step;
 use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
 
-/// Sets everything that the step specifies. Everything else stays unchanged, including the answers typed
-/// for its question.
+/// Sets everything in the session that the step specifies. Everything else stays unchanged, including the answers
+/// typed for its question.
 ///
 /// `seen_from` is the step's observer as it was fitted to the view when the step was first shown; `None` if
 /// the step has not been shown yet.
-pub fn apply(
-    step: &Step,
-    seen_from: Option<Observer>,
-    document: &mut Document,
-    session: &mut Session,
-) {
-    document.clone_from(&step.document);
+pub fn apply(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.is_asking = step.question.is_some();
     set_view(step, seen_from, session);
 }

@@ -33,7 +33,7 @@ pub struct Step {
     pub text: String,
     /// The question that the class answers before any number is shown.
     pub question: Option<StepQuestion>,
-    /// The document that the step opens.
+    /// The document that the step opens, without the spheres of a CSV file.
     pub document: Document,
     /// Index of the step that set the scene. Steps with the same scene also share the world view's
     /// observer, unless they specify another one.

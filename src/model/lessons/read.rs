@@ -1,5 +1,6 @@
 //! Reads the text of a lesson file.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
@@ -60,8 +61,9 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     let title = line(&root.need("title", "title = \"What the lesson is about\"")?, LONGEST_TITLE)?;
     let sections = root.need("step", "[[step]] with title, text and scene")?.sections_from_one()?;
     let mut steps: Vec<Step> = Vec::new();
+    let mut known = Known::new();
     for section in &sections {
-        steps.push(step(section, &steps, base)?);
+        steps.push(step(section, &steps, base, &mut known)?);
     }
     if steps.is_empty() {
         return Err(root.missing("step", "[[step]] with title, text and scene"));
@@ -89,16 +91,24 @@ fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
     }
 }
 
+/// The scenes that a lesson has named, by their names, without their tables.
+type Known = BTreeMap<String, Document>;
+
 /// Reads a step. Values that the step does not specify are those of the previous step.
-fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
-    let known: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
-    section.only(&known, &TOP[..1])?;
+fn step(
+    section: &Section,
+    before: &[Step],
+    base: Option<&Path>,
+    known: &mut Known,
+) -> Result<Step, FileError> {
+    let fields: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
+    section.only(&fields, &TOP[..1])?;
     let title = section.need("title", "title = \"What the step is about\"")?;
     let title = line(&title, LONGEST_TITLE)?;
     let text = section.need("text", "text = \"What to look at, or what to drag.\"")?;
     let text = line(&text, LONGEST_TEXT)?;
     let question = question(section)?;
-    let named = section.get("scene").map(|field| scene(&field, base)).transpose()?;
+    let named = section.get("scene").map(|field| scene(&field, base, known)).transpose()?;
     let last = before.last();
     let is_new = named.is_some() || last.is_none();
     let mut document = match (named, last) {
@@ -131,7 +141,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
         view.highlighted = Some(None);
     }
     read_view(section, &mut view, objects)?;
-    let other = section.get("ghost").map(|field| scene(&field, base)).transpose()?;
+    let other = section.get("ghost").map(|field| scene(&field, base, known)).transpose()?;
     view.ghost = other.map(|other| Ghost { camera: other.camera, shows_differences: false });
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
     Ok(Step { title, text, question, document, scene_from, selection, view })
@@ -155,8 +165,13 @@ fn question(section: &Section) -> Result<Option<StepQuestion>, FileError> {
     }
 }
 
-fn scene(field: &TomlField, base: Option<&Path>) -> Result<Document, FileError> {
+/// Reads the scene that a field names, unless it is in `known`. Its table is checked, and kept only while a step with
+/// it is shown.
+fn scene(field: &TomlField, base: Option<&Path>, known: &mut Known) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
+    if let Some(known) = known.get(name) {
+        return Ok(known.clone());
+    }
     let source = match (BuiltinScene::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
         (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
@@ -174,11 +189,12 @@ fn scene(field: &TomlField, base: Option<&Path>) -> Result<Document, FileError> 
     {
         return Err(field.error("it is a lesson: name a scene file, or a built-in scene"));
     }
-    source.load().map_err(|error| match error.location {
+    let document = source.load().map_err(|error| match error.location {
         Some(_) => error,
         // The path is wrong, so the error points to the lesson's field with the path.
         None => field.error(&error.to_string()),
-    })
+    })?;
+    Ok(known.entry(name.to_owned()).insert_entry(document.without_table()).get().clone())
 }
 
 fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, FileError> {

@@ -181,8 +181,8 @@ impl App {
             }
             Leave::Open(source) => self.open(source),
             Leave::Follow(link) => self.scene.follow(*link),
-            Leave::GoTo(id) => Ok(self.scene.open_lesson(id, None).unwrap_or_default()),
-            Leave::BackToStep => Ok(self.scene.back_to_step()),
+            Leave::GoTo(id) => self.scene.open_lesson(id, None),
+            Leave::BackToStep => self.scene.back_to_step(),
             Leave::Restore { as_new } => self.restore(as_new),
             Leave::Quit => {
                 self.window.close(ctx);

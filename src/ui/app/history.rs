@@ -1,7 +1,10 @@
 //! Undo and redo: records changes of the document as undo steps, and moves back and forth between them.
 
+use std::sync::Arc;
+
 use egui::{Context, Id};
 use pinhole_exchange::document::Document;
+use pinhole_exchange::limits;
 
 use super::App;
 use super::scene::{OpenScene, Opened};
@@ -82,8 +85,26 @@ impl SceneHistory {
         }
         let name = format!("show {}", title_of(now.open.origin()));
         self.steps.record(name, Moment::Elsewhere(Box::new(before)));
+        self.forget_tables();
         self.take_as_settled(&now.open.document);
         self.last = None;
+    }
+
+    /// Drops the oldest steps until those that are left have no more spheres of tables in memory than one scene may.
+    fn forget_tables(&mut self) {
+        let (mut count, mut last) = (0, None);
+        self.steps.keep_newest(|moment| {
+            let document = match moment {
+                Moment::Edited(document) => document,
+                Moment::Elsewhere(scene) => &scene.open.document,
+            };
+            if let Some(csv) = &document.csv_spheres
+                && last.replace(Arc::as_ptr(&csv.items)) != Some(Arc::as_ptr(&csv.items))
+            {
+                count += csv.count;
+            }
+            count <= limits::ROWS
+        });
     }
 
     /// Excludes the changes so far from the next undo step, because they were saved or belong to a lesson's
@@ -121,5 +142,37 @@ impl App {
         self.history.take_as_settled(&scene.open.document);
         self.history.last = None;
         self.show_opened(Opened { is_another, play: None });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_exchange::document::CsvSpheres;
+
+    use super::*;
+    use crate::model::{OpenDocument, Session};
+
+    /// Paging through a lesson would fill the memory, a table for each step.
+    #[test]
+    fn undo_keeps_no_more_spheres_of_tables_than_a_scene_may_have() {
+        let scene = |name: &str| {
+            let csv = CsvSpheres {
+                path: name.to_owned(),
+                file: name.into(),
+                stamp: None,
+                count: limits::ROWS / 2,
+                items: Arc::default(),
+            };
+            let document = Document { csv_spheres: Some(csv), ..Document::default() };
+            let open = OpenDocument::made_up(document, name.to_owned());
+            OpenScene::new(open, Session::default())
+        };
+        let steps = ["a", "b", "c", "d"].map(scene);
+        let mut history = SceneHistory::new(&steps[0].open.document);
+        for pair in steps.windows(2) {
+            history.went_elsewhere(pair[0].clone(), &pair[1]);
+        }
+        let undone = std::iter::from_fn(|| history.steps.step(false, Clone::clone));
+        assert_eq!(undone.count(), 2);
     }
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_exchange::host::host;
+use pinhole_exchange::scene_file::with_table;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 
 use super::scene::{OpenScene, Opened};
@@ -11,6 +12,7 @@ use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
 use crate::model::{Observer, Session, Settings, ViewLayout, Workspace};
+use crate::ui::dialogs::Question;
 use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
 
@@ -74,11 +76,20 @@ impl Lessons {
 }
 
 impl OpenScene {
-    /// Opens a lesson at this step. `file` is the lesson, if it comes from a file. Returns `None` if the
-    /// step does not exist.
-    pub(super) fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) -> Option<Opened> {
-        self.lessons.file = file.or(self.lessons.file.take());
-        let next = OpenLesson::at(id, self.lessons.file.as_ref())?;
+    /// Opens a lesson at this step, if it exists. `file` is the lesson, if it comes from a file.
+    ///
+    /// # Errors
+    /// Returns a message if the table of the step's scene cannot be read any more; nothing is changed then.
+    pub(super) fn open_lesson(
+        &mut self,
+        id: StepId,
+        file: Option<Arc<Lesson>>,
+    ) -> Result<Opened, Question> {
+        let file = file.or(self.lessons.file.clone());
+        let Some(next) = OpenLesson::at(id, file.as_ref()) else { return Ok(Opened::default()) };
+        let document = with_table(&next.step().document, &self.open.document)
+            .map_err(|error| Question::message("This step cannot be shown", error))?;
+        self.lessons.file = file;
         self.session.revealed_lines = self.lines_to_begin_with(next.step());
         let lessons = &mut self.lessons;
         let is_step = matches!(self.open.origin(), Origin::Step(_));
@@ -93,8 +104,8 @@ impl OpenScene {
             lessons.scene_before = Some(scene);
         }
         let title = format!("{}, step {}", next.short_title(), id.step + 1);
-        self.open = OpenDocument::of_step(next.step().document.clone(), title);
-        apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
+        self.open = OpenDocument::of_step(document, title);
+        apply::apply(next.step(), None, &mut self.session);
         lessons.seen_from = self.session.observer;
         if next.step().view.observer.is_some() {
             self.framed = None;
@@ -105,7 +116,7 @@ impl OpenScene {
         }
         let play = next.step().view.play;
         lessons.open = Some(next);
-        Some(Opened { is_another: !same_scene, play })
+        Ok(Opened { is_another: !same_scene, play })
     }
 
     /// Shows the answer to the step's question, and the lines of the derivation that lead to it. If no
@@ -159,13 +170,13 @@ impl OpenScene {
     }
 
     /// Resets everything to the state that the open lesson's step specifies, if anything differs from it.
-    pub(super) fn back_to_step(&mut self) -> Opened {
+    pub(super) fn back_to_step(&mut self) -> Result<Opened, Question> {
         let open = self.lessons.open.clone().filter(|_| self.differs_from_step());
-        let Some(open) = open else { return Opened::default() };
+        let Some(open) = open else { return Ok(Opened::default()) };
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.is_asking);
         let revealed_lines = self.session.revealed_lines;
+        let opened = self.open_lesson(open.id(), None)?;
         apply::clear_answers(open.step(), &mut self.session);
-        let opened = self.open_lesson(open.id(), None).unwrap_or_default();
         self.session.revealed_lines = revealed_lines;
         if !is_asking {
             self.answer();
@@ -173,7 +184,7 @@ impl OpenScene {
         // The step's own observer is fitted again the next time the world view is shown.
         let observer = open.step().view.observer.or(seen_from);
         (self.session.observer, self.lessons.seen_from) = (observer, observer);
-        opened
+        Ok(opened)
     }
 
     /// Closes the lesson; its scene stays open as an ordinary scene. An observer that the user has moved

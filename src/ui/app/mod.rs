@@ -136,9 +136,12 @@ impl App {
     /// does not exist.
     pub fn open_lesson(&mut self, id: StepId, file: Option<Arc<Lesson>>) {
         self.stop_animation();
-        if let Some(opened) = self.scene.open_lesson(id, file) {
-            self.history.take_as_settled(&self.scene.open.document);
-            self.show_opened(opened);
+        match self.scene.open_lesson(id, file) {
+            Ok(opened) => {
+                self.history.take_as_settled(&self.scene.open.document);
+                self.show_opened(opened);
+            }
+            Err(problem) => self.over.dialog = Some(Dialog::Question(problem)),
         }
     }
 

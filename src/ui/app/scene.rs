@@ -74,7 +74,7 @@ impl OpenScene {
             let problem = |error| Question::message("This lesson cannot be opened", error);
             let lesson = lessons::load(path).map_err(problem)?;
             let id = StepId { lesson: Which::File, step: 0 };
-            return Ok(self.open_lesson(id, Some(Arc::new(lesson))).unwrap_or_default());
+            return self.open_lesson(id, Some(Arc::new(lesson)));
         }
         let problem = |error| Question::message("This scene cannot be opened", error);
         Ok(self.replace(OpenDocument::open(source).map_err(problem)?, Selection::default()))

@@ -22,7 +22,7 @@ impl OpenScene {
             Linked::Step { lesson, step } => {
                 let (lesson, step) = (lesson.wrapping_sub(1), step.wrapping_sub(1));
                 let id = StepId { lesson: Which::Builtin(lesson), step };
-                self.open_lesson(id, None).unwrap_or_default()
+                self.open_lesson(id, None)?
             }
             Linked::Builtin(scene) => self.load(SceneSource::Builtin(scene))?,
             Linked::Scene(document) => {

@@ -69,6 +69,35 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
     );
 }
 
+#[test]
+fn a_step_whose_table_is_gone_says_so_and_the_one_before_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let table = "x,y,z,r\n0,0,-9,1\n0,1,-9,1\n";
+    write("many.csv", table);
+    let camera = "[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
+    write("many.toml", &format!("pinhole = 1\nspheres = \"many.csv\"\n{camera}"));
+    let step =
+        |scene: &str| format!("[[step]]\ntitle = \"One\"\ntext = \"Look.\"\nscene = \"{scene}\"\n");
+    let steps = [step("roll"), step("many.toml")].concat();
+    write("mine.toml", &format!("pinhole_lesson = 1\ntitle = \"Mine\"\n{steps}"));
+    let mut window = window("canonical");
+    drop_file(&mut window, &folder.path().join("mine.toml"));
+    std::fs::remove_file(folder.path().join("many.csv")).unwrap();
+    let before = window.state().document().clone();
+    press(&mut window, "Next");
+    assert_says(&window, "This step cannot be shown");
+    press(&mut window, "Close");
+    assert_eq!(window.state().document(), &before);
+    assert_eq!(window.state().lesson().unwrap().id().step, 0);
+    write("many.csv", table);
+    press(&mut window, "Next");
+    let shown = window.state().document();
+    assert_eq!(shown.csv_spheres.as_ref().unwrap().items.spheres.len(), 2);
+    assert_eq!(window.state().lesson().unwrap().id().step, 1);
+    assert_says(&window, "Mine · 2 of 2 · One");
+}
+
 /// The page would have other steps than the window.
 #[test]
 fn a_lesson_that_was_changed_meanwhile_is_not_saved_as_a_page() {

@@ -3,6 +3,8 @@
 use std::fs::{self, File};
 use std::path::Path;
 
+use pinhole_core::{DVec3, Sphere};
+use pinhole_exchange::document::{Document, Item};
 use pinhole_exchange::{limits, scene_file};
 
 #[test]
@@ -12,13 +14,38 @@ fn a_file_is_read_up_to_its_limit() {
     fs::write(&path, "four").unwrap();
     assert_eq!(limits::read(&path, 4).unwrap(), b"four");
     assert_eq!(limits::read_from(&b"four"[..], &path, 4).unwrap(), b"four");
-    let refused = format!("{}: it is too large: at most 64 MiB are read", path.display());
+    let refused = format!(
+        "{}: it is too large: at most 2 MiB are read. Many spheres belong in a table: spheres = \"file.csv\"",
+        path.display()
+    );
     // The file is sparse, so it takes no space on the disk.
     File::create(&path).unwrap().set_len(limits::TEXT + 1).unwrap();
     assert_eq!(scene_file::load(&path).unwrap_err().to_string(), refused);
     let more = std::io::repeat(b'#');
     let error = limits::read_from(more, &path, limits::TEXT).unwrap_err();
     assert_eq!(error.to_string(), refused);
+}
+
+/// Parsed, a text takes a hundred times its size, wherever it comes from.
+#[test]
+fn no_larger_text_is_parsed_and_none_is_written_that_could_not_be_read_back() {
+    let sphere = Item::plain(Sphere { center: DVec3::new(0.1, 0.2, -5.0), radius: 0.3 });
+    let scene = |count: usize| Document {
+        spheres: vec![sphere.clone(); count].into(),
+        ..Document::default()
+    };
+    let (few, many) = (scene(20_000), scene(50_000));
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.toml");
+    let saved = scene_file::save(&few, &path, None).unwrap();
+    assert_eq!(scene_file::load(&path).unwrap(), few);
+    let advice = "it is too large: at most 2 MiB are read. Many spheres belong in a table: spheres = \"file.csv\"";
+    let error = scene_file::save(&many, &path, Some(&saved.text)).unwrap_err();
+    assert_eq!(error.problem, format!("not saved: {advice}"));
+    assert_eq!(fs::read_to_string(&path).unwrap(), saved.text);
+    let text = scene_file::to_text(&many, None);
+    assert!(scene_file::prepare(&many, &path, None, true).is_err());
+    assert_eq!(scene_file::parse(&text, &path, folder.path()).unwrap_err().problem, advice);
 }
 
 #[test]

@@ -124,6 +124,7 @@ pub(super) fn document() -> impl Strategy<Value = Document> {
                 file: path.clone().into(),
                 path,
                 stamp: None,
+                count: 0,
                 items: Arc::default(),
             }),
             planes: planes.into(),

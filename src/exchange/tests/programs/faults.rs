@@ -66,6 +66,11 @@ fn what_is_no_camera_is_recognised_as_none() {
         let text = Input { path: Path::new(name), text: "nothing" };
         Importer::of_file(&text).map_err(|error| error.to_string())
     };
+    let many = "1, ".repeat(100_000);
+    let large = Input { path: Path::new("in"), text: &many };
+    let told =
+        "no glTF, and too large for numbers: at most 128 KiB are read. Give the camera alone";
+    assert_eq!(Importer::of_file(&large).unwrap_err().problem, told);
     for ending in ["py", "json", "txt", "cc", "c", "xml", "jl", "pov", "pbrt"] {
         assert_eq!(of(&format!("a.{ending}")), Err(format!("a.{ending}: {UNKNOWN}")));
     }

@@ -89,7 +89,50 @@ fn long_chains_and_rings_end() {
 
     let deep = format!("{{\"object\": {}{}}}", "{\"children\": [".repeat(many), "]}".repeat(many));
     let error = read(&deep).unwrap_err();
-    assert!(error.problem.starts_with("no glTF with a camera: missing field"), "{error}");
+    assert!(error.problem.starts_with("no glTF with a camera: nodes is missing"), "{error}");
+}
+
+/// A node takes a hundred times its text.
+#[test]
+fn a_text_with_very_many_values_is_refused() {
+    let many = gltf("", &format!("{}{{\"camera\": 1}}", "{},".repeat(1_000_000)));
+    let problem = "it has more than 1000000 values: export the camera alone, without objects";
+    assert_eq!(read(&many).unwrap_err().problem, problem);
+}
+
+#[test]
+fn a_byte_order_mark_is_no_part_of_the_text() {
+    let text = text_of("gltf", &Document::default());
+    let marked = format!("\u{feff}{text}");
+    assert_eq!(Importer::of(&marked), Some(Importer::Gltf));
+    assert_eq!(read(&marked), read(&text));
+    assert_refused("\u{feff}{\"nodes\": x}", "in:1:11: no JSON: a value must stand here");
+}
+
+/// Words such as *f64* and *sequence* are those of programmers.
+#[test]
+fn values_of_a_wrong_kind_are_told_in_plain_words() {
+    for (nodes, problem) in [
+        (r#"{"camera": "1"}"#, "string \"1\" is there: it must be a whole number from 0"),
+        (r#"{"camera": -1}"#, "integer -1 is there: it must be a whole number from 0"),
+        (r#"{"camera": 0.5}"#, "floating point 0.5 is there: it must be a whole number from 0"),
+        (r#"{"name": []}"#, "sequence is there: it must be text in quotes"),
+        (r#"{"children": {}}"#, "map is there: it must be a sequence"),
+        ("7", "integer 7 is there: it must be an object"),
+        (r#"{"matrix": [1, 2]}"#, "invalid length 2 is there: it must be an array of length 16"),
+        (
+            r#"{"translation": [1, 2]}"#,
+            "invalid length 2 is there: it must be a sequence of 3 numbers",
+        ),
+        (r#"{"rotation": [1, 2, 3, true]}"#, "boolean true is there: it must be a number"),
+    ] {
+        let error = read(&gltf("", nodes)).unwrap_err();
+        assert_eq!(error.problem, format!("no glTF with a camera: {problem}"), "{nodes}");
+    }
+    let long = gltf("", &format!("{{\"camera\": \"{}\"}}", "a".repeat(100_000)));
+    assert!(read(&long).unwrap_err().problem.len() < 200);
+    let empty = gltf("", "").replace(r#""perspective": {"yfov": 0.7,"#, r#""perspective": {"#);
+    assert_eq!(read(&empty).unwrap_err().problem, "no glTF with a camera: yfov is missing");
 }
 
 #[test]
