@@ -3,7 +3,7 @@
 use pinhole_exchange::host::host;
 use pinhole_exchange::{FileError, limits};
 
-use super::console::CommandError;
+use super::console::{CommandError, warn};
 use super::load::{deliver, files_of, load};
 use crate::cli::arguments::PageArguments;
 use crate::model::lessons::{LessonArgument, OpenLesson, is_lesson};
@@ -42,6 +42,9 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
         Some(page) => FileError::of_file(page, problem).into(),
         None => CommandError::Input(problem),
     })?;
+    let notes = page_part::notes(&read);
     let read: Vec<_> = read.into_iter().chain(page.clone()).collect();
-    deliver(Some(output), &read, text.as_bytes())
+    deliver(Some(output), &read, text.as_bytes())?;
+    notes.iter().for_each(|note| warn(note));
+    Ok(())
 }

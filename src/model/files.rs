@@ -255,14 +255,18 @@ impl OpenDocument {
         limits::read_text(self.scene_file()?).ok()
     }
 
+    /// Returns the files that the scene is read from: its own, and the CSV file with its spheres.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let csv = self.document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
+        self.scene_file().into_iter().chain(csv)
+    }
+
     /// Checks that an output does not overwrite a file that the scene is read from.
     ///
     /// # Errors
     /// Returns the reason, as a sentence.
     pub fn check_output(&self, path: &Path) -> Result<(), String> {
-        let csv = self.document.csv_spheres.as_ref().map(|csv| csv.file.as_path());
-        let mut read = self.scene_file().into_iter().chain(csv);
-        if read.any(|read| host().is_same_file(read, path)) {
+        if self.files().any(|read| host().is_same_file(read, path)) {
             let path = path.display();
             return Err(format!("The scene is read from {path}: choose another name."));
         }

@@ -1,8 +1,10 @@
 //! The part of a page: how a scene or a lesson goes into a page that shows the program in a browser.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use pinhole_exchange::document::Document;
+use pinhole_exchange::host::host;
 use pinhole_exchange::page::{self, PagePart};
 use pinhole_exchange::{FileError, limits, scene_file};
 use toml_edit::Table;
@@ -89,9 +91,24 @@ fn named_files(lesson: &Path) -> Result<Vec<(PathBuf, PathBuf)>, FileError> {
     Ok(files)
 }
 
+/// Returns a note for each of the files in a page that lies outside of the folder of the first one, the scene or the
+/// lesson.
+pub fn notes(files: &[PathBuf]) -> Vec<String> {
+    let Some((own, others)) = files.split_first() else { return Vec::new() };
+    let folder = host().resolved(&own.with_file_name("."));
+    let is_outside = |file: &&PathBuf| {
+        let place = host().resolved(file).zip(folder.as_ref());
+        place.is_some_and(|(file, folder)| !file.starts_with(folder))
+    };
+    let outside = others.iter().filter(is_outside).map(|file| file.display());
+    let own = own.display();
+    let note = |file| format!("{file} is in the page, too: it is outside of the folder of {own}");
+    outside.map(note).collect::<BTreeSet<_>>().into_iter().collect()
+}
+
 /// Returns the paths of the scene files that a lesson's text names.
-fn scenes_of(text: &str) -> Vec<String> {
-    let Ok(lesson) = text.parse::<toml_edit::DocumentMut>() else { return Vec::new() };
+fn scenes_of(text: &str) -> BTreeSet<String> {
+    let Ok(lesson) = text.parse::<toml_edit::DocumentMut>() else { return BTreeSet::new() };
     let steps = lesson.get("step").and_then(|steps| steps.as_array_of_tables());
     let named = |step: &Table| {
         let names = ["scene", "ghost"].map(|key| step.get(key)?.as_str().map(str::to_owned));

@@ -111,7 +111,9 @@ fn scenes_are_found_in_the_page_whatever_way_their_paths_take() {
     let far = FAR.replace("[camera]", "spheres = \"../own/./many.csv\"\n[camera]");
     fs::write(folder.path().join("far/far.toml"), &far).unwrap();
     fs::write(folder.path().join("own/many.csv"), "x,y,z,r\n0,0,-9,1\n").unwrap();
-    page(folder.path(), "own/mine.toml -o mine.html").done();
+    let run = page(folder.path(), "own/mine.toml -o mine.html");
+    let note = "note: own/../far/far.toml is in the page, too: it is outside of the folder of own/mine.toml\n";
+    assert_eq!((run.status, &*run.stderr), (0, note));
     let (part, _) = read(folder.path(), "mine.html");
     let names: Vec<&str> = part.files.keys().map(String::as_str).collect();
     assert_eq!(names, ["far/far.toml", "mine.toml", "near.toml", "own/many.csv"]);
@@ -124,8 +126,28 @@ fn scenes_are_found_in_the_page_whatever_way_their_paths_take() {
     fs::write(folder.path().join("own/mine.toml"), text).unwrap();
     page(folder.path(), "own/mine.toml -o mine.html").failed(
         1,
-        "own/../far/far.toml: would be far/far.toml in the page, as another file: rename one of them",
+        "own/far/far.toml: would be far/far.toml in the page, as another file: rename one of them",
     );
+}
+
+/// Whoever gets the page gets them.
+#[cfg(unix)]
+#[test]
+fn files_from_outside_of_the_folder_are_told() {
+    let (folder, other) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let table = other.path().join("secret.csv");
+    fs::write(&table, "x,y,z,r\n0,0,-9,1\n").unwrap();
+    std::os::unix::fs::symlink(&table, folder.path().join("link.csv")).unwrap();
+    for (name, told) in
+        [("link.csv", "link.csv"), (table.to_str().unwrap(), table.to_str().unwrap())]
+    {
+        let scene = format!("spheres = \"{name}\"\n{FAR}");
+        fs::write(folder.path().join("a.toml"), scene).unwrap();
+        let run = page(folder.path(), "a.toml -o a.html");
+        let note =
+            format!("note: {told} is in the page, too: it is outside of the folder of a.toml\n");
+        assert_eq!((run.status, &*run.stderr), (0, &*note));
+    }
 }
 
 #[test]

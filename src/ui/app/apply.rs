@@ -228,7 +228,12 @@ impl App {
             }
             FileAction::SavePage(path) => {
                 let saved = files::save_page(&self.scene, &path);
-                self.say_written(saved, "Saved to", &path, "The page was not saved")
+                let (saved, notes) =
+                    saved.map_or_else(|e| (Err(e), Vec::new()), |notes| (Ok(()), notes));
+                let dialog = self.say_written(saved, "Saved to", &path, "The page was not saved");
+                let notice = self.scene.session.translator.notice.as_mut();
+                notice.into_iter().for_each(|notice| notice.notes.extend_from_slice(&notes));
+                dialog
             }
             FileAction::AskSaveStep => {
                 // The menu in which it was chosen stays open for several clicks.

@@ -89,15 +89,17 @@ pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), Str
     scene.open.check_output(path).and_then(write)
 }
 
-/// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser.
+/// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser. Returns notes about files in it.
 ///
 /// # Errors
 /// Returns the reason if there is no page of the program, or if the file cannot be written.
-pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<(), String> {
+pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, String> {
     scene.open.check_output(path)?;
     let step = scene.lessons.open.as_ref().filter(|_| !scene.differs_from_step());
-    let read = step.map(page_part::files_of).transpose().map_err(|error| error.to_string())?;
-    if read.into_iter().flatten().any(|read| host().is_same_file(&read, path)) {
+    let of_scene = || Ok(scene.open.files().map(Path::to_owned).collect());
+    let read =
+        step.map_or_else(of_scene, page_part::files_of).map_err(|error| error.to_string())?;
+    if read.iter().any(|read| host().is_same_file(read, path)) {
         let path = path.display();
         return Err(format!("The lesson is read from {path}: choose another name."));
     }
@@ -106,7 +108,8 @@ pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<(), String> {
         None => page_part::of_scene(&scene.open.document),
     };
     let page = part.map_err(|error| error.to_string())?.in_page(&host().page()?)?;
-    host().write(path, page.as_bytes()).map_err(|error| error.to_string())
+    host().write(path, page.as_bytes()).map_err(|error| error.to_string())?;
+    Ok(page_part::notes(&read))
 }
 
 /// Maximum size of a file of answers that the window grades, in bytes. That is about two million answers,
