@@ -168,6 +168,9 @@ pub struct RenderArguments {
     /// hardest decision needed: 0 for f64, 1 for double-double, 2 for exact. margin is what that
     /// decision has to spare, in bits: log2(|value| / bound of its error), 0 where it is exact, at
     /// most 44.
+    ///
+    /// Both files are complete before the first of them is put in place, and an error leaves both as
+    /// they were. Only if the program is killed at that very moment, one may be new and one old.
     #[arg(long, value_name = "OUT.exr")]
     pub aov: Option<PathBuf>,
 }

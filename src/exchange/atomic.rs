@@ -1,16 +1,18 @@
 //! Writes files in such a way that a crash, a signal or a full disk leaves existing files intact.
 //!
-//! A file is written under a temporary name and then renamed. A run of the program removes its
-//! temporary files when it ends; a later run removes those of runs that were killed.
+//! A file is written without a name, which it gets when it is complete: first a temporary one, and at once the
+//! old file's. However the program ends, the system removes a file without a name. Where there are no such files
+//! (network folders, memory sticks, systems other than Linux), the file has its temporary name from the start. A
+//! run of the program removes its temporary names when it ends; a later run removes those of runs that were killed.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File, Metadata, TryLockError};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use crate::FileError;
 
@@ -32,14 +34,14 @@ pub fn write(
     batch.finish()
 }
 
-/// Several files that are written together: each completely, and either all of them or none. If the
-/// batch is dropped before it is finished, nothing is written.
+/// Several files that are written together. All of them are complete and on the disk before the first one is put
+/// in place. If the batch is dropped before it is finished, or an error is returned, none has changed.
 ///
-/// If the program is killed or power fails while the files are being renamed, some of them may be new
-/// and the others old.
+/// No file is ever half written. But files are put in place one after the other: if the program is killed or
+/// power fails between them, some are new and the others old.
 #[derive(Debug, Default)]
 pub struct Batch {
-    /// Files under temporary names.
+    /// Files that are not in place yet.
     files: Vec<Pending>,
     /// The contents to be copied to devices and pipes, which cannot be replaced by a file.
     through: Vec<(PathBuf, File)>,
@@ -47,7 +49,9 @@ pub struct Batch {
 
 #[derive(Debug)]
 struct Pending {
-    new: Temporary,
+    file: File,
+    /// The file's temporary name; `None` if it has no name.
+    name: Option<TempPath>,
     target: PathBuf,
     old: Option<Metadata>,
     /// The path as it was given, for messages.
@@ -90,10 +94,10 @@ impl Batch {
             self.through.push((target, buffer));
             return file;
         }
-        let new = Temporary::in_folder(folder_of(&target))?;
-        let file = new.file.as_file().try_clone();
-        self.files.push(Pending { new, target, old, path: path.to_owned() });
-        file
+        let (file, name) = new_file(folder_of(&target))?;
+        let same = file.try_clone();
+        self.files.push(Pending { file, name, target, old, path: path.to_owned() });
+        same
     }
 
     /// Gives all files their final names.
@@ -102,8 +106,7 @@ impl Batch {
     /// Returns an error if a file cannot reach the disk or be given its final name; all files are then as they
     /// were before.
     pub fn finish(self) -> Result<(), FileError> {
-        for Pending { new, old, path, .. } in &self.files {
-            let file = new.file.as_file();
+        for Pending { file, old, path, .. } in &self.files {
             let permitted =
                 old.as_ref().map_or(Ok(()), |old| file.set_permissions(old.permissions()));
             permitted
@@ -122,25 +125,27 @@ impl Batch {
     }
 }
 
-/// Renames the files to their final names. If one rename fails, all are undone. Meanwhile, [`abandon`]
-/// blocks.
+/// Gives the files temporary names, unless they have them, and renames them to their final ones. If one of these
+/// steps fails, all are undone. Meanwhile, [`abandon`] blocks.
 fn place(files: Vec<Pending>) -> Result<(), FileError> {
     let is_alone = files.len() == 1;
-    // Dropping `_names` removes the names from the list, which must happen after the list has been
-    // unlocked.
-    let (_names, files): (Vec<Known>, Vec<_>) = files
-        .into_iter()
-        .map(|Pending { new, target, old, path }| {
-            (new.name, (new.file, target, old.is_some(), path))
-        })
-        .unzip();
-    let _live = live();
+    let mut live = live();
+    let with_name = |Pending { file, name, target, old, path }| {
+        let link = |name: &Path| nameless::link(&file, name);
+        let linked = || Ok(builder().make_in(folder_of(&target), link)?.into_temp_path());
+        match name.map_or_else(linked, Ok) {
+            Ok(name) => Ok((file, name, target, old.is_some(), path)),
+            Err(error) => Err(FileError::unwritable(&path, &error)),
+        }
+    };
+    let files: Vec<_> = files.into_iter().map(with_name).collect::<Result<_, FileError>>()?;
     let mut placed: Vec<(PathBuf, bool, Option<NamedTempFile<()>>)> = Vec::new();
-    for (file, target, is_there, path) in files {
+    for (_file, name, target, is_there, path) in files {
         // A second hard link to the old file, from which it can be restored.
         let link = |name: &Path| fs::hard_link(&target, name);
         let second = (is_there && !is_alone).then(|| builder().make_in(folder_of(&target), link));
-        if let Err(error) = file.persist(&target) {
+        live.remove(&*name);
+        if let Err(error) = name.persist(&target) {
             placed.into_iter().for_each(take_back);
             return Err(FileError::unwritable(&path, &error.error));
         }
@@ -258,48 +263,78 @@ const RANDOM: usize = 12;
 /// Age from which a temporary file is considered abandoned by a run that was killed.
 const ABANDONED: Duration = Duration::from_secs(3600);
 
-/// A temporary file. Its path is in [`LIVE`], so that [`abandon`] removes it.
-#[derive(Debug)]
-pub(crate) struct Temporary {
-    pub(crate) file: NamedTempFile,
-    pub(crate) name: Known,
+/// Creates a file without a name or, where that is not possible, with a temporary one, which is in [`LIVE`].
+fn new_file(folder: &Path) -> io::Result<(File, Option<TempPath>)> {
+    clear_abandoned(folder);
+    let (file, name) = match nameless::create(folder) {
+        Some(file) => (file, None),
+        None => {
+            let mut live = live();
+            let (file, name) = builder().tempfile_in(folder)?.into_parts();
+            live.insert(name.to_path_buf());
+            (file, Some(name))
+        }
+    };
+    // Tells other runs that this one lives, where the folder's system has locks.
+    let _ = file.try_lock();
+    Ok((file, name))
 }
 
-impl Temporary {
-    /// Creates a temporary file in a folder.
-    pub(crate) fn in_folder(folder: &Path) -> io::Result<Temporary> {
-        clear_abandoned(folder);
-        let mut live = live();
-        let file = builder().tempfile_in(folder)?;
-        live.insert(file.path().to_owned());
-        let name = Known(file.path().to_owned());
-        Ok(Temporary { file, name })
+/// Files without a name.
+#[cfg(target_os = "linux")]
+mod nameless {
+    use std::os::fd::AsRawFd as _;
+
+    use rustix::fs::{AtFlags, CWD, Mode, OFlags, linkat, open};
+
+    use super::{File, Path, PathBuf, io};
+
+    /// Returns the path by which the system knows an open file that has no name.
+    fn itself(file: &File) -> PathBuf {
+        Path::new("/proc/self/fd").join(file.as_raw_fd().to_string())
+    }
+
+    /// Creates a file. Returns `None` if the folder's system has no files without a name, or could not give it
+    /// one later.
+    pub(super) fn create(folder: &Path) -> Option<File> {
+        let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
+        // The usual permissions of a new file, before the umask is applied.
+        let file = File::from(open(folder, flags, Mode::from_raw_mode(0o666)).ok()?);
+        itself(&file).exists().then_some(file)
+    }
+
+    /// Gives the file a name.
+    pub(super) fn link(file: &File, name: &Path) -> io::Result<()> {
+        Ok(linkat(CWD, itself(file), CWD, name, AtFlags::SYMLINK_FOLLOW)?)
+    }
+}
+
+/// Replaces the module `nameless` where every file has a name.
+#[cfg(not(target_os = "linux"))]
+mod nameless {
+    use super::{File, Path, io};
+
+    pub(super) fn create(_: &Path) -> Option<File> {
+        None
+    }
+
+    pub(super) fn link(_: &File, _: &Path) -> io::Result<()> {
+        Err(io::ErrorKind::Unsupported.into())
     }
 }
 
 /// Flushes a folder's directory entries to the disk. Errors are ignored: some systems do not allow
 /// opening a folder, and the contents of the files are safe either way.
-pub(crate) fn sync(folder: &Path) {
+fn sync(folder: &Path) {
     let _ = File::open(folder).and_then(|folder| folder.sync_all());
 }
 
-/// The paths of this run's temporary files.
+/// The temporary names of this run's files. Some may be gone.
 static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Locks [`LIVE`], the list of temporary files. While the lock is held, no other thread creates,
-/// renames or removes a temporary file.
-pub(crate) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+/// Locks [`LIVE`], the list of temporary names. While the lock is held, no other thread gives a file a name.
+fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// The path of a temporary file, which is removed from [`LIVE`] when this value is dropped.
-#[derive(Debug)]
-pub(crate) struct Known(PathBuf);
-
-impl Drop for Known {
-    fn drop(&mut self) {
-        live().remove(&self.0);
-    }
 }
 
 /// Removes all temporary files of this run, which is about to end. If a [`Batch`] is being renamed,
@@ -322,13 +357,22 @@ fn clear_abandoned(folder: &Path) {
     }
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten().filter(|entry| is_ours(&entry.file_name())) {
-        let written = entry.metadata().and_then(|data| data.modified());
+        // A pipe of such a name would never let itself be opened.
+        let data = entry.metadata().ok().filter(Metadata::is_file);
+        let written = data.and_then(|data| data.modified().ok());
         let age = written.map(|time| SystemTime::now().duration_since(time).unwrap_or_default());
-        if age.is_ok_and(|age| age > ABANDONED) && !live().contains(&entry.path()) {
+        let path = entry.path();
+        if age.is_some_and(|age| age > ABANDONED) && !is_locked(&path) {
             // A file that cannot be removed belongs to somebody else.
-            let _ = fs::remove_file(entry.path());
+            let _ = fs::remove_file(path);
         }
     }
+}
+
+/// Returns true if a run that lives has locked this file.
+fn is_locked(path: &Path) -> bool {
+    let lock = File::options().write(true).open(path).map(|file| file.try_lock());
+    matches!(lock, Ok(Err(TryLockError::WouldBlock)))
 }
 
 fn is_ours(name: &std::ffi::OsStr) -> bool {
@@ -338,7 +382,7 @@ fn is_ours(name: &std::ffi::OsStr) -> bool {
     })
 }
 
-pub(crate) fn builder() -> tempfile::Builder<'static, 'static> {
+fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
     // The usual permissions of a new file, before the umask is applied. By default, the crate

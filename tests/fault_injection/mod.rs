@@ -1,5 +1,6 @@
 //! Whatever writes files, killed before every one of its file calls, and with every one of them failing in turn:
-//! a file is the old or the new one, an error is told, and several files come together.
+//! a file is the old or the new one, an error is told, and several files are complete before the first is put in
+//! place. The same where the system has no files without names.
 //!
 //! Needs `strace`. Where that is not there, it is told; `PINHOLE_TEST_STRACE=required` makes it an error.
 
@@ -72,6 +73,8 @@ fn is_temporary(path: &Path) -> bool {
 /// A case as it goes without faults.
 struct Undisturbed<'a> {
     case: &'a Case,
+    /// Makes the calls that create files without names fail; empty where they may succeed.
+    with_names: Vec<String>,
     old: Contents,
     new: Contents,
     calls: Vec<Call>,
@@ -84,17 +87,35 @@ fn prepared(case: &Case) -> tempfile::TempDir {
     folder
 }
 
-fn undisturbed(case: &Case) -> Undisturbed<'_> {
+fn undisturbed(case: &Case, with_names: Vec<String>) -> Undisturbed<'_> {
     let folder = prepared(case);
     let (old, _) = read(folder.path());
-    let (output, mut calls) = strace::run(&(case.program)(folder.path()), None, folder.path());
+    let program = (case.program)(folder.path());
+    let (output, mut calls) = strace::run(&program, &with_names, folder.path());
     assert!(output.status.success(), "{output:?}");
     let (new, left) = read(folder.path());
     assert!(old != new && left.is_empty(), "{left:?}");
     for path in calls.iter_mut().flat_map(|call| &mut call.paths) {
         *path = path.strip_prefix(folder.path()).unwrap().to_owned();
     }
-    Undisturbed { case, old, new, calls }
+    Undisturbed { case, with_names, old, new, calls }
+}
+
+/// Returns the case as it goes where each call that creates a file without a name fails like this.
+fn with_names<'a>(nameless: &Undisturbed<'a>, fault: &str) -> Option<Undisturbed<'a>> {
+    let case = nameless.case;
+    let first = nameless.calls.iter().find(|call| call.is_nameless)?;
+    let mut named = undisturbed(case, vec![first.inject(fault)]);
+    if let Some(later) = named.calls.iter().find(|call| call.is_nameless && !call.injected) {
+        named = undisturbed(case, vec![first.inject_with(later, fault)]);
+    }
+    assert!(named.calls.iter().all(|call| call.injected == call.is_nameless), "{:?}", named.calls);
+    Some(named)
+}
+
+/// Returns true for what `strace` calls a file without a name.
+fn is_nameless(path: &Path) -> bool {
+    path.file_name().and_then(OsStr::to_str).is_some_and(|name| name.starts_with('#'))
 }
 
 fn is_write(call: &Call) -> bool {
@@ -120,6 +141,8 @@ impl Undisturbed<'_> {
         let mut count = 0;
         for (index, from, to) in renames(&self.calls) {
             let (before, after) = self.calls.split_at(index);
+            let is_link = |call: &&Call| call.name == "linkat" && call.paths[1] == from;
+            let from = before.iter().find(is_link).map_or(from, |link| &link.paths[0]);
             let synced = before.iter().rposition(|call| is_sync(call, from));
             let written = before.iter().rposition(|call| writes(call, from));
             assert!(written.is_some() && synced > written, "{}: {from:?}", self.case.name);
@@ -135,7 +158,8 @@ impl Undisturbed<'_> {
         let folder = prepared(self.case);
         let call = &self.calls[index];
         let program = (self.case.program)(folder.path());
-        let (output, calls) = strace::run(&program, Some(&call.inject(fault)), folder.path());
+        let inject = [&self.with_names[..], &[call.inject(fault)]].concat();
+        let (output, calls) = strace::run(&program, &inject, folder.path());
         let is_hit = |hit: &Call| hit.name == call.name && (hit.injected || fault == "signal=KILL");
         assert!(calls.get(index).is_some_and(is_hit), "{call:?}: {output:?}, {calls:?}");
         (folder, output)
@@ -156,6 +180,8 @@ impl Undisturbed<'_> {
             files.retain(|name, _| !name.ends_with('/'));
         }
         self.assert_same(index, "killed", &contents, &wanted);
+        let is_named = self.calls[..index].iter().any(|call| call.name == "linkat");
+        assert!(left.is_empty() || is_named || !self.with_names.is_empty(), "{left:?}");
         clear(&left);
         left.len()
     }
@@ -200,14 +226,15 @@ impl Undisturbed<'_> {
 }
 
 /// Returns true for a call whose failure loses nothing: the scene is read again, for its comments; a folder is read for
-/// what others have left, or its names are written to the disk, which not every system can; an old file gets a second
-/// name, or loses it.
+/// what others have left, or for a file without a name, or its names are written to the disk, which not every system
+/// can; there is no lock for windows that save their settings at once; an old file gets a second name, or loses it.
 fn does_not_matter(call: &Call) -> bool {
-    let is_folder = call.paths[0].extension().is_none();
-    let is_read = is_folder || call.paths[0] == Path::new("s.toml");
-    call.name == "openat" && is_read
+    let is_folder = call.paths[0].extension().is_none() && !is_nameless(&call.paths[0]);
+    let is_read = is_folder
+        || ["s.toml", "state/state.lock"].iter().any(|path| call.paths[0] == Path::new(path));
+    call.is_any_of(&["open", "openat"]) && is_read
         || call.name == "fsync" && is_folder
-        || call.name == "linkat"
+        || call.name == "linkat" && !is_nameless(&call.paths[0])
         || removes(call)
 }
 
@@ -233,34 +260,56 @@ fn clear(left: &[PathBuf]) {
 }
 
 fn check(case: &Case) {
+    if strace::is_there() {
+        undisturbed(case, Vec::new()).disturb("");
+    }
+}
+
+/// The same where the system has no files without names, in either of its words for that.
+fn check_by_name(case: &Case) {
     if !strace::is_there() {
         return;
     }
-    let undisturbed = undisturbed(case);
-    undisturbed.assert_reaches_the_disk();
-    let all = 0..undisturbed.calls.len();
-    let most = all.clone().map(|index| undisturbed.kill(index)).max().unwrap();
-    let faults = all.clone().flat_map(|index| {
-        let call = &undisturbed.calls[index];
-        let most = match call.name.as_str() {
-            // What is closed is on the disk, or was only read.
-            "close" => 0,
-            "fsync" => 3,
-            _ if is_rename(call) || is_write(call) => 3,
-            _ => 1,
-        };
-        ERRORS[..most].iter().map(move |error| (index, *error))
-    });
-    let told: Vec<bool> = faults.map(|(index, error)| undisturbed.fail(index, error)).collect();
-    let count = |wanted| told.iter().filter(|told| **told == wanted).count();
-    println!(
-        "{:24} {:2} file calls: killed before each, at most {most} temporary left until a later run; {} errors told and \
-         nothing changed, {} of no matter",
-        case.name,
-        all.len(),
-        count(true),
-        count(false),
-    );
+    let nameless = undisturbed(case, Vec::new());
+    let named =
+        ["EISDIR", "EOPNOTSUPP"].map(|error| with_names(&nameless, &format!("error={error}")));
+    match named {
+        [Some(_), Some(named)] => named.disturb(", by name"),
+        _ => println!("{}: there are no files without names here, so that all had one", case.name),
+    }
+}
+
+impl Undisturbed<'_> {
+    /// Disturbs it in every way, and says what came of it.
+    fn disturb(&self, how: &str) {
+        self.assert_reaches_the_disk();
+        // `strace` injects one fault into calls of the same name.
+        let nameless = self.calls.iter().find(|call| call.injected).map(|call| &call.name);
+        let is_free = |index: &usize| nameless != Some(&self.calls[*index].name);
+        let all: Vec<usize> = (0..self.calls.len()).filter(is_free).collect();
+        let most = all.iter().map(|index| self.kill(*index)).max().unwrap();
+        let faults = all.iter().flat_map(|index| {
+            let call = &self.calls[*index];
+            let most = match call.name.as_str() {
+                // What is closed is on the disk, or was only read.
+                "close" => 0,
+                "fsync" => 3,
+                _ if is_rename(call) || is_write(call) => 3,
+                _ => 1,
+            };
+            ERRORS[..most].iter().map(move |error| (*index, *error))
+        });
+        let told: Vec<bool> = faults.map(|(index, error)| self.fail(index, error)).collect();
+        let count = |wanted| told.iter().filter(|told| **told == wanted).count();
+        println!(
+            "{:32} {:2} file calls: killed before each, at most {most} temporary left until a later run; {} errors told \
+             and nothing changed, {} of no matter",
+            self.case.name.to_owned() + how,
+            all.len(),
+            count(true),
+            count(false),
+        );
+    }
 }
 
 /// The program with these arguments, whose names are in the folder after the @.
@@ -286,12 +335,14 @@ fn export_of_a_file() {
 
 #[test]
 fn render() {
-    check(&Case {
+    let case = Case {
         name: "render --aov",
         prepare: |folder| old_files(folder, &["a.png", "a.exr"]),
         program: |folder| pinhole(folder, "render @s.toml -o @a.png --aov @a.exr"),
         writes: &["a.png", "a.exr"],
-    });
+    };
+    check(&case);
+    check_by_name(&case);
 }
 
 #[test]

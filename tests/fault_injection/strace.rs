@@ -20,6 +20,8 @@ pub(super) struct Call {
     pub(super) paths: Vec<PathBuf>,
     /// True if it opens a folder to read the names in it.
     pub(super) lists: bool,
+    /// True if it creates a file without a name.
+    pub(super) is_nameless: bool,
     pub(super) injected: bool,
 }
 
@@ -29,21 +31,27 @@ impl Call {
         format!("inject={}:{fault}:when={}", self.name, self.number)
     }
 
+    /// Tells `strace` to do this at both calls, of the same name.
+    pub(super) fn inject_with(&self, later: &Call, fault: &str) -> String {
+        let [first, last] = [self.number, later.number];
+        format!("{}..{last}+{}", self.inject(fault), (last - first).max(1))
+    }
+
     pub(super) fn is_any_of(&self, names: &[&str]) -> bool {
         names.contains(&self.name.as_str())
     }
 }
 
 /// Runs a program under `strace`, with what is injected; the calls on files in this folder.
-pub(super) fn run(program: &Command, inject: Option<&str>, folder: &Path) -> (Output, Vec<Call>) {
+pub(super) fn run(program: &Command, inject: &[String], folder: &Path) -> (Output, Vec<Call>) {
     let log = tempfile::NamedTempFile::new().unwrap();
     let mut strace = Command::new("strace");
     strace.args(["-f", "-y", "-s", "0", "-e", TRACED]);
-    if !inject.is_some_and(|inject| inject.contains("signal")) {
+    if !inject.iter().any(|inject| inject.contains("signal")) {
         // Stops at these calls alone; signals sent there do not arrive.
         strace.arg("--seccomp-bpf");
     }
-    strace.args(inject.into_iter().flat_map(|inject| ["-e", inject]));
+    strace.args(inject.iter().flat_map(|inject| ["-e", inject]));
     strace.arg("-o").arg(log.path()).arg(program.get_program()).args(program.get_args());
     for (name, value) in program.get_envs() {
         strace.env(name, value.unwrap());
@@ -55,6 +63,8 @@ pub(super) fn run(program: &Command, inject: Option<&str>, folder: &Path) -> (Ou
 
 fn calls(log: &str, folder: &Path) -> Vec<Call> {
     let (mut numbers, mut calls) = (BTreeMap::new(), Vec::<Call>::new());
+    // The paths of descriptors: a file without a name has one that tells it from others.
+    let mut open = BTreeMap::<&str, PathBuf>::new();
     // The index of each thread's last call, if it is one of them: other threads may come before its end.
     let mut last = BTreeMap::new();
     for line in log.lines() {
@@ -63,13 +73,25 @@ fn calls(log: &str, folder: &Path) -> Vec<Call> {
         if let Some((name, rest)) = call.split_once('(').filter(|_| !call.starts_with('<')) {
             let number = numbers.entry((thread, name)).or_insert(0);
             *number += 1;
-            let parts = rest.split(['"', '<', '>']).map(PathBuf::from);
-            let paths: Vec<_> = parts.filter(|path| path.starts_with(folder)).collect();
+            let (mut paths, mut before) = (Vec::new(), "");
+            for part in rest.split(['"', '<', '>']) {
+                let itself =
+                    part.strip_prefix("/proc/self/fd/").and_then(|number| open.get(number));
+                let path = itself.cloned().unwrap_or_else(|| part.into());
+                if path.starts_with(folder) {
+                    let descriptor = before.rsplit(|c: char| !c.is_ascii_digit()).next();
+                    open.extend(descriptor.map(|number| (number, path.clone())));
+                    paths.push(path);
+                }
+                before = part;
+            }
             last.remove(thread);
             if !paths.is_empty() {
                 last.insert(thread, calls.len());
-                let (name, lists) = (name.to_owned(), rest.contains("O_DIRECTORY"));
-                calls.push(Call { name, number: *number, paths, lists, injected: false });
+                let [lists, is_nameless] =
+                    ["O_DIRECTORY", "O_TMPFILE"].map(|flag| rest.contains(flag));
+                let (name, number) = (name.to_owned(), *number);
+                calls.push(Call { name, number, paths, lists, is_nameless, injected: false });
             }
         }
         if let (true, Some(index)) = (call.ends_with("(INJECTED)"), last.get(thread)) {

@@ -36,7 +36,8 @@ fn writes() {
         "scene" => save(&folder.join("s.toml")),
         "settings" => {
             let remembered = Remembered { renderer: "new".to_owned(), ..Remembered::default() };
-            store(folder).save(&remembered).map_err(|error| error.to_string())
+            let saved = store(folder).save(&Remembered::default(), &remembered);
+            saved.map_err(|error| error.to_string())
         }
         _ => write_aside_again(folder),
     };
@@ -92,7 +93,7 @@ fn settings() {
         name: "the window remembers",
         prepare: |folder| {
             let remembered = Remembered { renderer: "old".to_owned(), ..Remembered::default() };
-            store(folder).save(&remembered).unwrap();
+            store(folder).save(&Remembered::default(), &remembered).unwrap();
         },
         program: |folder| program("settings", folder),
         writes: &["state", "state/state.json"],

@@ -27,12 +27,15 @@ pub(super) fn end_window_by(end: impl FnOnce() + Send + 'static) {
 /// Starts a thread that waits for signals. Signals that are ignored from the start, as with `nohup`,
 /// stay ignored.
 pub(super) fn watch() {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use signal_hook::consts::{
+        SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ,
+    };
     use signal_hook::iterator::Signals;
     let ignored = ignored();
     // Any handler makes the write that caused the signal fail, instead of ending the program.
     let _ = signal_hook::flag::register(SIGXFSZ, Arc::default());
-    let heeded = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| !is_in(*signal, ignored));
+    let heeded = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU];
+    let heeded = heeded.into_iter().filter(|signal| !is_in(*signal, ignored));
     // If signals cannot be caught, they end the program as usual.
     let Ok(mut signals) = Signals::new(heeded) else { return };
     std::thread::spawn(move || {
