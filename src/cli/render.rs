@@ -1,5 +1,6 @@
 //! `pinhole render`: writes the picture as PNG, and the hits as OpenEXR.
 
+use std::hint::black_box;
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::Path;
 
@@ -148,11 +149,19 @@ impl Picture<'_> {
         /// Bands consist of whole tiles of an OpenEXR file.
         const TILE: usize = 64;
         let [width, height] = [self.size.width(), self.size.height()];
-        let rows = TILE * band.div_ceil(TILE * width as usize);
+        let mut rows = TILE * band.div_ceil(TILE * width as usize);
         /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles.
-        const PIXEL: [usize; 2] = [16, 128];
-        let bytes = rows.min(height as usize) * width as usize * PIXEL[usize::from(aov.is_some())];
-        limits::memory("a band of the picture", bytes as u64).map_err(io::Error::other)?;
+        const PIXEL: [usize; 2] = [16, 112];
+        let row = PIXEL[usize::from(aov.is_some())] * width as usize;
+        let room = |rows: usize| {
+            limits::memory("a band of the picture", (rows.min(height as usize) * row) as u64)
+        };
+        // Each thread reserves much memory with its first allocation, if there is much: before the rest is measured.
+        rayon::broadcast(|_| drop(black_box(Vec::<u8>::with_capacity(1 << 12))));
+        while rows > TILE && room(rows).is_err() {
+            rows = (rows / 2).next_multiple_of(TILE);
+        }
+        room(rows).map_err(io::Error::other)?;
         let mut bands = (0..height)
             .step_by(rows)
             .map(|first| Raster::part(first..height.min(first + rows as u32), 0..width));

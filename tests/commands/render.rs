@@ -373,6 +373,26 @@ fn a_picture_takes_bounded_memory_or_there_is_too_little() {
     assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
 }
 
+/// What the memory suffices for depends on the build and the machine.
+#[cfg(target_os = "linux")]
+#[test]
+fn where_memory_is_short_there_is_a_picture_or_a_line_that_says_so() {
+    use super::outputs::run_within;
+
+    for limit in (240_000..360_000).step_by(20_000) {
+        let folder = tempfile::tempdir().unwrap();
+        let line = "render planet -o out.png --aov out.exr --width 8000 --height 192";
+        let run = run_within(&format!("-v {limit}"), folder.path(), line);
+        if run.status == 0 {
+            assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
+        } else {
+            let told = run.stderr.starts_with("error: out.png: cannot be written: there is too ");
+            assert!(told && run.stderr.lines().count() == 1, "{limit}: {}", run.stderr);
+            assert_eq!(entries(folder.path()), [""; 0]);
+        }
+    }
+}
+
 /// A tile's place in the file does not depend on which thread is done with it first.
 #[test]
 fn openexr_is_the_same_bytes_whatever_the_number_of_threads() {

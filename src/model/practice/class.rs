@@ -1,6 +1,7 @@
 //! The answers of a class: how many are right, and how many show which mistake.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::iter::repeat_n;
 
 use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{Exercise, Verdict};
@@ -80,7 +81,12 @@ impl ClassAnswers {
     /// Reads and grades all codes in a text.
     pub fn read(text: &str) -> ClassAnswers {
         let mut class = ClassAnswers::default();
-        let mut all = Vec::new();
+        let mut all: Vec<Findings> = Exercise::LISTED.iter().map(|_| Findings::default()).collect();
+        let mut add = |own: &Exercises| {
+            let exercise = own.question().exercise;
+            let found = Exercise::LISTED.iter().zip(&mut all).find(|(one, _)| **one == exercise);
+            found.into_iter().for_each(|(_, found)| found.add(own));
+        };
         for (line, text) in (1..).zip(text.lines()) {
             let mut codes = codes_in(text).peekable();
             if codes.peek().is_none() && !text.trim().is_empty() {
@@ -88,16 +94,13 @@ impl ClassAnswers {
             }
             for code in codes {
                 match code {
-                    Ok(answers) => all.push(answers),
+                    Ok(answers) => add(&answers),
                     Err(problem) => class.not_readable.push((line, problem)),
                 }
             }
         }
-        let of = |exercise: &Exercise| {
-            let is_own = |answers: &&Exercises| answers.question().exercise == *exercise;
-            ClassExercise::of(*exercise, &all.iter().filter(is_own).collect::<Vec<_>>())
-        };
-        class.exercises = Exercise::LISTED.iter().filter_map(of).collect();
+        let answered = Exercise::LISTED.iter().zip(&all).filter(|(_, found)| found.answers > 0);
+        class.exercises = answered.map(|(one, found)| ClassExercise::of(*one, found)).collect();
         class
     }
 
@@ -119,24 +122,40 @@ impl ClassAnswers {
     }
 }
 
+/// What is found in the answers to an exercise. The answers themselves are not kept, as there may be very many.
+#[derive(Default)]
+struct Findings {
+    answers: usize,
+    saw_solution: usize,
+    /// How often these outcomes of an answer were found together.
+    outcomes: BTreeMap<BTreeSet<String>, usize>,
+    mistakes: BTreeSet<Mistake>,
+}
+
+impl Findings {
+    fn add(&mut self, own: &Exercises) {
+        self.answers += 1;
+        self.saw_solution += usize::from(own.saw_solution);
+        *self.outcomes.entry(outcomes(own, &mut self.mistakes)).or_default() += 1;
+    }
+}
+
 impl ClassExercise {
-    fn of(exercise: Exercise, all: &[&Exercises]) -> Option<ClassExercise> {
-        let answers = all.len();
-        let saw_solution = all.iter().filter(|own| own.saw_solution).count();
-        let plural = if answers == 1 { "answer" } else { "answers" };
+    fn of(exercise: Exercise, found: &Findings) -> ClassExercise {
+        let Findings { answers, saw_solution, outcomes, mistakes } = found;
+        let plural = if *answers == 1 { "answer" } else { "answers" };
         let seen = match saw_solution {
             0 => String::new(),
             count => format!(", {count} after a look at the solution"),
         };
-        let mut mistakes = BTreeSet::new();
-        let found: Vec<_> = all.iter().map(|own| outcomes(own, &mut mistakes)).collect();
-        (answers > 0).then(|| ClassExercise {
+        let all = outcomes.iter().flat_map(|(outcome, count)| repeat_n(outcome.clone(), *count));
+        ClassExercise {
             exercise: exercise.id(),
             title: format!("{}: {answers} {plural}{seen}", exercise.title()),
-            answers,
-            saw_solution,
-            tally: Tally::new(found.into_iter(), &mistakes, |one| one.exercise_feedback()),
-        })
+            answers: *answers,
+            saw_solution: *saw_solution,
+            tally: Tally::new(all, mistakes, |one| one.exercise_feedback()),
+        }
     }
 }
 

@@ -46,6 +46,17 @@ fn class() -> String {
     lines.join("\n")
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_hundred_thousand_answers_take_little_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = code(Exercise::Sphere, None, None) + "\n";
+    fs::write(folder.path().join("codes.txt"), line.repeat(100_000)).unwrap();
+    let limit = "-v 300000";
+    let run = crate::commands::outputs::run_within(limit, folder.path(), "check --codes codes.txt");
+    assert!(run.done().starts_with("A ray and a sphere: 100000 answers\n  right"));
+}
+
 #[test]
 fn the_mistakes_of_a_class_are_counted() {
     let run = graded(&class(), &[]);
