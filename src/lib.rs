@@ -114,7 +114,7 @@
 //! | files, where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
 //! | the page of a browser, and a scene or lesson in it | `assets/page.js`; `exchange/page.rs`, `model/page_part.rs` |
 //! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |
-//! | unsaved changes | when they are written: `ui/app/recovery.rs`; what: `model/recovery.rs` |
+//! | unsaved changes, and what the next run knows | when they are written: `ui/app/writing.rs`; what: `model/recovery.rs`, `model/store.rs` |
 //! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/desktop/file_dialog/` |
 //! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name; `export` and `import` in `cli/other_programs.rs` |
 //! | the built-in scenes and lessons | `exchange/scenes/builtin/`, listed in `exchange/scenes.rs`; `assets/lessons/`, listed in `model/lessons/builtin.rs` |

@@ -1,15 +1,19 @@
 //! The state that one run of the program stores for the next one: settings, window, recent files and
-//! the last scene.
+//! the last scene. Windows that are open at the same time lose nothing to each other.
 
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::Selection;
-use pinhole_exchange::host::host;
+use pinhole_exchange::host::{Lock, host};
 use pinhole_exchange::{FileError, limits};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::model::files::remember;
 use crate::model::lessons::{StepId, Which};
 use crate::model::practice::progress::Progress;
 use crate::model::session::Settings;
@@ -47,17 +51,57 @@ impl Remembered {
         let (number, step) = self.lesson?;
         Some(StepId { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
     }
+
+    /// Returns what to store for this window, whose state was `base` when it last read or wrote the stored one,
+    /// which is now `theirs`. Other windows' settings, exercises and recent files stay where this window has not
+    /// changed its own. What was open, and where, is this window's.
+    fn merged(&self, base: &Remembered, theirs: &Remembered) -> Remembered {
+        let mut recent = theirs.recent.clone();
+        newest(&base.recent, &self.recent)
+            .iter()
+            .rev()
+            .for_each(|path| remember(&mut recent, path));
+        let progress = self.progress.merged(&base.progress, &theirs.progress);
+        let of = |one: &Remembered| {
+            let (settings, address) = (one.settings, one.address.clone());
+            serde_json::to_value(Remembered { settings, address, ..self.clone() })
+                .unwrap_or_default()
+        };
+        let mut all = of(theirs);
+        take(&of(base), &of(self), &mut all);
+        let all = serde_json::from_value(all).unwrap_or_else(|_| self.clone());
+        Remembered { progress, recent, ..all }
+    }
 }
 
-/// Reads a file of which parts may be invalid: every value that can be read is used, and the others have
-/// their defaults.
-fn readable(text: &str) -> Remembered {
-    let read: Value = serde_json::from_str(text).unwrap_or_default();
-    let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
-        return Remembered::default();
+/// Takes what differs from `base` in `mine` over into `theirs`, value by value.
+fn take(base: &Value, mine: &Value, theirs: &mut Value) {
+    if let (Value::Object(all), Value::Object(_)) = (mine, &*theirs) {
+        all.iter().for_each(|(key, mine)| take(&base[key], mine, &mut theirs[key]));
+    } else if base != mine {
+        theirs.clone_from(mine);
+    }
+}
+
+/// Returns the files that were put first in the list of recent files, which was `base`.
+fn newest<'a>(base: &[PathBuf], now: &'a [PathBuf]) -> &'a [PathBuf] {
+    let is_older = |count: &usize| {
+        let older = base.iter().filter(|path| !now[..*count].contains(path));
+        older.take(now.len() - count).eq(&now[*count..])
     };
+    &now[..(0..now.len()).find(is_older).unwrap_or(now.len())]
+}
+
+/// Reads a file of which parts may be invalid: every value that can be read is used, and the others are those of
+/// `otherwise`.
+fn readable(text: &str, otherwise: &Remembered) -> Remembered {
+    if let Ok(all) = serde_json::from_str(text) {
+        return all;
+    }
+    let read: Value = serde_json::from_str(text).unwrap_or_default();
+    let mut kept = serde_json::to_value(otherwise).unwrap_or_default();
     keep(&mut kept, "", &read);
-    serde_json::from_value(kept).unwrap_or_default()
+    serde_json::from_value(kept).unwrap_or_else(|_| otherwise.clone())
 }
 
 /// Copies `read` into the JSON value `kept`, at the place that the JSON pointer names. Each part that would
@@ -119,19 +163,42 @@ impl Store {
     /// Loads the stored state, with the default for every value that is missing or cannot be read.
     pub fn load(&self) -> Remembered {
         let text = limits::read_text(&self.path).unwrap_or_default();
-        serde_json::from_str(&text).unwrap_or_else(|_| readable(&text))
+        readable(&text, &Remembered::default())
     }
 
-    /// Saves `state`, completely or not at all.
+    /// Saves the changes of a window from `base`, its state when it last loaded or saved it, to `state`. The file is
+    /// written completely or not at all, and keeps what other windows have changed meanwhile.
     ///
     /// # Errors
     /// Returns an error if the file could not be written.
-    pub fn save(&self, state: &Remembered) -> Result<(), FileError> {
-        let folder = self.path.parent().unwrap_or(Path::new("."));
-        host().make_folder(folder)?;
-        let text = serde_json::to_string_pretty(state)
+    pub fn save(&self, base: &Remembered, state: &Remembered) -> Result<(), FileError> {
+        host().make_folder(self.path.parent().unwrap_or(Path::new(".")))?;
+        let _turn = self.turn();
+        let mut stored = Vec::new();
+        if !self.is_new() {
+            let read = host().open(&self.path)?.take(limits::TEXT).read_to_end(&mut stored);
+            read.map_err(|error| FileError::unreadable(&self.path, &error))?;
+        }
+        let theirs = readable(&String::from_utf8_lossy(&stored), state);
+        let merged = state.merged(base, &theirs);
+        let text = serde_json::to_string_pretty(&merged)
             .map_err(|error| FileError::unwritable(&self.path, &error.into()))?;
         host().write(&self.path, text.as_bytes())
+    }
+
+    /// Waits until no other window saves its state, for at most a second: it may hang. Returns `None` then, and if
+    /// the host cannot lock. In a browser, nothing comes between reading and writing.
+    fn turn(&self) -> Option<Lock> {
+        const PAUSE: Duration = Duration::from_millis(10);
+        let path = self.path.with_extension("lock");
+        let tries = if host().has_folders() { 100 } else { 0 };
+        for _ in 0..tries {
+            match host().lock(&path) {
+                Ok(None) => thread::sleep(PAUSE),
+                tried => return tried.ok().flatten(),
+            }
+        }
+        None
     }
 }
 
@@ -190,7 +257,100 @@ impl WindowGeometry {
 mod tests {
     use pinhole_core::methods::Method;
 
+    use std::sync::Barrier;
+
     use super::*;
+    use crate::model::session::Split;
+
+    fn done(names: &[&str]) -> Progress {
+        Progress::from(serde_json::json!(names))
+    }
+
+    fn store() -> (tempfile::TempDir, Store) {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = Store::at(&folder.path().join("state.json"));
+        (folder, store)
+    }
+
+    fn paths(names: &[&str]) -> Vec<PathBuf> {
+        names.iter().map(|name| std::path::absolute(name).expect("a path")).collect()
+    }
+
+    #[test]
+    fn windows_that_are_open_at_the_same_time_lose_nothing_to_each_other() {
+        let (_folder, store) = store();
+        let (progress, recent) = (done(&["sphere", "distance"]), paths(&["a", "b", "c"]));
+        let base = Remembered { progress, recent, ..Remembered::default() };
+        assert_eq!(store.save(&Remembered::default(), &base), Ok(()));
+        let [mut one, mut two] = [base.clone(), base.clone()];
+        one.settings.digits = 7;
+        one.settings.unfolded.ray = true;
+        one.settings.splits.set(Split::Views, 0.3);
+        one.progress = done(&["sphere", "distance", "lines"]);
+        one.recent = paths(&["b", "one", "a", "c"]);
+        two.settings.zoom = 1.5;
+        two.settings.unfolded.objects = true;
+        two.settings.splits.set(Split::Stack, 0.3);
+        two.progress = done(&["distance", "turned-basis"]);
+        two.recent = paths(&["two", "a", "b", "c"]);
+        two.address = "https://example.org".to_owned();
+        two.last = Some("planet".into());
+        assert_eq!((store.save(&base, &one), store.save(&base, &two)), (Ok(()), Ok(())));
+        let mut wanted = Remembered { settings: one.settings, ..two.clone() };
+        wanted.settings.zoom = 1.5;
+        wanted.settings.unfolded.objects = true;
+        wanted.settings.splits.set(Split::Stack, 0.3);
+        wanted.progress = done(&["distance", "lines", "turned-basis"]);
+        wanted.recent = paths(&["two", "b", "one", "a", "c"]);
+        assert_eq!(store.load(), wanted);
+        // What a window has not changed since stays another's; what was open is its own.
+        one.progress = done(&[]);
+        let before = Remembered { progress: done(&["lines"]), ..one.clone() };
+        assert_eq!(store.save(&before, &one), Ok(()));
+        wanted.progress = done(&["distance", "turned-basis"]);
+        wanted.last = None;
+        assert_eq!(store.load(), wanted);
+    }
+
+    #[test]
+    fn windows_that_save_at_once_lose_nothing_to_each_other() {
+        const WINDOWS: usize = 6;
+        let names: Vec<String> = (0..WINDOWS).map(|window| format!("file-{window}")).collect();
+        for _ in 0..20 {
+            let (_folder, store) = store();
+            let start = Barrier::new(WINDOWS);
+            std::thread::scope(|scope| {
+                for name in &names {
+                    let own = Remembered { recent: paths(&[name]), ..Remembered::default() };
+                    let (store, start) = (&store, &start);
+                    scope.spawn(move || {
+                        start.wait();
+                        assert_eq!(store.save(&Remembered::default(), &own), Ok(()));
+                    });
+                }
+            });
+            let mut recent = store.load().recent;
+            recent.sort();
+            assert_eq!(recent, paths(&names.iter().map(String::as_str).collect::<Vec<_>>()));
+        }
+    }
+
+    /// Its settings are what this window knows, not the defaults.
+    #[test]
+    fn a_file_that_is_gone_or_broken_is_written_again() {
+        let (folder, store) = store();
+        let mut own = Remembered::default();
+        own.settings.digits = 7;
+        for text in [&b""[..], b"{ not json", b"\xff\xfe{}", b"[7]", b"gone"] {
+            let path = folder.path().join("state.json");
+            std::fs::write(&path, text).expect("a file");
+            if text == b"gone" {
+                std::fs::remove_file(&path).expect("a file");
+            }
+            assert_eq!(store.save(&own, &own), Ok(()));
+            assert_eq!(store.load(), own, "{text:?}");
+        }
+    }
 
     #[test]
     fn a_file_of_another_version_loses_only_what_is_unknown() {
@@ -209,6 +369,7 @@ mod tests {
         stored["maps_certainty"] = true.into();
         stored["splits"]["frame"] = 350.into();
         let settings = Settings { compared: Settings::default().compared, ..settings };
-        assert_eq!(readable(&state.to_string()), Remembered { settings, ..remembered });
+        let read = readable(&state.to_string(), &Remembered::default());
+        assert_eq!(read, Remembered { settings, ..remembered });
     }
 }

@@ -30,8 +30,10 @@ const READERS: [Reader; 4] = [
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("state.json");
         std::fs::write(&path, bytes).unwrap();
-        let state = Store::at(&path).load();
-        assert_eq!(Store::at(&path).save(&state), Ok(()));
+        let before = Store::at(&path).load();
+        let state = Remembered { renderer: "another".to_owned(), ..before.clone() };
+        assert_eq!(Store::at(&path).save(&before, &state), Ok(()));
+        assert_eq!(Store::at(&path).load().renderer, state.renderer);
         Vec::new()
     }),
 ];

@@ -60,9 +60,11 @@ fn die(screen: &Screen, way: Way) {
         Setting { name: "dying", arguments: &[], environment: NO_DRIVER, drawn_by: "cpu (" };
     let mut window = Window::open(screen, &[scene.as_os_str()], folder.path(), &setting);
     sleep(Duration::from_secs(1));
-    window.key("ctrl+p");
-    window.write("add sphere");
-    screen.press("key", "Return");
+    for command in ["count from 1", "add sphere"] {
+        window.key("ctrl+p");
+        window.write(command);
+        screen.press("key", "Return");
+    }
     wait_for("the change", || window.title().filter(|title| title.contains('*')));
     let changed = Instant::now();
     let written = folder.path().join("pinhole/unsaved/0.toml");
@@ -71,6 +73,10 @@ fn die(screen: &Screen, way: Way) {
     }
     if !matches!(way, Way::AtOnce(_) | Way::Together) {
         wait_for("the changes to be written aside", || written.exists().then_some(()));
+        wait_for("the setting to be stored", || {
+            let store = Store::at(&folder.path().join("pinhole/state.json"));
+            store.load().settings.count_from_one.then_some(())
+        });
         assert!(changed.elapsed() < MOST, "{:?}", changed.elapsed());
     }
     match way {

@@ -4,7 +4,7 @@
 use pinhole_exchange::document::Document;
 
 use super::lesson::Step;
-use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
+use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session, Settings};
 
 /// Sets everything in the session that the step specifies. Everything else stays unchanged, including the answers
 /// typed for its question.
@@ -102,7 +102,11 @@ pub fn restore(before: &Session, session: &mut Session) {
     // The answers typed in a step's exercise are kept.
     let exercises = &before.exercises;
     session.exercises.show(exercises.question().exercise, exercises.seed());
-    let (before, settings) = (&before.settings, &mut session.settings);
+    restore_settings(&before.settings, &mut session.settings);
+}
+
+/// Restores the settings from before the first lesson, except those that lessons do not change.
+pub fn restore_settings(before: &Settings, settings: &mut Settings) {
     settings.layout = before.layout;
     settings.items = before.items;
     settings.shade = before.shade;

@@ -30,6 +30,15 @@ impl Progress {
         }
     }
 
+    /// Returns the stored progress `theirs` with the changes from `base` to this one.
+    pub(crate) fn merged(&self, base: &Progress, theirs: &Progress) -> Progress {
+        let is_done = |exercise: &Exercise| {
+            let is_own = self.is_done(*exercise) != base.is_done(*exercise);
+            if is_own { self } else { theirs }.is_done(*exercise)
+        };
+        Progress(Exercise::LISTED.iter().copied().filter(is_done).collect())
+    }
+
     /// Returns the next exercise that is not done, after this one or, behind the last one, from the first on;
     /// `None` if no other is left.
     pub(crate) fn next_after(&self, exercise: Exercise) -> Option<Exercise> {

@@ -97,7 +97,7 @@ impl App {
         self.window.follow(&ctx, &self.scene);
         if start.session.progress != self.scene.session.progress {
             // It must not be lost if the program does not end as it should.
-            self.window.remember_state(&self.scene);
+            self.window.save_now();
         }
         if is_old || self.scene.has_changed_since(start) {
             ctx.request_discard("an edit changed what was drawn before it");

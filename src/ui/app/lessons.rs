@@ -57,12 +57,11 @@ impl Lessons {
     }
 
     /// Returns the settings without the changes made by lessons.
-    pub(super) fn settings_without(&self, session: &Session) -> Settings {
-        let mut session = session.clone();
+    pub(super) fn settings_without(&self, mut settings: Settings) -> Settings {
         if let Some(before) = &self.before {
-            apply::restore(before, &mut session);
+            apply::restore_settings(&before.settings, &mut settings);
         }
-        session.settings
+        settings
     }
 
     /// Returns the numbers of the open lesson and its step, counted from 1, if the lesson is built in.

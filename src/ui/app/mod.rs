@@ -17,6 +17,7 @@ mod share;
 mod spoken;
 mod views;
 mod window;
+mod writing;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -73,11 +74,10 @@ impl App {
     /// Creates the program with this document and with the state saved by the last run.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let recovery = Recovery::new(store.as_ref());
-        let mut window = AppWindow::new(store, remembered.window, remembered.recent);
+        let mut window = AppWindow::new(store, remembered.clone());
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
         }
-        window.address = remembered.address;
         let session = Session {
             selection: remembered.selection.unwrap_or_default(),
             settings: remembered.settings.in_range(),
@@ -231,9 +231,11 @@ impl App {
         self.over.answer(answer);
     }
 
-    /// Writes pending changes to the recovery file, because it may be a long time until the next frame.
+    /// Writes pending changes to the recovery file, and saves those of the settings, because it may be a long time
+    /// until the next frame.
     pub fn rest(&mut self) {
         self.recovery.write_now(&self.scene.open);
+        self.window.save_now();
     }
 
     /// Returns the unsaved changes, and the recovery slot that they belong to.

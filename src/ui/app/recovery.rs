@@ -2,25 +2,16 @@
 //! whether to save its changes, a later start of the program offers them.
 
 use std::sync::Arc;
-use std::thread::{self, JoinHandle};
-use std::time::Duration;
 
 use egui::Context;
 use pinhole_exchange::document::Document;
 
 use super::window::complain;
+use super::writing::Writing;
 use crate::model::recovery::{Found, Slot, Unsaved, in_words};
 use crate::model::{OpenDocument, Store};
 use crate::ui::action::{FileAction, Leave};
 use crate::ui::dialogs::{Dialog, Question};
-
-/// Time from the last edit until changes are written, in seconds.
-const REST: f64 = 1.0;
-/// Maximum time from the first unwritten edit until changes are written, in seconds.
-const LONGEST: f64 = 4.0;
-
-/// Time until the next attempt if the last write is still in progress.
-const BUSY: Duration = Duration::from_millis(100);
 
 /// This window's recovery slot, which is a file for its unsaved changes, and the changes found in the slots
 /// of windows that have ended.
@@ -34,20 +25,9 @@ pub(super) struct Recovery {
     is_written: bool,
     /// The document in the last pass.
     last_document: Option<Document>,
-    /// Time of the last edit, in seconds.
-    last_edit: f64,
-    /// Time of the first edit that is not written yet, in seconds; `None` if there is none.
-    first_edit: Option<f64>,
-    writing: Option<JoinHandle<Result<(), String>>>,
-    /// The first reason why changes could not be recorded, and whether the user has been told.
-    fault: Option<(String, bool)>,
-}
-
-impl Drop for Recovery {
-    /// Waits for the last write, which keeps the slot locked, so that the next window can open the slot.
-    fn drop(&mut self) {
-        self.finish_writing();
-    }
+    writing: Writing,
+    /// True if the user has been told why changes cannot be recorded.
+    is_told: bool,
 }
 
 impl Recovery {
@@ -56,8 +36,9 @@ impl Recovery {
     pub(super) fn new(store: Option<&Store>) -> Recovery {
         let Some(store) = store else { return Recovery::default() };
         let (slot, found, fault) = Slot::open(&store.unsaved());
-        let mut recovery = Recovery::default();
-        recovery.note(fault.map_or(Ok(()), |fault| Err(fault.to_string())));
+        let writing = Writing::new("the recovery file could not be written");
+        let mut recovery = Recovery { writing, ..Recovery::default() };
+        recovery.writing.tell(fault.map_or(Ok(()), |fault| Err(fault.to_string())));
         (recovery.slot, recovery.found) = (slot.map(Arc::new), found);
         recovery
     }
@@ -92,11 +73,8 @@ impl Recovery {
         (self.slot, self.is_written) = (Some(Arc::new(slot)), true);
     }
 
-    /// Writes unsaved changes to the slot, on another thread, once the user pauses or [`LONGEST`] has passed.
+    /// Writes unsaved changes to the slot, some time after an edit.
     pub(super) fn follow(&mut self, ctx: &Context, open: &OpenDocument) {
-        if self.writing.as_ref().is_some_and(JoinHandle::is_finished) {
-            self.finish_writing();
-        }
         if self.slot.is_none() {
             return;
         }
@@ -104,48 +82,28 @@ impl Recovery {
             self.clear();
             return;
         }
-        let now = ctx.input(|i| i.time);
         let own = open.own();
         if self.last_document.as_ref() != Some(&*own) {
             self.last_document = Some(own.into_owned());
-            self.last_edit = now;
-            self.first_edit.get_or_insert(now);
+            self.writing.note(ctx);
         }
-        let Some(first) = self.first_edit else { return };
-        let due = (self.last_edit + REST).min(first + LONGEST);
-        if now < due {
-            ctx.request_repaint_after(Duration::from_secs_f64(due - now));
-            return;
+        if self.writing.is_due(ctx) {
+            self.write_changes(open);
         }
-        if self.writing.is_some() {
-            // A slow disk must not delay a frame.
-            ctx.request_repaint_after(BUSY);
-            return;
-        }
-        self.write_changes(open);
     }
 
     /// Writes pending changes at once, because it may be a long time until the next frame.
     pub(super) fn write_now(&mut self, open: &OpenDocument) {
-        if self.first_edit.is_some() {
+        if self.writing.first_change.is_some() {
             self.write_changes(open);
         }
     }
 
     /// Writes all unsaved changes at once.
     pub(super) fn write_changes(&mut self, open: &OpenDocument) {
-        self.first_edit = None;
         let Some((unsaved, slot)) = self.unsaved(open) else { return };
-        let unsaved = Arc::new(unsaved);
         self.is_written = true;
-        self.finish_writing();
-        let (on_thread, its_slot) = (Arc::clone(&unsaved), Arc::clone(&slot));
-        let write = thread::Builder::new().spawn(move || on_thread.write(&its_slot));
-        // There may be no thread to have: a browser has none.
-        match write {
-            Ok(writing) => self.writing = Some(writing),
-            Err(_) => self.note(unsaved.write(&slot)),
-        }
+        self.writing.start(move || unsaved.write(&slot));
     }
 
     /// Returns the unsaved changes, and the slot that they belong to.
@@ -154,32 +112,16 @@ impl Recovery {
         Some((Unsaved::of(open), slot))
     }
 
-    /// Waits until the last write is finished, so that it cannot overwrite a later one.
-    fn finish_writing(&mut self) {
-        if let Some(writing) = self.writing.take() {
-            // A thread that panicked has written nothing.
-            self.note(writing.join().unwrap_or_else(|_| Err("it failed".to_owned())));
-        }
-    }
-
-    /// Notes the result of a write. The first failure is told in the window.
-    fn note(&mut self, written: Result<(), String>) {
-        if let Err(reason) = written {
-            complain(&format!("the recovery file could not be written: {reason}"));
-            self.fault.get_or_insert((reason, false));
-        }
-    }
-
     /// Returns, once, the reason why unsaved changes cannot be recorded.
     pub(super) fn take_fault(&mut self) -> Option<String> {
-        let (reason, is_told) = self.fault.as_mut()?;
-        (!std::mem::replace(is_told, true)).then(|| reason.clone())
+        let reason = self.writing.fault.as_ref()?;
+        (!std::mem::replace(&mut self.is_told, true)).then(|| reason.clone())
     }
 
     /// Clears the recovery slot, because its changes are saved or no longer wanted.
     fn clear(&mut self) {
-        self.finish_writing();
-        (self.last_document, self.first_edit) = (None, None);
+        self.writing.finish();
+        (self.last_document, self.writing.first_change) = (None, None);
         if let (true, Some(slot)) = (std::mem::take(&mut self.is_written), &self.slot) {
             slot.clear();
         }
@@ -192,7 +134,7 @@ impl Recovery {
             self.clear();
             return;
         }
-        self.finish_writing();
+        self.writing.finish();
         if let Some(slot) = &self.slot {
             match Unsaved::of(open).write(slot) {
                 Ok(()) => complain("the next start offers the unsaved changes"),

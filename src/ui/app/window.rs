@@ -3,9 +3,11 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use egui::{Context, ViewportCommand};
 
+use super::writing::Writing;
 use crate::model::files::{Stamps, argument_of, is_text, remember, title_of};
 use crate::model::{Remembered, Settings, Store, WindowGeometry};
 use crate::ui::app::scene::OpenScene;
@@ -14,6 +16,11 @@ use crate::ui::app::scene::OpenScene;
 #[derive(Default)]
 pub(super) struct AppWindow {
     store: Option<Store>,
+    /// This window's state when it was last loaded or saved.
+    stored: Arc<Mutex<Remembered>>,
+    /// This window's state in the last pass.
+    state: Remembered,
+    writing: Writing,
     pub(super) geometry: WindowGeometry,
     /// Files opened or saved recently, the latest first.
     pub(super) recent: Vec<PathBuf>,
@@ -31,12 +38,17 @@ pub(super) struct AppWindow {
 }
 
 impl AppWindow {
-    pub(super) fn new(
-        store: Option<Store>,
-        geometry: WindowGeometry,
-        recent: Vec<PathBuf>,
-    ) -> AppWindow {
-        AppWindow { store, geometry, recent, ..AppWindow::default() }
+    pub(super) fn new(store: Option<Store>, remembered: Remembered) -> AppWindow {
+        AppWindow {
+            store,
+            geometry: remembered.window,
+            recent: remembered.recent.clone(),
+            address: remembered.address.clone(),
+            state: remembered.clone(),
+            stored: Arc::new(Mutex::new(remembered)),
+            writing: Writing::new("settings were not saved"),
+            ..AppWindow::default()
+        }
     }
 
     /// Puts a file first in the list of recent files.
@@ -63,7 +75,7 @@ impl AppWindow {
         }
     }
 
-    /// Updates the title, and fills the screen while presenting.
+    /// Updates the title, fills the screen while presenting, and saves the state some time after a change.
     pub(super) fn follow(&mut self, ctx: &Context, scene: &OpenScene) {
         self.fill_screen(ctx, scene.session.presenting.is_some());
         let changed = if scene.open.has_changes() { "*" } else { "" };
@@ -71,6 +83,16 @@ impl AppWindow {
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
+        }
+        if self.store.is_some() {
+            let state = self.state(scene);
+            if state != self.state {
+                self.state = state;
+                self.writing.note(ctx);
+            }
+            if self.writing.is_due(ctx) {
+                self.save_state();
+            }
         }
     }
 
@@ -84,11 +106,10 @@ impl AppWindow {
         }
     }
 
-    /// Saves the settings, window, recent files and open scene for the next run.
-    pub(super) fn remember_state(&mut self, scene: &OpenScene) {
-        let Some(store) = &self.store else { return };
+    /// Returns what the next run is to know: the settings, window, recent files and open scene.
+    fn state(&self, scene: &OpenScene) -> Remembered {
         let argument = argument_of(scene.open.origin());
-        let remembered = Remembered {
+        Remembered {
             settings: settings_to_remember(scene),
             progress: scene.session.progress.clone(),
             window: self.geometry,
@@ -98,20 +119,43 @@ impl AppWindow {
             address: self.address.clone(),
             last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
-        };
-        if let Err(error) = store.save(&remembered) {
-            complain(&format!("settings were not saved: {error}"));
         }
+    }
+
+    /// Saves the state for the next run. Returns when it is on the disk.
+    pub(super) fn remember_state(&mut self, scene: &OpenScene) {
+        self.state = self.state(scene);
+        self.save_state();
+        self.writing.finish();
+    }
+
+    /// Saves a change of the state now, because it may be a long time until the next frame.
+    pub(super) fn save_now(&mut self) {
+        if self.writing.first_change.is_some() {
+            self.save_state();
+        }
+    }
+
+    /// Starts to save the state.
+    fn save_state(&mut self) {
+        let Some(store) = self.store.clone() else { return };
+        let (stored, state) = (Arc::clone(&self.stored), self.state.clone());
+        self.writing.start(move || {
+            let mut stored = stored.lock().unwrap_or_else(PoisonError::into_inner);
+            store.save(&stored, &state).map_err(|error| error.to_string())?;
+            stored.clone_from(&state);
+            Ok(())
+        });
     }
 }
 
 /// Returns the settings without the changes that lessons and presenter mode made.
 fn settings_to_remember(scene: &OpenScene) -> Settings {
-    let mut session = scene.session.clone();
-    if let Some(presenting) = session.presenting {
-        session.settings.layout = presenting.before(session.settings.layout);
+    let mut settings = scene.session.settings;
+    if let Some(presenting) = &scene.session.presenting {
+        settings.layout = presenting.before(settings.layout);
     }
-    scene.lessons.settings_without(&session)
+    scene.lessons.settings_without(settings)
 }
 
 /// Writes a message to standard error. Ignores a failure, because there is nowhere to report it.

@@ -5,5 +5,6 @@ mod desktop_dialog;
 mod export;
 mod play_export;
 mod recovery;
+mod remembering;
 pub(crate) mod scene_files;
 mod share;

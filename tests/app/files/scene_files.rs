@@ -202,7 +202,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
     right.selection =
         Some(pinhole_core::Selection::Pixel(pinhole_core::Pixel { row: 3, column: 4 }));
-    Store::at(&path).save(&right).unwrap();
+    Store::at(&path).save(&Remembered::default(), &right).unwrap();
     let text = fs::read_to_string(&path).unwrap();
     let wrong = [
         ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.digits),
