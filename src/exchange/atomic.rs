@@ -14,7 +14,7 @@ use std::time::{Duration, SystemTime};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use crate::FileError;
+use crate::{FileError, windows_names};
 
 /// Writes a file completely or not at all.
 ///
@@ -178,6 +178,9 @@ pub fn check(path: &Path) -> Result<(), FileError> {
 /// Returns the path of the file that will be written, after following links, and the metadata of the
 /// existing file there, if there is one.
 fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
+    if let Some(reason) = windows_names::refusal(path).filter(|_| cfg!(windows)) {
+        return Err(io::Error::other(reason));
+    }
     // The link of a pipe, such as /dev/stdout, does not lead to a file name.
     let is_device = |data: &Metadata| !data.is_file() && !data.is_dir();
     if let Some(device) = fs::metadata(path).ok().filter(is_device) {

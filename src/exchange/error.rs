@@ -80,6 +80,10 @@ fn reason(error: &io::Error) -> String {
         io::ErrorKind::FileTooLarge => {
             "the file may not become larger, by ulimit -f or on this disk".to_owned()
         }
+        // Windows denies the access, or reports a shared or locked file.
+        _ if cfg!(windows) && matches!(error.raw_os_error(), Some(5 | 32 | 33)) => {
+            "access is denied, or another program has it open".to_owned()
+        }
         // A reason of the program's own.
         io::ErrorKind::Other => text,
         _ => text.split(" (os error").next().unwrap_or_default().to_lowercase(),

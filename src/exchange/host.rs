@@ -10,7 +10,7 @@ use std::time::SystemTime;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{FileError, atomic};
+use crate::{FileError, atomic, windows_names};
 
 /// What tells a file's content from another one without reading it: its state before it was read, or after it
 /// was written.
@@ -162,6 +162,7 @@ impl Host for OperatingSystem {
             .ok()
             .or_else(|| in_folder().map(|(folder, name)| folder.join(name)))
             .or_else(|| std::path::absolute(path).ok())
+            .map(windows_names::usual)
     }
 
     fn is_same_file(&self, a: &Path, b: &Path) -> bool {

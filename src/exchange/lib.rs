@@ -15,6 +15,7 @@
 //! - [`link`]: a scene or a lesson's step in a URL.
 //! - [`seal`]: a text's version and check, by which a link that was cut off is noticed.
 //! - [`code`]: the current camera as a short program in six languages.
+//! - [`windows_names`]: the names that Windows refuses, and its ways to write a path.
 //! - [`host`](mod@host): the operating system or browser that keeps the files.
 //!
 //! Every problem with a file is a [`FileError`], which states the location and the rule for valid
@@ -40,6 +41,7 @@ pub mod scene_file;
 pub mod scenes;
 pub mod seal;
 mod template;
+pub mod windows_names;
 
 pub use document::Document;
 pub use error::{FileError, Location, is_hidden, legible, legible_name};

@@ -171,7 +171,8 @@ pub fn prepare(
 }
 
 /// Returns the path by which a file in `folder` refers to `file`: `written`, the path up to now, if it
-/// still refers to that file, otherwise the relative path or, if there is none, the absolute path.
+/// still refers to that file, otherwise the relative path or, if there is none, the absolute path. A relative path
+/// is written with slashes, so that every system can read it.
 /// Returns `None` if the path is not UTF-8.
 pub fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
@@ -180,7 +181,10 @@ pub fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
         return Some(written.to_owned());
     }
     let relative = host().resolved(folder).and_then(|folder| relative_path(&folder, &file));
-    relative.unwrap_or(file).to_str().map(str::to_owned)
+    match relative {
+        Some(path) if cfg!(windows) => path.to_str().map(|path| path.replace('\\', "/")),
+        path => path.unwrap_or(file).to_str().map(str::to_owned),
+    }
 }
 
 /// Returns the relative path from a folder to a file, which are both absolute. Returns `None` if they

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use pinhole_core::{Basis, DVec3, ImageSize, Orientation, Plane, Sphere};
 use pinhole_exchange::document::{Document, Item, StoredObserver};
-use pinhole_exchange::{atomic, scene_file};
+use pinhole_exchange::{atomic, scene_file, windows_names};
 
 const COMMENTED: &str = r##"# Look at the ball.
 
@@ -302,5 +302,48 @@ mod unix {
         let plain = folder.path().join("plain");
         fs::write(&plain, "").unwrap();
         assert_eq!(fs::metadata(&link).unwrap().mode(), fs::metadata(&plain).unwrap().mode());
+    }
+}
+
+#[test]
+fn names_that_windows_refuses_are_known_everywhere() {
+    let device = ["con.toml", "AUX", "nul.tar.gz", "Com1.png", "lpt².csv", "conin$", "prn .toml"];
+    let letter = ["one:two.toml", "why?", "a<b", "a>b", "a|b", "st*r", "quo\"te", "tab\t"];
+    let end = ["dot.", "blank ", "scene.toml..."];
+    let refused = |names: &[&str], reason: &str| {
+        for name in names {
+            let folder = Path::new("Übung 3").join(name);
+            let told = windows_names::refusal(&folder).unwrap_or_default();
+            assert!(told.contains(reason), "{name}: {told}");
+        }
+    };
+    refused(&device, "is the name of a device of Windows");
+    refused(&letter, "in a name");
+    refused(&end, "no dot or blank at the end");
+    for name in [
+        "scene.toml",
+        "contour.toml",
+        "com10",
+        "com",
+        "a.con",
+        ".hidden",
+        "..",
+        "ein Blank.csv",
+        "nul²",
+    ] {
+        assert_eq!(windows_names::refusal(Path::new(name)), None, "{name}");
+    }
+}
+
+#[test]
+fn paths_are_written_as_users_of_windows_write_them() {
+    for (path, usual) in [
+        (r"\\?\C:\Übung\a.csv", r"C:\Übung\a.csv"),
+        (r"\\?\UNC\server\share\a.csv", r"\\server\share\a.csv"),
+        (r"\\?\Volume{1}\a.csv", r"\\?\Volume{1}\a.csv"),
+        (r"C:\a.csv", r"C:\a.csv"),
+        ("/home/a.csv", "/home/a.csv"),
+    ] {
+        assert_eq!(windows_names::usual(path.into()), Path::new(usual));
     }
 }
