@@ -53,6 +53,8 @@ mod signals {
 
 /// Parses the arguments, and opens the window or runs a headless command.
 pub fn main() -> ExitCode {
+    #[cfg(windows)]
+    attach_terminal();
     fault::watch(fault::print);
     signals::watch();
     let parsed = Arguments::try_parse();
@@ -73,6 +75,17 @@ pub fn main() -> ExitCode {
     });
     signals::pass_on();
     code
+}
+
+/// Writes to the terminal that started the program, if there is one: for programs with a window, Windows does not
+/// do that. Output to a file or a pipe stays there.
+#[cfg(windows)]
+fn attach_terminal() {
+    use std::os::windows::io::AsRawHandle as _;
+    if std::io::stdout().as_raw_handle().is_null() {
+        // An error means that there is no terminal.
+        let _ = winsafe::AttachConsole(winsafe::PidParent::Parent);
+    }
 }
 
 /// Opens the window with the named scene or lesson, otherwise with that of the last run, otherwise with

@@ -1,22 +1,31 @@
-//! The desktop's own file dialog, if there is one: that of the desktop's portal, on Linux and similar systems.
+//! The desktop's own file dialog, if there is one: that of the desktop's portal, on Linux and similar systems, and
+//! that of Windows.
 //!
 //! The dialog runs on another thread while the window continues to draw, and the answer arrives as an
 //! event.
 //!
-//! The crate `rfd` is not used: with a portal, it mistakes an error for a closed dialog, or starts Zenity,
+//! The crate `rfd` is used on Windows only: with a portal, it mistakes an error for a closed dialog, or starts Zenity,
 //! whereas the window would show its own list. Also, it needs libdbus, whereas the window already uses zbus for
 //! screen readers.
 
 #[cfg(all(unix, not(target_os = "macos")))]
 mod portal;
+#[cfg(windows)]
+mod windows;
 
 #[cfg(all(unix, not(target_os = "macos")))]
 pub(super) use self::portal::{FileDialog, ask, detect};
-#[cfg(not(all(unix, not(target_os = "macos"))))]
+#[cfg(windows)]
+pub(super) use self::windows::{FileDialog, ask, detect};
+#[cfg(target_os = "macos")]
 pub(super) use self::without::{FileDialog, ask, detect};
 
-/// Replaces the portal on systems without one: the window shows its own list.
-#[cfg(not(all(unix, not(target_os = "macos"))))]
+/// Time within which no user closes a dialog. A dialog that ends sooner could not be opened.
+#[cfg(not(target_os = "macos"))]
+const AT_ONCE: std::time::Duration = std::time::Duration::from_millis(500);
+
+/// Replaces the dialog on macOS: the window shows its own list.
+#[cfg(target_os = "macos")]
 mod without {
     use winit::window::Window;
 

@@ -20,6 +20,7 @@ use zbus::names::WellKnownName;
 use zbus::zvariant::{OwnedObjectPath, OwnedValue, Value};
 use zbus::{Connection, MatchRule, Message, MessageStream};
 
+use super::AT_ONCE;
 use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
 
 const PORTAL: &str = "org.freedesktop.portal.Desktop";
@@ -30,9 +31,6 @@ const REQUEST: &str = "org.freedesktop.portal.Request";
 /// Timeout for a call to the bus or the portal, either of which may have to be started first. No
 /// call waits for the user.
 const PATIENCE: Duration = Duration::from_secs(5);
-
-/// Time within which no user closes a dialog. A dialog that ends sooner could not be opened.
-const AT_ONCE: Duration = Duration::from_millis(500);
 
 /// Calls `on_found` on another thread if the bus has a portal, or can start one.
 pub(crate) fn detect(on_found: impl FnOnce() + Send + 'static) {
