@@ -1,4 +1,4 @@
-//! The text of `--version`: version, commit, profile and target.
+//! The text of `--version`: version, commit, profile and target; on Windows, also the program's icon and version.
 //!
 //! Only release builds include the commit. To keep it current, this script must run again after every
 //! edit and every commit, which would slow down the builds used for testing.
@@ -18,6 +18,29 @@ fn main() {
     let parts = [commit, Some(profile), Some(of_cargo("TARGET"))];
     let build = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
     println!("cargo:rustc-env=PINHOLE_VERSION={} ({build})", of_cargo("CARGO_PKG_VERSION"));
+    if of_cargo("TARGET").ends_with("-windows-gnu") {
+        add_resources(&of_cargo("CARGO_CFG_TARGET_ARCH"), &of_cargo("OUT_DIR"));
+    }
+}
+
+/// Links icon, version and manifest into the program, with the tool that comes with the linker.
+fn add_resources(arch: &str, out: &str) {
+    println!("cargo:rerun-if-changed=assets/windows");
+    let parts = ["MAJOR", "MINOR", "PATCH"].map(|part| {
+        let number = std::env::var(format!("CARGO_PKG_VERSION_{part}")).unwrap_or_default();
+        format!("-D{part}={number}")
+    });
+    let object = format!("{out}/resources.o");
+    let compiled =
+        [&*format!("{arch}-w64-mingw32-windres"), "windres"].into_iter().any(|windres| {
+            let mut command = Command::new(windres);
+            command.args(&parts).args(["assets/windows/pinhole.rc", &object]);
+            command.status().is_ok_and(|status| status.success())
+        });
+    match compiled {
+        true => println!("cargo:rustc-link-arg-bins={object}"),
+        false => println!("cargo:warning=no windres: the program has no icon and no version"),
+    }
 }
 
 /// Returns the commit of these sources, followed by `+` if they have changed since. Returns `None` if
