@@ -408,9 +408,8 @@ def a_file_that_another_program_has_open_is_left_alone(windows, pictures):
     assert told == "error: held.png: cannot be written: access is denied, or another program has it open\n", told
     assert scene.read_text() == SCENE and picture.read_bytes() == before
     assert not list(windows.home.glob(".pinhole-*")), "a temporary file is left"
-    windows.run("taskkill", "/f", "/im", "ping.exe")
     for holder in holders:
-        holder.wait(60)
+        window.wait(lambda: windows.run("taskkill", "/f", "/im", "ping.exe") and holder.poll() is not None, "still held")
     window.key("Return")
     window.key("ctrl+s")
     window.close()
