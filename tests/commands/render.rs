@@ -379,9 +379,9 @@ fn a_picture_takes_bounded_memory_or_there_is_too_little() {
 fn where_memory_is_short_there_is_a_picture_or_a_line_that_says_so() {
     use super::outputs::run_within;
 
-    for limit in (240_000..360_000).step_by(20_000) {
+    for limit in [240_000, 284_000, 292_000, 300_000, 308_000, 340_000] {
         let folder = tempfile::tempdir().unwrap();
-        let line = "render planet -o out.png --aov out.exr --width 8000 --height 192";
+        let line = "render planet -o out.png --aov out.exr --width 8000 --height 64";
         let run = run_within(&format!("-v {limit}"), folder.path(), line);
         if run.status == 0 {
             assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
