@@ -39,6 +39,7 @@ var pinhole = (() => {
         }
       }
     } catch { /* A browser without locks: its pages share their unsaved changes. */ }
+    done.push("locked");
   }
 
   // Holds a lock until it is released. Tells whether it was free.
@@ -128,8 +129,7 @@ var pinhole = (() => {
   let hasPicture = false;
 
   function rest(seconds) {
-    if (!hasPicture) performance.mark("first picture");
-    hasPicture = true;
+    if (!hasPicture) started();
     clearTimeout(timer);
     isResting = seconds > 0;
     if (isResting && seconds * 1000 < LONGEST) timer = setTimeout(wake, seconds * 1000);
@@ -166,17 +166,18 @@ var pinhole = (() => {
     wake();
   }, { capture: true });
 
+  const fragment = () => location.hash.slice(1);
+
   // Takes the link out of the page's address, so that a reload shows what the user has done since.
-  function fragment() {
-    const link = location.hash.slice(1);
+  function forgetLink() {
     try {
-      if (link) history.replaceState(null, "", location.href.split("#")[0]);
+      if (fragment()) history.replaceState(null, "", location.href.split("#")[0]);
     } catch { /* A page that has no address of its own keeps the link. */ }
-    return link;
   }
 
   window.addEventListener("hashchange", () => {
     const link = fragment();
+    forgetLink();
     if (link) wasm_bindgen.link_opened(link);
     wake();
   });
@@ -229,7 +230,19 @@ var pinhole = (() => {
     row.querySelector("button")?.focus();
   }
 
+  const reportButtons = (report) => [
+    ["Copy a report", () => navigator.clipboard.writeText(report).catch(() => download("pinhole-report.txt", report))],
+    ["Save the report", () => download("pinhole-report.txt", report)],
+  ];
+
+  // True once the program has failed. What fails after that is a consequence.
+  let isOver = false;
+  let title = "Pinhole ran into an internal error";
+
+  // `isKept` is undefined if the program could not be asked to store its changes.
   function failed(message, report, isKept) {
+    isOver = true;
+    window.requestAnimationFrame = () => WAITING;
     const lacks = hasPicture ? [] : missing();
     if (lacks.length) {
       show("This browser cannot run Pinhole", ["It lacks:", ...lacks.map((name) => "• " + name + "."),
@@ -237,13 +250,79 @@ var pinhole = (() => {
         + "settings of the browser or of the computer switch them off."]);
       return;
     }
+    if (!hasPicture && isKept && !firstFailure() && startAgain(message)) return;
     const kept = isKept ? "Unsaved changes are kept in the storage of this browser."
-      : "Unsaved changes could not be stored: save the report, which has the scene, before you go on.";
-    show("Pinhole ran into an internal error", [kept], message,
-      [["Go on", () => location.reload()],
-        ["Copy a report", () => navigator.clipboard.writeText(report)],
-        ["Save the report", () => download("pinhole-report.txt", report)]]);
+      : isKept === false ? "Unsaved changes could not be stored: save the report, which has the scene, before you go on."
+      : "What you changed in the last seconds may be lost: the program can no longer be asked for it.";
+    show(title, [kept], message, [["Go on", () => location.reload()], ...reportButtons(withBrowser(report))]);
   }
+
+  // A start that fails before the first picture is tried again, once. The mark of it is in the page's history, which
+  // outlives a reload, and needs no storage and no address.
+  const firstFailure = () => history.state?.failed;
+
+  function startAgain(message) {
+    try {
+      history.replaceState({ failed: message }, "");
+    } catch {
+      return false;
+    }
+    location.reload();
+    return true;
+  }
+
+  function withBrowser(report) {
+    const before = firstFailure() ? `The start before this one failed, too: ${firstFailure()}\n` : "";
+    return `${navigator.userAgent}\n${before}${report}`;
+  }
+
+  function started() {
+    hasPicture = true;
+    performance.mark("first picture");
+    if (!isOver) element("message").hidden = true;
+    if (firstFailure()) history.replaceState(null, "");
+    forgetLink();
+  }
+
+  // Ends the program. If it still can, it stores its changes and calls `failed`.
+  function end(message) {
+    if (isOver) return;
+    try {
+      wasm_bindgen.program_failed(message);
+    } catch {
+      // Before there is a picture, nothing can have been changed.
+      failed(message, message, hasPicture ? undefined : true);
+    }
+  }
+
+  const trace = (error) => `${error}\n${error?.stack ?? ""}`;
+
+  // An error that nobody has caught. If it went through the program, that cannot go on. Extensions and learning
+  // platforms have scripts of their own in this page, and what fails there is theirs.
+  function uncaught(error) {
+    if (/wasm/i.test(trace(error))) end(trace(error));
+  }
+  window.addEventListener("error", (event) => uncaught(event.error));
+  window.addEventListener("unhandledrejection", (event) => uncaught(event.reason));
+  element("canvas").addEventListener("webglcontextlost", () => {
+    title = "The browser has taken the picture away";
+    end("WebGL: the context is lost");
+  });
+
+  // The seconds in sight after which a page without a picture says so. If the picture comes later, it is shown.
+  const PATIENCE = 15;
+  let seconds = 0;
+  const patience = setInterval(() => {
+    if (hasPicture || isOver) clearInterval(patience);
+    else if (!document.hidden && (seconds += 1) === PATIENCE) {
+      const report = `No picture after ${PATIENCE} s. Done: ${done.join(", ")}`;
+      show("There is no picture yet", ["Pinhole has been starting for a quarter of a minute. It may only be slow here."],
+        report, [["Try again", () => location.reload()], ...reportButtons(withBrowser(report))]);
+    }
+  }, 1000);
+
+  // What the start has done, for a report.
+  const done = [];
 
   // A module with one vector instruction.
   const VECTORS = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0,
@@ -264,14 +343,15 @@ var pinhole = (() => {
     // A loop, because `Uint8Array.from` takes a third of a second for it.
     const packed = new Uint8Array(letters.length);
     for (let at = 0; at < letters.length; at += 1) packed[at] = letters.charCodeAt(at);
+    done.push("decoded");
     const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     const headers = { "Content-Type": "application/wasm" };
     await wasm_bindgen({ module_or_path: new Response(unpacked, { headers }) });
+    done.push("compiled");
   }
 
-  window.addEventListener("DOMContentLoaded", () => start().catch((error) => {
-    if (element("message").hidden) failed(String(error), String(error.stack || error), true);
-  }));
+  window.addEventListener("DOMContentLoaded",
+    () => start().catch((error) => end(trace(error))));
 
   return {
     now: () => Date.now(),

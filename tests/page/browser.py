@@ -1,15 +1,26 @@
-"""A real Chromium, without a display, that opens a page from the disk and is driven by mouse, touch and keys."""
-import base64
-import json
+"""A real browser that opens a page from the disk and is driven by mouse, keys and touch, by its WebDriver.
+
+Chromium and Firefox need no display; WebKit gets one of its own, from Xvfb.
+"""
+import contextlib
+import os
 import shutil
+import signal
+import subprocess
 import tempfile
 import time
 from pathlib import Path
 
 from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
+from selenium.common.exceptions import WebDriverException
+from selenium.webdriver.chrome.service import Service as ChromiumService
+from selenium.webdriver.firefox.service import Service as FirefoxService
+from selenium.webdriver.webkitgtk.options import Options as WebKitOptions
 
-# Runs before the page: notes how long each animation frame keeps the main thread, and what is downloaded.
+ENGINES = ("chromium", "webkit", "firefox")
+
+# Stands in the page before its own scripts: notes how long each animation frame keeps the main thread, what is
+# downloaded, and what the console is told.
 BEFORE = """
 window.frames_ms = [];
 const request = window.requestAnimationFrame.bind(window);
@@ -25,42 +36,103 @@ HTMLAnchorElement.prototype.click = function () {
   const name = this.download;
   fetch(this.href).then((answer) => answer.text()).then((text) => { window.downloads[name] = text; });
 };
+window.console_lines = [];
+for (const kind of ["warn", "error"]) {
+  const tell = console[kind].bind(console);
+  console[kind] = (...parts) => { window.console_lines.push(parts.join(" ")); tell(...parts); };
+}
 """
 
-KEYS = {"PageDown": 34, "PageUp": 33, "End": 35, "Home": 36, "Escape": 27, "Enter": 13, "F5": 116, "F1": 112}
+# WebDriver's names of keys that type no letter.
+KEYS = {"PageDown": "\ue00f", "PageUp": "\ue00e", "End": "\ue010", "Home": "\ue011", "Escape": "\ue00c",
+        "Enter": "\ue007", "F5": "\ue035", "F1": "\ue031"}
+CONTROL = "\ue009"
+BUTTONS = {"left": 0, "right": 2}
 
 
 class Browser:
     """One tab, with the profile of a user who comes back if `profile` is given again."""
 
+    # The engine of every browser that is started.
+    engine = "chromium"
+
     def __init__(self, size=(1280, 800), touch=False, profile=None):
         self.size, self.own = size, profile is None
         self.profile = profile or tempfile.mkdtemp(prefix="pinhole-page-")
+        # Pages with something before their scripts.
+        self.pages = Path(self.profile) / "pages"
+        self.display = None
+        self.driver = getattr(self, self.engine)(touch)
+        if self.engine != "chromium":
+            self.resize()
+
+    def chromium(self, touch):
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for argument in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader",
                          "--enable-unsafe-swiftshader", f"--user-data-dir={self.profile}",
-                         f"--window-size={size[0]},{size[1]}"):
+                         f"--window-size={self.size[0]},{self.size[1]}"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        self.driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-        self.cdp("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1],
+        self.driver = webdriver.Chrome(service=ChromiumService(shutil.which("chromedriver")), options=options)
+        self.cdp("Emulation.setDeviceMetricsOverride", width=self.size[0], height=self.size[1],
                  deviceScaleFactor=1, mobile=touch)
         if touch:
             self.cdp("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
-        self.cdp("Page.addScriptToEvaluateOnNewDocument", source=BEFORE)
+        return self.driver
+
+    def webkit(self, _):
+        read, write = os.pipe()
+        command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "2048x1280x24", "-nolisten", "tcp"]
+        self.display = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with open(read) as answer:
+            os.environ["DISPLAY"] = ":" + answer.readline().strip()
+        options = WebKitOptions()
+        options.binary_location = str(next(Path("/usr/lib").glob("*/webkit2gtk-4.1/MiniBrowser")))
+        options.add_argument("--automation")
+        return webdriver.WebKitGTK(executable_path=shutil.which("WebKitWebDriver"), options=options)
+
+    def firefox(self, _):
+        options = webdriver.FirefoxOptions()
+        options.binary_location = shutil.which("firefox-esr") or shutil.which("firefox")
+        for argument in ("-headless", "-profile", self.profile):
+            options.add_argument(argument)
+        service = FirefoxService(shutil.which("geckodriver"), log_path=os.devnull)
+        return webdriver.Firefox(service=service, options=options)
+
+    def resize(self):
+        """Makes the page, not the window, as large as it is asked to be."""
+        self.driver.get("data:text/html,")
+        self.driver.set_window_rect(0, 0, *self.size)
+        inner = self.run("return [innerWidth, innerHeight]")
+        self.driver.set_window_rect(0, 0, *(2 * wanted - found for wanted, found in zip(self.size, inner)))
+        self.wait(lambda: self.run("return [innerWidth, innerHeight]") == list(self.size), 5, "the window has no such size")
 
     def cdp(self, command, **parameters):
+        """Asks what Chromium alone can do."""
         return self.driver.execute_cdp_cmd(command, parameters)
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
 
-    def open(self, path, fragment=""):
-        """Opens a page from the disk. Returns the milliseconds until its first picture."""
-        self.driver.get("about:blank")
-        self.driver.get(Path(path).resolve().as_uri() + (fragment and "#" + fragment))
+    def open(self, path, fragment="", before=""):
+        """Opens a page from the disk, after a script. Returns the milliseconds until its first picture."""
+        self.go(path, fragment, before)
         return self.started()
+
+    def go(self, path, fragment="", before=""):
+        """Opens a page from the disk, after a script, and does not wait for a picture."""
+        self.driver.get("about:blank")
+        self.driver.get(self.prepared(path, before).as_uri() + (fragment and "#" + fragment))
+
+    def prepared(self, path, before=""):
+        """The page with what the tests need before its own scripts."""
+        self.pages.mkdir(exist_ok=True)
+        page = self.pages / Path(path).name
+        text = Path(path).read_text()
+        page.write_text(text.replace("<head>", f"<head><script>{BEFORE}{before}</script>", 1))
+        return page
 
     def started(self, seconds=20):
         mark = "return performance.getEntriesByName('first picture')[0]?.startTime"
@@ -83,36 +155,46 @@ class Browser:
         return self.run("return document.getElementById('message')?.innerText")
 
     def log(self):
-        return [line["message"] for line in self.driver.get_log("browser")]
+        lines = self.run("return window.console_lines ?? []")
+        if self.engine == "chromium":
+            lines += [line["message"] for line in self.driver.get_log("browser")]
+        return lines
 
     def shot(self, path):
-        Path(path).write_bytes(base64.b64decode(self.cdp("Page.captureScreenshot")["data"]))
+        Path(path).write_bytes(self.driver.get_screenshot_as_png())
 
-    def mouse(self, kind, x, y, button="none", clicks=0):
-        self.cdp("Input.dispatchMouseEvent", type=kind, x=x, y=y, button=button, clickCount=clicks,
-                 buttons={"none": 0, "left": 1, "right": 2}[button])
+    def act(self, kind, actions):
+        source = {"type": kind, "id": kind, "actions": actions}
+        if kind == "pointer":
+            source["parameters"] = {"pointerType": "mouse"}
+        self.driver.execute("actions", {"actions": [source]})
+
+    def mouse(self, *acts):
+        """Moves the mouse to a place, which is a pair, or presses or releases a button: `("pointerDown", 0)`."""
+        def written(first, second):
+            if isinstance(first, str):
+                return {"type": first, "button": second}
+            return {"type": "pointerMove", "x": round(first), "y": round(second), "duration": 0}
+        self.act("pointer", [written(*act) for act in acts])
 
     def click(self, x, y):
-        self.mouse("mouseMoved", x, y)
-        self.mouse("mousePressed", x, y, "left", 1)
-        self.mouse("mouseReleased", x, y, "left", 1)
+        self.mouse((x, y), ("pointerDown", 0), ("pointerUp", 0))
         time.sleep(0.3)
 
     def drag(self, start, end, button="left", steps=40):
         """Drags, and returns the milliseconds that each frame kept the main thread."""
-        self.mouse("mouseMoved", *start)
-        self.mouse("mousePressed", *start, button, 1)
         self.run("window.frames_ms.length = 0")
-        for step in range(1, steps + 1):
-            x, y = (a + (b - a) * step / steps for a, b in zip(start, end))
-            self.mouse("mouseMoved", x, y, button)
-        times = self.run("return window.frames_ms")
-        self.mouse("mouseReleased", *end, button, 1)
+        # At once, because a button that was pressed before is another one for Chromium's driver.
+        path = [tuple(a + (b - a) * step / steps for a, b in zip(start, end)) for step in range(1, steps + 1)]
+        self.mouse(start, ("pointerDown", BUTTONS[button]), *path, ("pointerUp", BUTTONS[button]))
         time.sleep(0.3)
-        return times
+        return self.run("return window.frames_ms")
 
     def measured_drag(self, start, end, button):
-        """Drags. Returns the milliseconds of the main thread's own work a frame, and those that each frame took."""
+        """Drags. Returns the milliseconds of the main thread's own work a frame, which Chromium alone tells, and
+        those that each frame took."""
+        if self.engine != "chromium":
+            return None, self.drag(start, end, button)
         self.cdp("Performance.enable", timeDomain="threadTicks")
         before = self.script_seconds()
         times = self.drag(start, end, button)
@@ -131,13 +213,16 @@ class Browser:
         self.touch("touchEnd")
         time.sleep(0.3)
 
-    def key(self, name, modifiers=0):
-        code = KEYS.get(name) or ord(name.upper())
-        text = {} if name in KEYS or modifiers else {"text": name}
-        for kind in ("keyDown", "keyUp"):
-            self.cdp("Input.dispatchKeyEvent", type=kind, key=name, code=name if name in KEYS else f"Key{name.upper()}",
-                     windowsVirtualKeyCode=code, modifiers=modifiers, **(text if kind == "keyDown" else {}))
+    def key(self, name, control=False):
+        """Presses a key: a letter, or one of `KEYS`."""
+        pressed = [CONTROL] * control + [KEYS.get(name, name)]
+        self.act("key", [{"type": "keyDown", "value": value} for value in pressed]
+                 + [{"type": "keyUp", "value": value} for value in reversed(pressed)])
         time.sleep(0.3)
+
+    def write(self, text):
+        self.act("key", [{"type": kind, "value": letter} for letter in text for kind in ("keyDown", "keyUp")])
+        time.sleep(0.5)
 
     def drop(self, *files):
         """Drops files into the page, each as its name and text."""
@@ -161,7 +246,24 @@ class Browser:
                     return name, text
         raise AssertionError(f"no file {ending} was saved, but {list(self.downloads())}")
 
+    def crash(self):
+        """Ends the browser as a crash does."""
+        if self.engine == "chromium":
+            # The tab is gone, which is what is asked for.
+            with contextlib.suppress(WebDriverException):
+                self.cdp("Page.crash")
+        else:
+            os.kill(self.driver.capabilities["moz:processID"], signal.SIGKILL)
+        self.quit()
+
+    def quit(self):
+        with contextlib.suppress(WebDriverException):
+            self.driver.quit()
+        if self.display:
+            self.display.terminate()
+            self.display.wait()
+
     def close(self):
-        self.driver.quit()
+        self.quit()
         if self.own:
             shutil.rmtree(self.profile, ignore_errors=True)

@@ -66,10 +66,7 @@ static CONTEXT: OnceLock<Context> = OnceLock::new();
 
 /// Shows the program in the page's canvas.
 pub fn main() -> ExitCode {
-    fault::watch(|message| {
-        let (report, is_kept) = last_report(message);
-        page::failed(message, &report, is_kept);
-    });
+    fault::watch(program_failed);
     host::set(browser::Browser);
     wasm_bindgen_futures::spawn_local(async {
         let Some(canvas) = canvas() else { return };
@@ -80,7 +77,7 @@ pub fn main() -> ExitCode {
         let runner = WebRunner::new();
         RUNNER.set(Some(runner.clone()));
         if let Err(error) = runner.start(canvas, WebOptions::default(), app).await {
-            page::failed(&format!("{error:?}"), "", true);
+            program_failed(&format!("{error:?}"));
         }
     });
     ExitCode::SUCCESS
@@ -298,14 +295,16 @@ thread_local! {
     static LAST: RefCell<Option<(Unsaved, Arc<Slot>)>> = const { RefCell::new(None) };
 }
 
-/// Writes the last changes to their slot, because the program has failed and cannot go on. Returns a report
-/// about the failure with the scene, and whether the changes were written.
-fn last_report(message: &str) -> (String, bool) {
+/// Writes the last changes to their slot, because the program has failed and cannot go on. Shows a message with
+/// a report, which has the scene. The script calls it for an error that is no panic, such as a trap.
+#[wasm_bindgen]
+pub fn program_failed(message: &str) {
     let version = env!("CARGO_PKG_VERSION");
     let last = LAST.take();
     let is_kept = last.as_ref().is_none_or(|(unsaved, slot)| unsaved.write(slot).is_ok());
     let scene = last.and_then(|(unsaved, slot)| unsaved.text(&slot).ok()).unwrap_or_default();
-    (format!("Pinhole {version} in a browser\n{message}\n\n{scene}"), is_kept)
+    let report = format!("Pinhole {version} in a browser\n{message}\n\n{scene}");
+    page::failed(message, &report, is_kept);
 }
 
 /// Carries out what a frame asks of the window, and lets the page rest until the next one.

@@ -41,7 +41,7 @@ extern "C" {
     /// Returns the page's address without its fragment.
     pub(super) fn address() -> String;
 
-    /// Takes the fragment out of the page's address. Returns it without `#`.
+    /// Returns the fragment of the page's address without `#`. With the first picture, the script takes it out.
     pub(super) fn fragment() -> String;
 
     /// Returns true if the user has asked the system for less motion.
@@ -65,6 +65,7 @@ extern "C" {
     /// Rests until the next event, or until this many seconds have passed.
     pub(super) fn rest(seconds: f64);
 
-    /// Shows a page about an error of the program. `is_kept` is true if unsaved changes are stored.
+    /// Starts the page again if it has no picture yet and has not failed before; else shows a message about an
+    /// error of the program. `is_kept` is true if unsaved changes are stored.
     pub(super) fn failed(message: &str, report: &str, is_kept: bool);
 }
