@@ -38,8 +38,9 @@ var pinhole = (() => {
           taken.add(PREFIX + name);
         }
       }
-    } catch { /* A browser without locks: its pages share their unsaved changes. */ }
-    done.push("locked");
+    } catch { /* A browser without locks: its pages share their unsaved changes. */ } finally {
+      done.push("locked");
+    }
   }
 
   // Holds a lock until it is released. Tells whether it was free.

@@ -84,7 +84,8 @@ class Browser:
     def webkit(self, _):
         read, write = os.pipe()
         command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "2048x1280x24", "-nolisten", "tcp"]
-        self.display = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
+        self.display = subprocess.Popen(command, pass_fds=[write], stdin=subprocess.DEVNULL,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with open(read) as answer:
             os.environ["DISPLAY"] = ":" + answer.readline().strip()
@@ -107,7 +108,8 @@ class Browser:
         self.driver.set_window_rect(0, 0, *self.size)
         inner = self.run("return [innerWidth, innerHeight]")
         self.driver.set_window_rect(0, 0, *(2 * wanted - found for wanted, found in zip(self.size, inner)))
-        self.wait(lambda: self.run("return [innerWidth, innerHeight]") == list(self.size), 5, "the window has no such size")
+        self.wait(lambda: self.run("return [innerWidth, innerHeight]") == list(self.size), 20,
+                  "the window is not as large as it is asked to be")
 
     def cdp(self, command, **parameters):
         """Asks what Chromium alone can do."""
@@ -152,7 +154,7 @@ class Browser:
         return self.run("return document.getElementById('told').textContent")
 
     def message(self):
-        return self.run("return document.getElementById('message')?.innerText")
+        return self.run("return document.querySelector('#message:not([hidden])')?.innerText ?? ''")
 
     def log(self):
         lines = self.run("return window.console_lines ?? []")
