@@ -99,6 +99,20 @@ var pinhole = (() => {
     input.click();
   }
 
+  // WebKit tells a page from the disk no more of an error that nobody catches than that there was one: so what calls
+  // the program catches it. Its first frame comes from an observer of the canvas.
+  const guarded = (act) => (...parts) => {
+    try {
+      return act(...parts);
+    } catch (error) {
+      uncaught(error);
+      throw error;
+    }
+  };
+  window.ResizeObserver = class extends ResizeObserver {
+    constructor(act) { super(guarded(act)); }
+  };
+
   // The program's runner asks for an animation frame after each frame, even if nothing will change. While the
   // page rests, its request waits here.
   const request = window.requestAnimationFrame.bind(window);
@@ -107,8 +121,8 @@ var pinhole = (() => {
   let isResting = false;
   let timer = 0;
   window.requestAnimationFrame = (frame) => {
-    if (!isResting) return request(frame);
-    waiting = frame;
+    if (!isResting) return request(guarded(frame));
+    waiting = guarded(frame);
     return WAITING;
   };
   const cancel = window.cancelAnimationFrame.bind(window);
@@ -303,7 +317,10 @@ var pinhole = (() => {
   function uncaught(error) {
     if (/wasm/i.test(trace(error))) end(trace(error));
   }
-  window.addEventListener("error", (event) => uncaught(event.error));
+  window.addEventListener("error", ({ error, message }) => {
+    const isHidden = !error && !hasPicture && message === "Script error.";
+    uncaught(isHidden ? "an error that the browser does not tell, perhaps in wasm" : error);
+  });
   window.addEventListener("unhandledrejection", (event) => uncaught(event.reason));
   element("canvas").addEventListener("webglcontextlost", () => {
     title = "The browser has taken the picture away";

@@ -1,6 +1,6 @@
 """A real browser that opens a page from the disk and is driven by mouse, keys and touch, by its WebDriver.
 
-Chromium and Firefox need no display; WebKit gets one of its own, from Xvfb.
+Chromium needs no display; WebKit and Firefox get one of their own, from Xvfb.
 """
 import contextlib
 import os
@@ -57,7 +57,9 @@ class Browser:
     engine = "chromium"
 
     def __init__(self, size=(1280, 800), touch=False, profile=None):
-        self.size, self.own = size, profile is None
+        # A window of the others is not as narrow as a phone.
+        self.size = size if self.engine == "chromium" else (max(size[0], 640), size[1])
+        self.own = profile is None
         self.profile = profile or tempfile.mkdtemp(prefix="pinhole-page-")
         # Pages with something before their scripts.
         self.pages = Path(self.profile) / "pages"
@@ -81,7 +83,8 @@ class Browser:
             self.cdp("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
         return self.driver
 
-    def webkit(self, _):
+    def screen(self):
+        """Starts a display for this browser alone."""
         read, write = os.pipe()
         command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "2048x1280x24", "-nolisten", "tcp"]
         self.display = subprocess.Popen(command, pass_fds=[write], stdin=subprocess.DEVNULL,
@@ -89,15 +92,20 @@ class Browser:
         os.close(write)
         with open(read) as answer:
             os.environ["DISPLAY"] = ":" + answer.readline().strip()
+
+    def webkit(self, _):
+        self.screen()
         options = WebKitOptions()
         options.binary_location = str(next(Path("/usr/lib").glob("*/webkit2gtk-4.1/MiniBrowser")))
         options.add_argument("--automation")
         return webdriver.WebKitGTK(executable_path=shutil.which("WebKitWebDriver"), options=options)
 
     def firefox(self, _):
+        # Without a display, it has no WebGL.
+        self.screen()
         options = webdriver.FirefoxOptions()
         options.binary_location = shutil.which("firefox-esr") or shutil.which("firefox")
-        for argument in ("-headless", "-profile", self.profile):
+        for argument in ("-profile", self.profile):
             options.add_argument(argument)
         service = FirefoxService(shutil.which("geckodriver"), log_path=os.devnull)
         return webdriver.Firefox(service=service, options=options)
@@ -105,11 +113,16 @@ class Browser:
     def resize(self):
         """Makes the page, not the window, as large as it is asked to be."""
         self.driver.get("data:text/html,")
-        self.driver.set_window_rect(0, 0, *self.size)
-        inner = self.run("return [innerWidth, innerHeight]")
-        self.driver.set_window_rect(0, 0, *(2 * wanted - found for wanted, found in zip(self.size, inner)))
-        self.wait(lambda: self.run("return [innerWidth, innerHeight]") == list(self.size), 20,
-                  "the window is not as large as it is asked to be")
+
+        def fits():
+            # A window follows late, so it is asked again.
+            sizes = self.run("return [[innerWidth, outerWidth], [innerHeight, outerHeight]]")
+            if [inner for inner, _ in sizes] == list(self.size):
+                return True
+            self.driver.set_window_rect(0, 0, *(outer + wanted - inner for wanted, (inner, outer) in zip(self.size, sizes)))
+            time.sleep(0.3)
+            return False
+        self.wait(fits, 20, "the window is not as large as it is asked to be")
 
     def cdp(self, command, **parameters):
         """Asks what Chromium alone can do."""

@@ -1,7 +1,7 @@
 """Drives target/pinhole.html in a real browser as users do, from the disk, and prints what it measures.
 
     apt-get install python3-selenium brotli zbar-tools
-    apt-get install chromium chromium-driver | webkit2gtk-driver xvfb | firefox-esr; cargo install geckodriver
+    apt-get install chromium chromium-driver | webkit2gtk-driver xvfb | firefox-esr xvfb; cargo install geckodriver
     python3 tests/page/run.py [PAGE.html] [--engine chromium|webkit|firefox] [--starts N] [--pictures FOLDER]
 
 Every check is a function whose name says what holds. `LEFT_OUT` says what an engine's driver cannot do.

@@ -410,7 +410,7 @@ def a_file_that_another_program_has_open_is_left_alone(windows, pictures):
     assert not list(windows.home.glob(".pinhole-*")), "a temporary file is left"
     for holder in holders:
         window.wait(lambda: windows.run("taskkill", "/f", "/im", "ping.exe") and holder.poll() is not None, "still held")
-    window.key("Return")
+    window.key("Escape")
     window.key("ctrl+s")
     window.close()
     assert vector(scene, "at") != [0, 0, -1], "the change is lost"
