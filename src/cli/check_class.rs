@@ -66,11 +66,15 @@ pub(super) fn of_folder(
         progress.add(1);
         student
     };
-    // As many as there is memory for, even if each file takes as much as a file can.
-    let (mut at_once, most) = (files.len(), answers::most_memory(task.image));
-    while at_once > 1 && limits::memory("the files", most * at_once as u64).is_err() {
-        at_once /= 2;
-    }
+    // As many at once as there is memory for, even if each takes as much as a file of its size can.
+    let length = |path: &PathBuf| fs::metadata(path).map_or(0, |data| data.len());
+    let most = files.iter().map(|path| answers::most_memory(task.image, length(path))).max();
+    let fits = |count: &usize| {
+        limits::memory("the files", most.unwrap_or_default() * *count as u64).is_ok()
+    };
+    let threads = rayon::current_num_threads().min(files.len());
+    let fitting = (1..=threads).rev().find(fits).unwrap_or(1);
+    let at_once = if fitting == threads { files.len() } else { fitting };
     let graded = files.chunks(at_once).map(|some| some.par_iter().map(grade).collect::<Vec<_>>());
     let mut students: Vec<Student> = graded.flatten().collect();
     drop(progress);

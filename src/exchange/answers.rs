@@ -67,19 +67,25 @@ pub fn largest(image: ImageSize) -> u64 {
     (512 * image.pixel_count() + (16 << 20)).min(limits::TABLE)
 }
 
-/// Bytes of memory that an answer in a table takes until it is graded: a fifth more than was measured.
+/// Bytes of memory that an answer in a table and a pixel of a picture take until they are graded: a fifth more than
+/// was measured.
 const ANSWER: u64 = 480;
+const PIXEL: u64 = 80;
 
-/// Returns how much memory in bytes it takes at most to grade a file of answers about an image of this size.
-pub fn most_memory(image: ImageSize) -> u64 {
-    largest(image) + ANSWER * image.pixel_count()
+/// Returns how much memory in bytes it takes at most to grade a file of this length about an image of this size.
+pub fn most_memory(image: ImageSize, length: u64) -> u64 {
+    let length = length.min(largest(image));
+    /// Bytes of the shortest row.
+    const ROW: u64 = 4;
+    let pixels = image.pixel_count();
+    length + (ANSWER * pixels.min(length / ROW)).max(PIXEL * pixels)
 }
 
 /// Returns how much memory in bytes it takes to grade these answers.
 fn memory(kind: AnswerKind, bytes: &[u8], image: ImageSize) -> u64 {
     let pixels = image.pixel_count();
     if kind == AnswerKind::Picture {
-        return 80 * pixels;
+        return PIXEL * pixels;
     }
     let lines = bytes.iter().filter(|byte| matches!(byte, b'\r' | b'\n')).count();
     pixels / 8 + ANSWER * pixels.min(lines.min(limits::ROWS) as u64)

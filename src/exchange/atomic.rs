@@ -35,7 +35,8 @@ pub fn write(
 }
 
 /// Several files that are written together. All of them are complete and on the disk before the first one is put
-/// in place. If the batch is dropped before it is finished, or an error is returned, none has changed.
+/// in place. If the batch is dropped before it is finished, or an error is returned, none has changed; but a file
+/// that was replaced before the error stays new where the system has no hard links, as on a memory stick.
 ///
 /// No file is ever half written. But files are put in place one after the other: if the program is killed or
 /// power fails between them, some are new and the others old.
@@ -103,8 +104,8 @@ impl Batch {
     /// Gives all files their final names.
     ///
     /// # Errors
-    /// Returns an error if a file cannot reach the disk or be given its final name; all files are then as they
-    /// were before.
+    /// Returns an error if a file cannot reach the disk or be given its final name. All files are then as they
+    /// were before, see [`Batch`].
     pub fn finish(self) -> Result<(), FileError> {
         for Pending { file, old, path, .. } in &self.files {
             let permitted =
@@ -132,7 +133,11 @@ fn place(files: Vec<Pending>) -> Result<(), FileError> {
     let mut live = live();
     let with_name = |Pending { file, name, target, old, path }| {
         let link = |name: &Path| nameless::link(&file, name);
-        let linked = || Ok(builder().make_in(folder_of(&target), link)?.into_temp_path());
+        let linked = || match builder().make_in(folder_of(&target), link) {
+            Ok(linked) => Ok(linked.into_temp_path()),
+            // A sandbox may refuse to name it.
+            Err(_) => copied(&file, folder_of(&target)),
+        };
         match name.map_or_else(linked, Ok) {
             Ok(name) => Ok((file, name, target, old.is_some(), path)),
             Err(error) => Err(FileError::unwritable(&path, &error)),
@@ -140,11 +145,13 @@ fn place(files: Vec<Pending>) -> Result<(), FileError> {
     };
     let files: Vec<_> = files.into_iter().map(with_name).collect::<Result<_, FileError>>()?;
     let mut placed: Vec<(PathBuf, bool, Option<NamedTempFile<()>>)> = Vec::new();
-    for (_file, name, target, is_there, path) in files {
+    for (file, name, target, is_there, path) in files {
         // A second hard link to the old file, from which it can be restored.
         let link = |name: &Path| fs::hard_link(&target, name);
         let second = (is_there && !is_alone).then(|| builder().make_in(folder_of(&target), link));
         live.remove(&*name);
+        // On Windows, nobody else could read a locked file.
+        let _ = file.unlock();
         if let Err(error) = name.persist(&target) {
             placed.into_iter().for_each(take_back);
             return Err(FileError::unwritable(&path, &error.error));
@@ -152,6 +159,16 @@ fn place(files: Vec<Pending>) -> Result<(), FileError> {
         placed.push((target, is_there, second.and_then(Result::ok)));
     }
     Ok(())
+}
+
+/// Copies a file to one with a temporary name.
+fn copied(mut file: &File, folder: &Path) -> io::Result<TempPath> {
+    let mut copy = builder().tempfile_in(folder)?;
+    file.rewind()?;
+    io::copy(&mut file, &mut copy)?;
+    copy.as_file().set_permissions(file.metadata()?.permissions())?;
+    copy.as_file().sync_all()?;
+    Ok(copy.into_temp_path())
 }
 
 /// Undoes a rename: restores the old file, or removes the new one if there was none. If the file system
@@ -365,7 +382,8 @@ fn clear_abandoned(folder: &Path) {
         let written = data.and_then(|data| data.modified().ok());
         let age = written.map(|time| SystemTime::now().duration_since(time).unwrap_or_default());
         let path = entry.path();
-        if age.is_some_and(|age| age > ABANDONED) && !is_locked(&path) {
+        let is_old = age.is_some_and(|age| age > ABANDONED);
+        if is_old && !live().contains(&path) && !is_locked(&path) {
             // A file that cannot be removed belongs to somebody else.
             let _ = fs::remove_file(path);
         }

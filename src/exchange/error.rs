@@ -186,7 +186,17 @@ pub fn legible_name(name: impl AsRef<OsStr>) -> String {
 
 /// Returns serde's message about JSON in our words, without its place.
 pub(crate) fn of_json(error: &serde_json::Error) -> String {
-    let said = error.to_string().replace('`', "").replace("f64 values", "numbers");
+    let mut said = error.to_string().replace('`', "");
+    for (of_serde, ours) in [
+        ("f64 values", "numbers"),
+        ("floating point ", "number "),
+        ("a sequence", "a list"),
+        ("invalid length", "a list of length"),
+        ("invalid type: sequence", "a list"),
+        ("invalid type: map", "an object"),
+    ] {
+        said = said.replace(of_serde, ours);
+    }
     let said = said.rsplit_once(" at line ").map_or(&*said, |(said, _)| said);
     if let Some(inside) = said.strip_prefix("EOF while parsing ") {
         return format!("the text ends inside {inside}: is all of the file there?");

@@ -203,15 +203,6 @@ pub(crate) fn scene_value(
     let (eye, viewport, image) = (resolved.eye(), resolved.viewport(), resolved.image());
     let Viewport { width, height, distance } = *viewport;
     let [w_of, h_of, d_of] = [("width", width), ("height", height), ("distance", distance)];
-    let quotient = |(first, a): (&str, f64), (second, b): (&str, f64), most: f64| match a / b {
-        held if (1e-300..=most).contains(&held) => Ok(held),
-        _ => Err(format!(
-            "the viewport's {first} / {second} is {} / {}: it must be between 1e-300 and {most:e}, or the numbers \
-             of this format do not tell it",
-            n(a),
-            n(b)
-        )),
-    };
     let angle = |side| quotient(side, d_of, WIDEST).map(|_| fov_of_extent(side.1, distance));
     let (across, upwards) = (|| angle(w_of), || angle(h_of));
     let focal = |side| quotient(d_of, side, LARGEST);
@@ -261,6 +252,22 @@ pub(crate) fn scene_value(
         "-1" => (-1.0).into(),
         _ => return Ok(None),
     }))
+}
+
+/// Returns the quotient of two of the viewport's measures, each with its name.
+///
+/// # Errors
+/// Returns the rule if it is not between 1e-300 and `most`.
+fn quotient((first, a): (&str, f64), (second, b): (&str, f64), most: f64) -> Result<f64, String> {
+    match a / b {
+        held if (1e-300..=most).contains(&held) => Ok(held),
+        _ => Err(format!(
+            "the viewport's {first} / {second} is {} / {}: it must be between 1e-300 and {most:e}, or the numbers \
+             of this format do not tell it",
+            n(a),
+            n(b)
+        )),
+    }
 }
 
 /// Returns an object's value with this name in templates; `None` if there is none. A plane's values

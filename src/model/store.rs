@@ -186,12 +186,12 @@ impl Store {
         host().write(&self.path, text.as_bytes())
     }
 
-    /// Waits until no other window saves its state, for at most a second: it may hang. Returns `None` then, and if
+    /// Waits until no other window saves its state, for at most 5 s: it may hang. Returns `None` then, and if
     /// the host cannot lock. In a browser, nothing comes between reading and writing.
     fn turn(&self) -> Option<Lock> {
         const PAUSE: Duration = Duration::from_millis(10);
         let path = self.path.with_extension("lock");
-        let tries = if host().has_folders() { 100 } else { 0 };
+        let tries = if host().has_folders() { 500 } else { 0 };
         for _ in 0..tries {
             match host().lock(&path) {
                 Ok(None) => thread::sleep(PAUSE),

@@ -227,14 +227,14 @@ impl Undisturbed<'_> {
 
 /// Returns true for a call whose failure loses nothing: the scene is read again, for its comments; a folder is read for
 /// what others have left, or for a file without a name, or its names are written to the disk, which not every system
-/// can; there is no lock for windows that save their settings at once; an old file gets a second name, or loses it.
+/// can; there is no lock for windows that save their settings at once; a file gets no second name, or the first one by a copy.
 fn does_not_matter(call: &Call) -> bool {
     let is_folder = call.paths[0].extension().is_none() && !is_nameless(&call.paths[0]);
     let is_read = is_folder
         || ["s.toml", "state/state.lock"].iter().any(|path| call.paths[0] == Path::new(path));
     call.is_any_of(&["open", "openat"]) && is_read
         || call.name == "fsync" && is_folder
-        || call.name == "linkat" && !is_nameless(&call.paths[0])
+        || call.name == "linkat"
         || removes(call)
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pinhole_core::Selection;
-use pinhole_exchange::scene_file::{TABLES, observer_fields, path_from, to_text};
+use pinhole_exchange::scene_file::{TABLES, observer_fields, path_from, to_text, with_table};
 use pinhole_exchange::{BuiltinScene, Document, SceneSource};
 use pinhole_lecture::ImplicitLine;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item as TomlItem, Table, Value, value};
@@ -57,7 +57,8 @@ pub fn with_step(
     let whole = format!("{text}{missing}{end}{}", step.replace('\n', end));
     let lesson =
         read(&whole).map_err(|error| format!("No step can be added: {}.", error.problem))?;
-    if lesson.steps.last().map(|step| plain(&step.document)) != Some(plain(&open.document)) {
+    let last = lesson.steps.last().and_then(|step| with_table(&step.document, &open.document).ok());
+    if last.as_ref().map(plain) != Some(plain(&open.document)) {
         return Err("Save the scene first: only its file can name its table of spheres.".into());
     }
     Ok((whole, Lesson { file: Some(path.to_owned()), ..lesson }))

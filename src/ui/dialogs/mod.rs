@@ -50,7 +50,7 @@ impl Question {
     /// Creates a question with these answers.
     pub(crate) fn new(title: String, text: impl ToString, answers: Vec<Choice>) -> Question {
         let text = text.to_string().split('\n').map(legible).collect::<Vec<_>>().join("\n");
-        Question { title, text, file: String::new(), answers }
+        Question { title: legible(&title), text, file: String::new(), answers }
     }
 
     /// Creates a message.

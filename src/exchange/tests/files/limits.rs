@@ -26,7 +26,7 @@ fn a_file_is_read_up_to_its_limit() {
     assert_eq!(error.to_string(), refused);
 }
 
-/// Parsed, a text takes a hundred times its size, wherever it comes from.
+/// Parsed, a text takes up to 300 times its size, wherever it comes from.
 #[test]
 fn no_larger_text_is_parsed_and_none_is_written_that_could_not_be_read_back() {
     let sphere = Item::plain(Sphere { center: DVec3::new(0.1, 0.2, -5.0), radius: 0.3 });

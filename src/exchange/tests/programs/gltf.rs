@@ -109,20 +109,20 @@ fn a_byte_order_mark_is_no_part_of_the_text() {
     assert_refused("\u{feff}{\"nodes\": x}", "in:1:11: no JSON: a value must stand here");
 }
 
-/// Words such as *f64* and *sequence* are those of programmers.
+/// Words such as *f64*, *sequence* and *map* are those of programmers.
 #[test]
 fn values_of_a_wrong_kind_are_told_in_plain_words() {
     for (nodes, problem) in [
         (r#"{"camera": "1"}"#, "string \"1\" is there: it must be a whole number from 0"),
         (r#"{"camera": -1}"#, "integer -1 is there: it must be a whole number from 0"),
-        (r#"{"camera": 0.5}"#, "floating point 0.5 is there: it must be a whole number from 0"),
-        (r#"{"name": []}"#, "sequence is there: it must be text in quotes"),
-        (r#"{"children": {}}"#, "map is there: it must be a sequence"),
+        (r#"{"camera": 0.5}"#, "number 0.5 is there: it must be a whole number from 0"),
+        (r#"{"name": []}"#, "a list is there: it must be text in quotes"),
+        (r#"{"children": {}}"#, "an object is there: it must be a list"),
         ("7", "integer 7 is there: it must be an object"),
-        (r#"{"matrix": [1, 2]}"#, "invalid length 2 is there: it must be an array of length 16"),
+        (r#"{"matrix": [1, 2]}"#, "a list of length 2 is there: it must be an array of length 16"),
         (
             r#"{"translation": [1, 2]}"#,
-            "invalid length 2 is there: it must be a sequence of 3 numbers",
+            "a list of length 2 is there: it must be a list of 3 numbers",
         ),
         (r#"{"rotation": [1, 2, 3, true]}"#, "boolean true is there: it must be a number"),
     ] {
