@@ -11,7 +11,7 @@ pub fn refusal(path: &Path) -> Option<String> {
         match prefix.kind() {
             // An absolute path to a device's name.
             Prefix::DeviceNS(device) => name = device.to_string_lossy(),
-            Prefix::Disk(_) if !Path::new(drive).join("\\").exists() => {
+            Prefix::Disk(_) if !Path::new(&format!("{}\\", drive.display())).exists() => {
                 return Some(format!("there is no drive {}", drive.display()));
             }
             _ => {}

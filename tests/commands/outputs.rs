@@ -131,7 +131,7 @@ fn of_several_files_nothing_is_written_if_one_cannot_be() {
 }
 
 /// Returns true if the process has a file in this folder open.
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 fn is_writing(process: u32, folder: &Path) -> bool {
     let open = fs::read_dir(format!("/proc/{process}/fd")).into_iter().flatten().flatten();
     let is_in = |path: std::path::PathBuf| path.starts_with(folder);
@@ -165,8 +165,8 @@ fn a_run_that_is_ended_by_a_signal_leaves_nothing() {
         let is_nameless = entries(folder.path()).is_empty();
         assert!(is_writing(child.id(), &path));
         super::send_signal(&child, signal);
-        // A shell has its background jobs ignore SIGINT, and what is ignored stays so.
-        if signal == "INT" && ignores_interrupts() {
+        // A shell has its background jobs ignore SIGINT, and nohup SIGHUP; what is ignored stays so.
+        if is_ignored(number) {
             child.kill().unwrap();
             child.wait().unwrap();
             continue;
@@ -179,11 +179,12 @@ fn a_run_that_is_ended_by_a_signal_leaves_nothing() {
     }
 }
 
-#[cfg(unix)]
-fn ignores_interrupts() -> bool {
+/// Returns true if this process ignores the signal with this number.
+#[cfg(target_os = "linux")]
+fn is_ignored(number: i32) -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let set = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    set.is_some_and(|set| u64::from_str_radix(set.trim(), 16).unwrap() & 2 != 0)
+    set.is_some_and(|set| u64::from_str_radix(set.trim(), 16).unwrap() & (1 << (number - 1)) != 0)
 }
 
 #[test]
