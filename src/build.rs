@@ -47,7 +47,10 @@ fn add_resources(arch: &str, out: &str) {
 /// they are not at the root of a git repository.
 fn commit(root: &Path) -> Option<String> {
     let git = |arguments: &[&str]| {
-        let output = Command::new("git").arg("-C").arg(root).args(arguments).output().ok()?;
+        // Without the option, git writes its index anew, for which cargo would build all of the program again.
+        let mut git = Command::new("git");
+        git.arg("--no-optional-locks").arg("-C").arg(root);
+        let output = git.args(arguments).output().ok()?;
         let text = output.status.success().then(|| String::from_utf8(output.stdout).ok())??;
         Some(text.trim().to_owned())
     };
