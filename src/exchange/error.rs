@@ -159,16 +159,40 @@ pub fn legible(message: &str) -> String {
     begin + GAP + &shown.chars().skip(count - end).collect::<String>()
 }
 
+/// Returns true if the character at this place has no mark of its own, but belongs to the spelling of a word or of an
+/// emoji, as in Persian and Hindi names: a joiner, a non-joiner, or the choice of a coloured sign.
+fn is_of_word(text: &str, at: usize, c: char) -> bool {
+    let is_joined = |c: char| {
+        matches!(c, '\u{600}'..='\u{dff}' | '\u{1780}'..='\u{17b3}' | '\u{2600}'..='\u{27bf}')
+            || ('\u{1f000}'..='\u{1faff}').contains(&c)
+    };
+    let before = text[..at].chars().next_back();
+    let after = text[at + c.len_utf8()..].chars().next();
+    match c {
+        '\u{200c}' | '\u{200d}' => {
+            before.is_some_and(|c| is_joined(c) || c == '\u{fe0f}') && after.is_some_and(is_joined)
+        }
+        '\u{fe0f}' => before.is_some_and(is_joined),
+        _ => false,
+    }
+}
+
 /// Returns the name or path of a file so that all of it is seen: other characters than letters, signs and plain
 /// spaces between them are escaped, as in `\u{202e}`, and bytes that are not UTF-8, as in `\xff`. Two unlike names
 /// stay unlike, since a backslash in a name becomes two.
 pub fn legible_name(name: impl AsRef<OsStr>) -> String {
     let mut shown = String::new();
     for chunk in name.as_ref().as_encoded_bytes().utf8_chunks() {
-        // Quotation marks are seen as they are.
-        let escaped = chunk.valid().escape_debug().to_string();
-        for c in escaped.replace(r"\'", "'").replace(r#"\""#, "\"").chars() {
-            if is_empty(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+        let (text, mut from) = (chunk.valid(), 0);
+        let kept = text.char_indices().filter(|(at, c)| is_of_word(text, *at, *c));
+        for (at, c) in kept.map(|(at, c)| (at, Some(c))).chain([(text.len(), None)]) {
+            // Quotation marks are seen as they are.
+            let escaped = text[from..at].escape_debug().to_string();
+            for c in escaped.replace(r"\'", "'").replace(r#"\""#, "\"").chars() {
+                if is_empty(c) { shown.extend(c.escape_default()) } else { shown.push(c) }
+            }
+            shown.extend(c);
+            from = at + c.map_or(0, char::len_utf8);
         }
         for byte in chunk.invalid() {
             let _ = write!(shown, r"\x{byte:02x}");

@@ -402,8 +402,13 @@ fn unlike_names_are_shown_unlike_and_nothing_in_them_is_hidden() {
         }
         names = names.iter().flat_map(|name| parts.map(|part| [name, part].concat())).collect();
     }
-    let plain = "O'Brien, \"Zo\u{eb}\" \u{5c71}-1.csv";
-    assert_eq!(pinhole_exchange::legible_name(plain), plain);
+    // What belongs to the spelling stays: a gradebook has these names, too.
+    let persian = "\u{646}\u{6cc}\u{645}\u{627}\u{200c}\u{631}\u{636}\u{627}.csv";
+    let emoji = "\u{1f469}\u{200d}\u{1f393} \u{2764}\u{fe0f}\u{200d}\u{1f525}";
+    for plain in ["O'Brien, \"Zo\u{eb}\" \u{5c71}-1.csv", persian, emoji] {
+        assert_eq!(pinhole_exchange::legible_name(plain), plain);
+    }
+    assert_eq!(pinhole_exchange::legible_name("an\u{200d}na"), r"an\u{200d}na");
 }
 
 #[test]
