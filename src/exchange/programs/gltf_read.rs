@@ -98,7 +98,10 @@ struct Lens {
 pub(super) fn read(input: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let input = &Input { text: without_mark(input.text), ..*input };
     if input.text.matches(',').count() > limits::VALUES {
-        let problem = "it has more than 1000000 values: export the camera alone, without objects";
+        let problem = format!(
+            "it has more than {} values: export the camera alone, without objects",
+            limits::VALUES
+        );
         return Err(FileError::of_file(input.path, problem));
     }
     let gltf: Gltf = serde_json::from_str(input.text).map_err(|error| fault(input, &error))?;
