@@ -287,6 +287,8 @@ pub enum LookAction {
     Theme(ThemeName),
     /// Use this colour scheme for the views.
     Scheme(Scheme),
+    /// Show numbers with this many significant digits.
+    Digits(usize),
     /// Toggle a switch.
     Toggle(Switch),
     /// Zoom the window in by this many steps; 0 resets the zoom.
@@ -422,49 +424,59 @@ pub(crate) fn take_requested(ctx: &Context) -> Vec<Action> {
     ctx.data_mut(|data| data.remove_temp(queue())).unwrap_or_default()
 }
 
-/// Flags that say which preconditions of actions hold at the moment.
+/// The preconditions of actions, as they are at the moment.
 #[derive(Clone, Copy)]
-pub(crate) struct Available {
-    /// True if there is a step to undo.
-    pub(crate) undo: bool,
-    /// True if there is a step to redo.
-    pub(crate) redo: bool,
+pub(crate) struct Available<'a> {
+    pub(crate) session: &'a Session,
+    /// The name of the step to undo.
+    pub(crate) undo: Option<&'a str>,
+    /// The name of the step to redo.
+    pub(crate) redo: Option<&'a str>,
     /// True if a lesson is open.
     pub(crate) lesson: bool,
     /// True if an animation is open.
     pub(crate) animation: bool,
     /// True if an object of the scene on the screen is chosen.
     pub(crate) object: bool,
-    /// True if there is a ghost to compare with.
-    pub(crate) ghost: bool,
-    /// True if a student's answers are open.
-    pub(crate) answers: bool,
-    /// True if a vote is open whose right option is not shown yet.
-    pub(crate) vote: bool,
-    /// True while presenting.
-    pub(crate) presenting: bool,
 }
 
 impl Action {
     /// Returns true if the action is possible now. Undo, for example, needs a step to undo.
-    pub(crate) fn is_possible(&self, there: Available) -> bool {
+    pub(crate) fn is_possible(&self, there: Available<'_>) -> bool {
+        let session = there.session;
         match self {
-            Action::History(HistoryAction::Undo) => there.undo,
-            Action::History(HistoryAction::Redo) => there.redo,
+            Action::History(HistoryAction::Undo) => there.undo.is_some(),
+            Action::History(HistoryAction::Redo) => there.redo.is_some(),
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
             Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
-            Action::Ghost(GhostAction::Drop) => there.ghost,
+            Action::Ghost(GhostAction::Drop) => session.ghost.is_some(),
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
-            Action::Answers(AnswersAction::PutAway) => there.answers,
-            Action::Vote(_) => there.vote,
+            Action::Answers(AnswersAction::PutAway)
+            | Action::Look(LookAction::Layout(ViewLayout::Answers)) => session.answers.is_some(),
+            Action::Vote(_) => session.is_voting(),
             Action::Look(
                 LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,
-            ) => there.presenting,
+            ) => session.presenting.is_some(),
             // A page is closed by its browser.
             Action::Leave(Leave::Quit) => host().has_folders(),
-            Action::Leave(Leave::New) => !there.presenting,
+            Action::Leave(Leave::New) => session.presenting.is_none(),
             _ => true,
+        }
+    }
+}
+
+impl LookAction {
+    /// Returns true if what it chooses is chosen, or what it toggles is on.
+    pub(crate) fn is_on(self, session: &Session) -> bool {
+        let settings = &session.settings;
+        match self {
+            LookAction::Layout(layout) => settings.layout == layout,
+            LookAction::Shade(shade) => settings.shade == shade,
+            LookAction::Theme(theme) => settings.theme == theme,
+            LookAction::Scheme(scheme) => settings.scheme == scheme,
+            LookAction::Toggle(switch) => switch.is_on(session),
+            _ => false,
         }
     }
 }

@@ -459,6 +459,7 @@ pub(super) fn change_look(session: &mut Session, action: LookAction) {
             }
         }
         LookAction::Scheme(scheme) => settings.scheme = scheme,
+        LookAction::Digits(digits) => settings.digits = digits,
         LookAction::Toggle(switch) => switch.toggle(session),
         LookAction::Recap => session.toggle_recap(),
         LookAction::ZoomBy(by) => zoom_by(session, by),

@@ -196,35 +196,36 @@ impl App {
     }
 
     /// Returns which preconditions of commands hold.
-    pub(super) fn available(&self) -> Available {
+    pub(super) fn available(&self) -> Available<'_> {
         Available {
-            undo: self.history.steps.undo_name().is_some(),
-            redo: self.history.steps.redo_name().is_some(),
+            session: &self.scene.session,
+            undo: self.history.steps.undo_name(),
+            redo: self.history.steps.redo_name(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
             object: self.page().has_panel
                 && self.question.is_none()
                 && self.scene.chosen_object.is_some(),
-            ghost: self.scene.session.ghost.is_some(),
-            answers: self.scene.session.answers.is_some(),
-            vote: self.scene.session.is_voting(),
-            presenting: self.scene.session.presenting.is_some(),
         }
     }
 
     /// Draws everything around the views, from the top.
     fn panels(&mut self, ui: &mut Ui, start: &mut PassStart) {
-        let there = self.available();
-        self.overlays(ui.ctx(), there);
-        let scene = &mut self.scene;
-        apply::follow_look(ui.ctx(), &scene.session);
-        let presenting = scene.session.presenting.is_some();
+        self.overlays(ui.ctx());
+        apply::follow_look(ui.ctx(), &self.scene.session);
+        let presenting = self.scene.session.presenting.is_some();
         if !presenting {
-            let steps = [self.history.steps.undo_name(), self.history.steps.redo_name()];
-            let (open, recent) = (&scene.open, &self.window.recent);
-            let settings = &mut scene.session.settings;
-            let bar = Panel::top("top bar");
-            bar.show(ui, |ui| top_bar::ui(ui, open, recent, steps, there, settings));
+            let (open, recent) = (&self.scene.open, &self.window.recent);
+            Panel::top("top bar").show(ui, |ui| top_bar::ui(ui, open, recent, self.available()));
+        }
+        // Another layout shows at once in what is drawn below.
+        for action in take_requested(ui.ctx()) {
+            match action {
+                Action::Look(look @ LookAction::Layout(_)) => {
+                    apply::change_look(&mut self.scene.session, look);
+                }
+                other => request(ui.ctx(), other),
+            }
         }
         self.advance_animation(ui);
         let session = &self.scene.session;

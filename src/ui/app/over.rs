@@ -8,7 +8,7 @@ use pinhole_exchange::scenes::SceneSource;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
-use crate::ui::action::{Available, HelpAction, Leave};
+use crate::ui::action::{HelpAction, Leave};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::share::ShownCode;
@@ -110,21 +110,21 @@ pub(super) fn blank(ctx: &Context) -> bool {
 
 impl App {
     /// Shows the open overlays, and requests the commands that the user chooses in them.
-    pub(super) fn overlays(&mut self, ctx: &Context, there: Available) {
+    pub(super) fn overlays(&mut self, ctx: &Context) {
         let over = &mut self.over;
         dialogs::ui(ctx, &mut over.dialog);
         if let Some(Dialog::Share(form)) = &over.dialog {
             self.window.address.clone_from(&form.address);
         }
         over.shows_keys = over.shows_keys && help::ui(ctx);
-        if let Some(palette) = &mut over.palette {
-            let extra = commands_of_what_is_open(&self.scene, &self.window.recent);
+        if let Some(mut palette) = over.palette.take() {
+            let (extra, there) =
+                (commands_of_what_is_open(&self.scene, &self.window.recent), self.available());
             let commands = commands_table::all().iter().chain(&extra);
             let commands: Vec<&UiCommand> =
                 commands.filter(|command| command.action.is_possible(there)).collect();
-            if !palette::ui(ctx, palette, &commands, &self.scene.session) {
-                over.palette = None;
-            }
+            let stays = palette::ui(ctx, &mut palette, &commands, &self.scene.session);
+            self.over.palette = stays.then_some(palette);
         }
     }
 }

@@ -101,10 +101,17 @@ pub fn all() -> &'static [UiCommand] {
 
 /// Returns the first key of this action, such as `Ctrl+O`; empty if the action has no key.
 pub fn shortcut(action: impl Into<Action>) -> String {
-    with_action(&action.into())
+    command_of(&action.into())
         .and_then(|command| command.keys.first())
         .map(Keys::text)
         .unwrap_or_default()
+}
+
+/// Returns the description of an action's command, with its keys.
+pub(crate) fn hint(action: impl Into<Action>) -> String {
+    let Some(command) = command_of(&action.into()) else { return String::new() };
+    let (about, keys) = (command.about.trim_end_matches('.'), command.keys_text());
+    if keys.is_empty() { about.to_owned() } else { format!("{about} ({keys})") }
 }
 
 /// Words for keys and a mouse, and what a finger does instead.
@@ -119,10 +126,11 @@ pub(crate) fn instruction(ctx: &Context, text: &str) -> String {
 
 /// Returns all keys of this action, such as `Page Down, Right`; empty if the action has none.
 pub fn keys_text(action: impl Into<Action>) -> String {
-    with_action(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
+    command_of(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
 }
 
-fn with_action(action: &Action) -> Option<&'static UiCommand> {
+/// Returns the command of an action.
+pub(crate) fn command_of(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|command| command.action == *action)
 }
 

@@ -21,9 +21,9 @@ use crate::view::derivation::Markup;
 
 /// Builds commands from the rows of a table.
 macro_rules! commands {
-    ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
+    ($($group:ident, $name:expr, $about:expr, $action:expr $(=> $($keys:expr),+)?;)*) => {
         vec![$(UiCommand {
-            keys: vec![$($keys),*],
+            keys: vec![$($($keys),+)?],
             ..command(Group::$group, $name, $about, $action)
         }),*]
     };
@@ -84,31 +84,27 @@ fn files() -> Vec<UiCommand> {
     use When::*;
     commands![
         File, "New", "Opens an empty scene with the canonical camera.",
-            [key(Anywhere, CTRL, Key::N)], Leave::New;
+            Leave::New => key(Anywhere, CTRL, Key::N);
         File, "Open…", "Asks which scene or lesson to open.",
-            [key(Anywhere, CTRL, Key::O)], FileAction::AskOpen;
+            FileAction::AskOpen => key(Anywhere, CTRL, Key::O);
         File, "Save as…", "Asks which file to save the scene to.",
-            [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs { then: None };
-        File, "Save", "Saves the scene to its file.",
-            [key(Anywhere, CTRL, Key::S)], FileAction::Save;
+            FileAction::AskSaveAs { then: None } => key(Anywhere, CTRL_SHIFT, Key::S);
+        File, "Save", "Saves the scene to its file.", FileAction::Save => key(Anywhere, CTRL, Key::S);
         File, "Save as a page…", "Asks where to save a page that opens the scene or step in any browser.",
-            [], FileAction::AskSavePage;
-        File, "Check answers…", "Asks which file of a student's answers to grade.",
-            [], AnswersAction::Ask;
+            FileAction::AskSavePage;
+        File, "Check answers…", "Asks which file of a student's answers to grade.", AnswersAction::Ask;
         File, "Export a figure…", "Asks which figure to export, and where.",
-            [key(Anywhere, CTRL, Key::E)], FigureAction::Ask;
-        File, "Copy the figure", "Copies a picture of what is shown to the clipboard.",
-            [], FigureAction::Copy;
+            FigureAction::Ask => key(Anywhere, CTRL, Key::E);
+        File, "Copy the figure", "Copies a picture of what is shown to the clipboard.", FigureAction::Copy;
         File, "Copy the derivation as LaTeX", "Copies the derivation to the clipboard as LaTeX.",
-            [], FigureAction::CopyDerivation(Markup::Latex);
+            FigureAction::CopyDerivation(Markup::Latex);
         File, "Copy the derivation as Markdown", "Copies the derivation to the clipboard as Markdown.",
-            [], FigureAction::CopyDerivation(Markup::Markdown);
+            FigureAction::CopyDerivation(Markup::Markdown);
         File, "Share…", "Shows the link to what is shown, with its QR code; while presenting, the code fills the figure until Q or Escape.",
-            [plain(Untyped, Key::Q)], ShareAction::Show;
+            ShareAction::Show => plain(Untyped, Key::Q);
         File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
-            [], ExchangeAction::AskSave;
-        File, "Quit", "Closes the window.",
-            [key(Anywhere, CTRL, Key::Q)], Leave::Quit;
+            ExchangeAction::AskSave;
+        File, "Quit", "Closes the window.", Leave::Quit => key(Anywhere, CTRL, Key::Q);
     ]
 }
 
@@ -116,47 +112,46 @@ fn files() -> Vec<UiCommand> {
 fn program() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Edit, "Undo", "Undoes the last change to the scene.",
-            [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
+        Edit, "Undo", "Undoes the last change to the scene.", HistoryAction::Undo => key(Untyped, CTRL, Key::Z);
         Edit, "Redo", "Redoes the change that was undone last.",
-            [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
+            HistoryAction::Redo => key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y);
         File, "Import a camera…", "Asks which glTF, or file of numbers, to take the camera from.",
-            [], ExchangeAction::AskImport;
+            ExchangeAction::AskImport;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
-            [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
+            ExchangeAction::AskPaste => key(Untyped, CTRL, Key::V);
         Lesson, "Next step", "Goes to the lesson's next step.",
-            [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
+            LessonAction::Next => plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight);
         Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
-            [plain(LessonUntyped, Key::End)], LessonAction::ShowAll;
+            LessonAction::ShowAll => plain(LessonUntyped, Key::End);
         Lesson, "Previous step", "Goes to the lesson's previous step.",
-            [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], LessonAction::Previous;
+            LessonAction::Previous => plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft);
         Lesson, "Back to the step", "Resets everything to the lesson's step.",
-            [plain(LessonUntyped, Key::R)], Leave::BackToStep;
-        Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], LessonAction::Close;
+            Leave::BackToStep => plain(LessonUntyped, Key::R);
+        Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", LessonAction::Close;
         Views, "Frame all", "Moves the observer until everything is in view.",
-            [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
+            Observe::FrameAll => plain(View, Key::F), plain(View, Key::Home);
         Views, "Keep this view in the scene", "Lets the scene open with the world view as it is now.",
-            [], FileAction::KeepView;
+            FileAction::KeepView;
         Views, "Save this view as a step…", "Asks which lesson to add what is shown to, as its last step.",
-            [], FileAction::AskSaveStep;
+            FileAction::AskSaveStep;
         Views, "Recap: from view to the ray", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",
-            [plain(Untyped, Key::W)], LookAction::Recap;
+            LookAction::Recap => plain(Untyped, Key::W);
         Program, "Side panel", "Shows or hides the panel with camera and objects.",
-            [key(Anywhere, CTRL, Key::B)], LookAction::Toggle(Switch::Panel);
+            LookAction::Toggle(Switch::Panel) => key(Anywhere, CTRL, Key::B);
         Program, "Command palette", "Finds a command by a few of its letters.",
-            [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
-            HelpAction::Palette;
+            HelpAction::Palette => key(Anywhere, CTRL, Key::P),
+                key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash);
         Program, "Keys", "Shows all keys on one sheet.",
-            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], HelpAction::Keys;
+            HelpAction::Keys => plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1);
         Program, "The lecture's conventions", "Shows what u, v, w, a pixel and a hit mean here.",
-            [], HelpAction::Conventions;
-        Program, "About Pinhole", "Shows the version and the licences.", [], HelpAction::About;
+            HelpAction::Conventions;
+        Program, "About Pinhole", "Shows the version and the licences.", HelpAction::About;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
-            [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
+            LookAction::ZoomBy(1) => key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
-            [key(Anywhere, CTRL, Key::Minus)], LookAction::ZoomBy(-1);
+            LookAction::ZoomBy(-1) => key(Anywhere, CTRL, Key::Minus);
         Program, "Reset zoom", "Shows everything in the window at its normal size.",
-            [key(Anywhere, CTRL, Key::Num0)], LookAction::ZoomBy(0);
+            LookAction::ZoomBy(0) => key(Anywhere, CTRL, Key::Num0);
     ]
 }
 
@@ -164,28 +159,26 @@ fn program() -> Vec<UiCommand> {
 fn presenting() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Presenting, "Present",
-            "Fills the screen with the views, in large text and thick lines; again to end.",
-            [plain(Anywhere, Key::F5)], LookAction::Present;
+        Presenting, "Present", "Fills the screen with the views, in large text and thick lines; again to end.",
+            LookAction::Present => plain(Anywhere, Key::F5);
         Presenting, "Maximise the derivation", "Fills the window with the derivation.",
-            [plain(Presenting, Key::Num1)], LookAction::Fill(ViewLayout::DerivationAlone);
+            LookAction::Fill(ViewLayout::DerivationAlone) => plain(Presenting, Key::Num1);
         Presenting, "Maximise the world view", "Fills the window with the world view.",
-            [plain(Presenting, Key::Num2)], LookAction::Fill(ViewLayout::World);
+            LookAction::Fill(ViewLayout::World) => plain(Presenting, Key::Num2);
         Presenting, "Maximise the camera view", "Fills the window with the camera view; on a lesson's stage, it and the world view change places.",
-            [plain(Presenting, Key::Num3)], LookAction::Fill(ViewLayout::Camera);
+            LookAction::Fill(ViewLayout::Camera) => plain(Presenting, Key::Num3);
         Presenting, "Maximise both views", "Fills the window with both views.",
-            [plain(Presenting, Key::Num4)], LookAction::Fill(ViewLayout::Both);
+            LookAction::Fill(ViewLayout::Both) => plain(Presenting, Key::Num4);
         Presenting, "Numbers", "Shows or hides the numbers below the views.",
-            [plain(Presenting, Key::N)], LookAction::Toggle(Switch::PresentedNumbers);
+            LookAction::Toggle(Switch::PresentedNumbers) => plain(Presenting, Key::N);
         Presenting, "Pen", "Draws over the views; Escape erases the strokes.",
-            [plain(Presenting, Key::P)], LookAction::Toggle(Switch::Pen);
+            LookAction::Toggle(Switch::Pen) => plain(Presenting, Key::P);
         Presenting, "Colour of the pen", "Takes the pen's next colour, of three.",
-            [plain(Presenting, Key::C)], LookAction::NextPenColor;
-        Presenting, "Light or dark",
-            "Switches between the light and the dark theme; afterwards the window has its own again.",
-            [plain(Presenting, Key::T)], LookAction::SwitchTheme;
+            LookAction::NextPenColor => plain(Presenting, Key::C);
+        Presenting, "Light or dark", "Switches between the light and the dark theme; afterwards the window has its own again.",
+            LookAction::SwitchTheme => plain(Presenting, Key::T);
         Presenting, "Blank screen", "Turns the screen black; any key or click brings the picture back.",
-            [plain(Presenting, Key::B), plain(PresentingStill, Key::Period)], LookAction::Blank;
+            LookAction::Blank => plain(Presenting, Key::B), plain(PresentingStill, Key::Period);
     ]
 }
 
@@ -199,11 +192,11 @@ fn voting() -> Vec<UiCommand> {
     }).collect();
     commands.extend(commands![
         Vote, "Count hands", "Asks for the numbers of raised hands, which are drawn as bars.",
-            [plain(VoteUntyped, Key::H)], VoteAction::CountHands;
+            VoteAction::CountHands => plain(VoteUntyped, Key::H);
         Vote, "Second round", "Lets the class vote again; the first round's bars stay.",
-            [plain(VoteUntyped, Key::V)], VoteAction::NextRound;
+            VoteAction::NextRound => plain(VoteUntyped, Key::V);
         Vote, "Reveal", "Shows which option is right, and why.",
-            [plain(Vote, Key::PageDown), plain(VoteUnfocused, Key::Enter)], VoteAction::Reveal;
+            VoteAction::Reveal => plain(Vote, Key::PageDown), plain(VoteUnfocused, Key::Enter);
     ]);
     commands
 }
@@ -213,31 +206,28 @@ fn playing() -> Vec<UiCommand> {
     use When::*;
     commands![
         Play, "Roll", "Turns up around view: the camera rolls and keeps its view direction.",
-            [], PlayAction::Open(Kind::SwingUp);
-        Play, "Orbit", "Moves the camera once around what it looks at.", [], PlayAction::Open(Kind::Orbit);
+            PlayAction::Open(Kind::SwingUp);
+        Play, "Orbit", "Moves the camera once around what it looks at.", PlayAction::Open(Kind::Orbit);
         Play, "Tilt past up", "Tilts the camera until view meets up, and past it: the picture flips.",
-            [], PlayAction::Open(Kind::OverTheTop);
-        Play, "Walk along the ray", "Moves t from the eye to the ray's hit.", [], PlayAction::Open(Kind::Walk);
+            PlayAction::Open(Kind::OverTheTop);
+        Play, "Walk along the ray", "Moves t from the eye to the ray's hit.", PlayAction::Open(Kind::Walk);
         Play, "Scan the pixels", "Traces the rays row by row, as a renderer does.",
-            [], PlayAction::Open(Kind::Scan);
+            PlayAction::Open(Kind::Scan);
         Play, "Play or pause", "Runs or pauses the open animation.",
-            [plain(View, Key::Space)], PlayAction::Toggle;
+            PlayAction::Toggle => plain(View, Key::Space);
         Play, "Step forward", "Moves the open animation one step forward.",
-            [plain(Untyped, Key::Period)], PlayAction::Step(1);
+            PlayAction::Step(1) => plain(Untyped, Key::Period);
         Play, "Step back", "Moves the open animation one step back.",
-            [plain(Untyped, Key::Comma)], PlayAction::Step(-1);
+            PlayAction::Step(-1) => plain(Untyped, Key::Comma);
         Play, "Freeze the camera as a ghost", "Keeps a copy of the camera, the ghost, to compare with.",
-            [plain(Untyped, Key::G)], GhostAction::Freeze;
+            GhostAction::Freeze => plain(Untyped, Key::G);
         Play, "Remove the ghost", "Removes the ghost.",
-            [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
+            GhostAction::Drop => key(Untyped, Modifiers::SHIFT, Key::G);
         Play, "Loop", "Turns repetition of the open animation on or off.",
-            [plain(Untyped, Key::L)], PlayAction::Loop;
-        Play, "Keep", "Closes the animation and keeps the current state.",
-            [], PlayAction::Keep;
-        Play, "Stop", "Closes the animation and restores the state from before it.",
-            [], PlayAction::Close;
-        Play, "Export the animation…", "Asks how to export the open animation.",
-            [], FigureAction::AskAnimation;
+            PlayAction::Loop => plain(Untyped, Key::L);
+        Play, "Keep", "Closes the animation and keeps the current state.", PlayAction::Keep;
+        Play, "Stop", "Closes the animation and restores the state from before it.", PlayAction::Close;
+        Play, "Export the animation…", "Asks how to export the open animation.", FigureAction::AskAnimation;
     ]
 }
 
@@ -296,11 +286,10 @@ fn switches() -> Vec<UiCommand> {
     }
     commands.extend(commands![
         Numbers, "Exact forms in the derivation", "Writes 1/√2 and the like, or decimals.",
-            [], LookAction::Toggle(Switch::ExactForms);
+            LookAction::Toggle(Switch::ExactForms);
         Numbers, "Count from 1", "Counts rows and columns from 1, or from 0.",
-            [], LookAction::Toggle(Switch::CountFromOne);
-        Colours, "Reduced motion", "Turns off transitions.",
-            [], LookAction::Toggle(Switch::ReducedMotion);
+            LookAction::Toggle(Switch::CountFromOne);
+        Colours, "Reduced motion", "Turns off transitions.", LookAction::Toggle(Switch::ReducedMotion);
     ]);
     commands
 }
@@ -313,7 +302,7 @@ fn choices() -> Vec<UiCommand> {
         commands.push(command(group, name, about, action));
     };
     let is_there = |layout: &ViewLayout| layout.workspace().is_some() || TOOLS.contains(layout);
-    for layout in ViewLayout::LISTED.into_iter().filter(is_there) {
+    for layout in ViewLayout::ALL.into_iter().filter(is_there) {
         add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
     }
     for shade in Shade::ALL {
@@ -362,21 +351,21 @@ fn zooms() -> Vec<UiCommand> {
     use When::{CameraView, View, WorldView};
     commands![
         Hand, "Narrow the field of view", "Makes the viewport smaller and the picture's contents larger.",
-            [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer(CameraMove::Zoom, 1, 0);
+            Steer(CameraMove::Zoom, 1, 0) => plain(CameraView, Key::Plus), plain(CameraView, Key::Equals);
         Hand, "Widen the field of view", "Makes the viewport larger and the picture's contents smaller.",
-            [plain(CameraView, Key::Minus)], Steer(CameraMove::Zoom, -1, 0);
+            Steer(CameraMove::Zoom, -1, 0) => plain(CameraView, Key::Minus);
         Views, "Frame the camera", "Moves the observer until eye and viewport fill the world view.",
-            [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
+            Observe::FrameCamera => key(View, Modifiers::SHIFT, Key::F);
         Views, "Look along x", "Shows the scene from the side; again, from the other side.",
-            [plain(View, Key::X)], Observe::Along(WorldAxis::X);
+            Observe::Along(WorldAxis::X) => plain(View, Key::X);
         Views, "Look along y", "Shows the scene from above; again, from below.",
-            [plain(View, Key::Y)], Observe::Along(WorldAxis::Y);
+            Observe::Along(WorldAxis::Y) => plain(View, Key::Y);
         Views, "Look along z", "Shows the scene from the front; again, from behind.",
-            [plain(View, Key::Z)], Observe::Along(WorldAxis::Z);
+            Observe::Along(WorldAxis::Z) => plain(View, Key::Z);
         Views, "Observer nearer", "Moves the observer nearer to what it looks at.",
-            [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
+            Observe::Zoom(1) => plain(WorldView, Key::Plus), plain(WorldView, Key::Equals);
         Views, "Observer farther", "Moves the observer away from what it looks at.",
-            [plain(WorldView, Key::Minus)], Observe::Zoom(-1);
+            Observe::Zoom(-1) => plain(WorldView, Key::Minus);
     ]
 }
 
@@ -384,18 +373,15 @@ fn zooms() -> Vec<UiCommand> {
 fn objects_and_drags() -> Vec<UiCommand> {
     use When::Untyped;
     commands![
-        Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.",
-            [], ObjectAction::AddSphere;
-        Objects, "+ Plane", "Adds a plane below the origin, and chooses it.",
-            [], ObjectAction::AddPlane;
+        Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.", ObjectAction::AddSphere;
+        Objects, "+ Plane", "Adds a plane below the origin, and chooses it.", ObjectAction::AddPlane;
         Objects, "Delete the chosen object", "Deletes it from the scene.",
-            [plain(Untyped, Key::Delete)], ObjectAction::Delete;
+            ObjectAction::Delete => plain(Untyped, Key::Delete);
         Objects, "Duplicate the chosen object", "Adds a copy beside it, and chooses it.",
-            [key(Untyped, CTRL, Key::D)], ObjectAction::Duplicate;
+            ObjectAction::Duplicate => key(Untyped, CTRL, Key::D);
         Hand, "Eye travels", "On: moving the eye keeps the view direction. Off: the eye orbits at.",
-            [], LookAction::Toggle(Switch::EyeTravels);
-        Hand, "Keep up",
-            "On: up stays fixed while eye or at is dragged. Off: up turns with the camera where view comes close to it.",
-            [], LookAction::Toggle(Switch::KeepUp);
+            LookAction::Toggle(Switch::EyeTravels);
+        Hand, "Keep up", "On: up stays fixed while eye or at is dragged. Off: up turns with the camera where view comes close to it.",
+            LookAction::Toggle(Switch::KeepUp);
     ]
 }

@@ -1,9 +1,10 @@
-//! The strip with the controls of the open animation, and the menu that opens an animation.
+//! The strip with the controls of the open animation.
 
-use egui::{Button, Checkbox, RichText, Slider, Ui};
+use egui::{Checkbox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{FigureAction, PlayAction, request};
+use crate::ui::commands_table::hint;
 use crate::ui::widgets::{ResponseExt as _, combo};
 use crate::view::typesetting::theme::{STACKED, error_color};
 
@@ -18,13 +19,6 @@ const PLACE: f32 = 64.0;
 /// Width reserved for the position of the animation that scans the pixels, in points.
 const SCAN_PLACE: f32 = 196.0;
 
-/// Shows the menu of animations.
-pub(crate) fn menu(ui: &mut Ui) {
-    for kind in Kind::ALL {
-        ui.button(kind.label()).asks(PlayAction::Open(kind));
-    }
-}
-
 /// Shows the strip with the animation's controls. Changes that cannot be made in place are requested as
 /// actions.
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
@@ -35,11 +29,11 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.horizontal_wrapped(|ui| {
         kinds(ui, player.kind);
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
-        button(ui, [text, name, "Space"], PlayAction::Toggle);
-        button(ui, ["← Step", "Step back", "One step back: comma"], PlayAction::Step(-1));
-        button(ui, ["Step →", "Step forward", "One step forward: full stop"], PlayAction::Step(1));
+        button(ui, [text, name], PlayAction::Toggle);
+        button(ui, ["← Step", "Step back"], PlayAction::Step(-1));
+        button(ui, ["Step →", "Step forward"], PlayAction::Step(1));
         speed(ui, &mut player.speed);
-        ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
+        ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text(hint(PlayAction::Loop));
         if !is_narrow {
             ui.with_layout(right_to_left, |ui| {
                 ends(ui);
@@ -66,17 +60,15 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
     ui.add_space(2.0);
 }
 
-/// Shows a button with its text, its accessible name, and its hint.
-fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction) {
-    ui.add(Button::new(text)).on_hover_text(hint).named(name).asks(play);
+/// Shows a button with its text and its accessible name.
+fn button(ui: &mut Ui, [text, name]: [&str; 2], play: PlayAction) {
+    ui.button(text).on_hover_text(hint(play)).named(name).asks(play);
 }
 
 /// Shows, from right to left, the buttons that end or export the animation.
 fn ends(ui: &mut Ui) {
-    let hint = "Closes the animation and restores the state from before it";
-    button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close);
-    let hint = "Closes the animation and keeps the current state";
-    button(ui, ["Keep", "Keep this", hint], PlayAction::Keep);
+    button(ui, ["Stop", "Stop and go back"], PlayAction::Close);
+    button(ui, ["Keep", "Keep this"], PlayAction::Keep);
     ui.button("Export…").asks(FigureAction::AskAnimation);
 }
 

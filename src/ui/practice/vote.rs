@@ -16,7 +16,7 @@ use crate::model::practice::{MistakesView, next_seed};
 use crate::model::session::Session;
 use crate::model::session::presenting::WRITTEN;
 use crate::ui::action::VoteAction;
-use crate::ui::commands_table::shortcut;
+use crate::ui::commands_table::hint;
 use crate::ui::widgets::{
     ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
 };
@@ -343,18 +343,17 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>, is_
 
 /// Shows the field for the hands of the current round, and the button for the next round.
 fn hands(ui: &mut Ui, open: &mut OpenVote) {
-    let hint = "The hands raised for A, B, C and D, drawn as bars";
-    ui.label("Hands").on_hover_text(hint);
+    let about = "The hands raised for A, B, C and D, drawn as bars";
+    ui.label("Hands").on_hover_text(about);
     let field = line_field(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
     let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
     let name = format!("hands in round {}", open.round + 1);
-    let response = response.on_hover_text(hint).named(name);
+    let response = response.on_hover_text(about).named(name);
     if response.lost_focus() {
         open.count_typed();
     }
     let next = ui.add_enabled(open.has_another_round(), egui::Button::new("Second round"));
-    let hint = format!("The class votes again ({})", shortcut(VoteAction::NextRound));
-    next.on_hover_text(hint).asks(VoteAction::NextRound);
+    next.on_hover_text(hint(VoteAction::NextRound)).asks(VoteAction::NextRound);
 }
 
 /// Shows the buttons that reveal the right option, ask again or end the vote. Returns whether another vote
@@ -362,7 +361,7 @@ fn hands(ui: &mut Ui, open: &mut OpenVote) {
 fn ways_on(ui: &mut Ui, view: &MistakesView, inputs: Option<VoteInputs>) -> (bool, bool) {
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     let response = ui.add_enabled(!view.is_revealed(), reveal);
-    response.on_hover_text("Enter or Page Down").asks(VoteAction::Reveal);
+    response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
     let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
     let closes = ui.button("All mistakes").on_hover_text("Ends the vote").clicked();
     (another, closes)

@@ -68,7 +68,10 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let against = derived.against_ghost.as_deref();
     let style = style.at_most(DIGITS);
     ui.horizontal_wrapped(|ui| {
-        buttons(ui, ghost.is_some());
+        let freeze = ui.button("Freeze").named("Freeze the camera as a ghost");
+        freeze.asks(GhostAction::Freeze);
+        let remove = ui.add_enabled(ghost.is_some(), egui::Button::new("Remove"));
+        remove.named("Remove the ghost").asks(GhostAction::Drop);
         if let Some(against) = against {
             ui.add_space(8.0);
             ui.strong(share_that_differs(against));
@@ -96,17 +99,6 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
             table(ui, "scalars", &lines, LETTER * size * (digits + 2.6));
         });
     });
-}
-
-/// Shows the ghost's commands as a row of buttons.
-fn buttons(ui: &mut Ui, has_ghost: bool) {
-    for (text, name, ghost, needs_one) in [
-        ("Freeze", "Freeze the camera as a ghost", GhostAction::Freeze, false),
-        ("Remove", "Remove the ghost", GhostAction::Drop, true),
-    ] {
-        let button = egui::Button::new(text);
-        ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost);
-    }
 }
 
 /// A quantity's name, its values for the ghost and for the current camera, and their difference.
