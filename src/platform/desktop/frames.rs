@@ -8,7 +8,6 @@
 //! milliseconds, from input to presentation. The time of the first frame excludes the pass that ran
 //! while the window opened. `tests/drag-latency.sh` computes the medians.
 
-use std::fmt::Write as _;
 use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::thread::{JoinHandle, sleep, spawn};
@@ -75,28 +74,23 @@ fn input(geometry: WindowGeometry, zoom: f32) -> RawInput {
 /// milliseconds.
 const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
 
-/// The times of a frame.
-pub(super) struct FrameTimes {
-    /// Time from the first input event that the frame handles until the frame was presented; `None` for
-    /// a frame without input, such as one of an animation.
-    pub(super) since_input: Option<Duration>,
-    /// Time from the start of the app's pass until the frame was presented. The three durations below are
-    /// parts of this one.
-    pub(super) frame: Duration,
-    /// Time for the app's pass, including egui's own work before and after it.
-    pub(super) ui: Duration,
-    /// Time for uploading new pictures and glyphs, tessellating and drawing; with wgpu, for issuing
-    /// the draw commands.
-    pub(super) paint: Duration,
-    /// Time for waiting until the display accepts another frame.
-    pub(super) wait: Duration,
-}
+/// The columns of the log:
+/// - `since_input`, from the first input event that the frame handles until the frame was presented; empty
+///   for a frame without input, such as one of an animation;
+/// - `frame`, from the start of the app's pass until the frame was presented, with these three parts:
+///   - `ui`, the app's pass, including egui's own work before and after it;
+///   - `paint`, uploading new pictures and glyphs, tessellating and drawing; with wgpu, issuing the draw
+///     commands;
+///   - `wait`, waiting until the display accepts another frame;
+/// - `trace`, `overlay` and `readouts`, which are parts of `ui`, and `own`, their sum; all four are empty
+///   for a frame without a new picture.
+const COLUMNS: &str = "since_input,frame,ui,paint,wait,trace,overlay,readouts,own\n";
 
 /// The frames presented so far.
 pub(super) struct FrameLog {
     pub(super) path: PathBuf,
-    /// The times of each presented frame and, if it showed a new picture, of each part of its work.
-    pub(super) frames: Vec<(FrameTimes, Option<WorkTimes>)>,
+    /// The times of each presented frame, in the order of [`COLUMNS`].
+    frames: Vec<[Option<Duration>; 9]>,
 }
 
 impl FrameLog {
@@ -107,23 +101,25 @@ impl FrameLog {
         Some(FrameLog { path, frames: Vec::new() })
     }
 
-    /// Writes the CSV file. The column `since_input` is empty for a frame without input. The columns
-    /// `trace`, `overlay` and `readouts` are parts of `ui`, and `own` is their sum; all four are empty
-    /// for a frame without a new picture.
+    /// Adds a presented frame: the times of the first columns, and of its work, if it showed a new picture.
+    pub(super) fn add(
+        &mut self,
+        since_input: Option<Duration>,
+        presented: [Duration; 4],
+        work: Option<WorkTimes>,
+    ) {
+        let [frame, ui, paint, wait] = presented.map(Some);
+        let [trace, overlay, readouts] = [0, 1, 2].map(|kind| work.map(|times| times[kind]));
+        let own = work.map(|times| times.iter().sum());
+        self.frames.push([since_input, frame, ui, paint, wait, trace, overlay, readouts, own]);
+    }
+
+    /// Writes the CSV file.
     pub(super) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
-        let mut text = "since_input,frame,ui,paint,wait,trace,overlay,readouts,own\n".to_owned();
-        for (FrameTimes { since_input, frame, ui, paint, wait }, work) in &self.frames {
-            let since = since_input.map(ms).unwrap_or_default();
-            let times = [*frame, *ui, *paint, *wait].map(ms).join(",");
-            let work = work.map_or(",,,".to_owned(), |work| {
-                let own = work.trace + work.overlay + work.readouts;
-                [work.trace, work.overlay, work.readouts, own].map(ms).join(",")
-            });
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "{since},{times},{work}");
-        }
-        std::fs::write(&self.path, text)
+        let cells = |row: &[Option<Duration>; 9]| row.map(|time| time.map(ms).unwrap_or_default());
+        let rows = self.frames.iter().map(|row| cells(row).join(",") + "\n");
+        std::fs::write(&self.path, COLUMNS.to_owned() + &rows.collect::<String>())
     }
 }
 

@@ -113,11 +113,7 @@ fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     if let Some(link) = link {
         app.open_link(link);
     }
-    let log = FrameLog::from_environment();
-    if log.is_some() {
-        app.time_frames();
-    }
-    window::run(*renderer, geometry, app, log).map_err(CommandError::Input)
+    window::run(*renderer, geometry, app, FrameLog::from_environment()).map_err(CommandError::Input)
 }
 
 /// Files below the user's configuration folder, each with the key and the values that switch animations

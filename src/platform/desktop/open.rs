@@ -18,7 +18,7 @@ use crate::cli::arguments::Renderer;
 use crate::platform::desktop::cpu::Cpu;
 use crate::platform::desktop::display::{UserEvent, lost, without_panic};
 use crate::platform::desktop::file_dialog::{self, FileDialog};
-use crate::platform::desktop::frames::{FirstPass, FrameLog, FrameTimes};
+use crate::platform::desktop::frames::{FirstPass, FrameLog};
 use crate::platform::desktop::start::{OpenWindow, pace};
 use crate::platform::desktop::surface::{Textures, WindowFrame, WindowSurface};
 use crate::ui::app::{App, complain};
@@ -378,8 +378,7 @@ impl Open {
         if let Some(log) = &mut self.log {
             let since_input = input.map(|since| now - since);
             let paint = frame.saturating_sub(ui + wait);
-            let times = FrameTimes { since_input, frame, ui, paint, wait };
-            log.frames.push((times, self.app.work_presented()));
+            log.add(since_input, [frame, ui, paint, wait], self.app.work_presented());
         }
         Ok(())
     }

@@ -38,7 +38,7 @@ use crate::model::session::{Session, Settings, ZOOM};
 use crate::model::{Lesson, OpenDocument, OpenLesson, Player, Remembered, StepId, Store};
 use crate::ui::action::{Action, FileAction, LookAction};
 use crate::ui::dialogs::{Dialog, FileAnswer, FileRequest};
-use crate::ui::frame_times::{FrameWork, WorkTimes};
+use crate::ui::frame_times::WorkTimes;
 use crate::ui::scene::dragging::Dragging;
 use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
@@ -188,15 +188,9 @@ impl App {
         self.views.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
-    /// Starts to measure how long the work of each frame takes, for the log.
-    pub fn time_frames(&mut self) {
-        self.views.frame_work = Some(FrameWork::default());
-    }
-
-    /// Returns the times of the work of the last presented frame. Returns `None` if frames are not
-    /// measured, or if that frame showed no new picture.
+    /// Returns the times of the work of the last presented frame; `None` if it showed no new picture.
     pub fn work_presented(&self) -> Option<WorkTimes> {
-        self.views.frame_work.as_ref()?.work()
+        self.views.frame_work.work()
     }
 
     /// Returns true if the scene has a file, which another program may change.

@@ -38,8 +38,7 @@ pub(super) struct Views {
     pub(super) seen_selection: Option<Selection>,
     /// The pointer's position when the selection last changed.
     pub(super) rested_at: Option<Pos2>,
-    /// The times of the last frame's work, if they are measured.
-    pub(super) frame_work: Option<FrameWork>,
+    pub(super) frame_work: FrameWork,
     /// The observer's glide to another view.
     pub(super) glide: Glide,
     world_size: Option<ViewSize>,
@@ -78,12 +77,11 @@ impl App {
         let session = gliding.as_ref().unwrap_or(session);
         views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);
         let times = stopwatch.stop();
-        if let Some(traced) = times.traced() {
+        let [traced, ..] = times;
+        if !traced.is_zero() {
             views.adaptive_resolution.took(subsampling, traced);
         }
-        if let Some(frame_work) = &mut views.frame_work {
-            frame_work.add(ctx.cumulative_frame_nr(), times);
-        }
+        views.frame_work.add(ctx.cumulative_frame_nr(), times);
         // Coarse pictures are refined once the drag pauses. Grading may also be postponed until then.
         let waits = views.adaptive_resolution.is_followed(time) && session.answers.is_some();
         let is_coarse = |shown: &Subsampling| views.adaptive_resolution.is_made_finer(*shown);
