@@ -1,10 +1,10 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::{fs, io, iter};
+use std::{fs, io};
 
 use pinhole_exchange::{FileError, answers, legible, legible_name, limits};
 use pinhole_lecture::Mistake;
@@ -67,8 +67,12 @@ pub(super) fn of_folder(
         student
     };
     // As many at once as there is memory for, even if each takes as much as a file of its size can.
-    let length = |path: &PathBuf| fs::metadata(path).map_or(0, |data| data.len());
-    let most = files.iter().map(|path| answers::most_memory(task.image, length(path))).max();
+    let most = |path: &PathBuf| {
+        let length = fs::metadata(path).map_or(0, |data| data.len());
+        let length = length.min(answers::largest(task.image));
+        length + answers::memory(None, length / answers::SHORTEST_ROW, task.image)
+    };
+    let most = files.iter().map(most).max();
     let fits = |count: &usize| {
         limits::memory("the files", most.unwrap_or_default() * *count as u64).is_ok()
     };
@@ -150,24 +154,21 @@ fn refuse_link_out_of(folder: &Path, path: &Path) -> Result<(), FileError> {
 /// Maximum length of a name in the table, in characters.
 const LONGEST_NAME: usize = 40;
 
-/// Returns the students' names, with the middle of long ones left out. Names that would then be alike are
-/// numbered.
+/// Returns the students' names, with the middle of long ones left out. Those that would then be alike are numbered.
 fn short_names(students: &[Student]) -> Vec<String> {
-    let names = students.iter().map(|student| &student.name);
-    let is_short = |name: &&String| name.chars().count() <= LONGEST_NAME;
-    let mut used: BTreeSet<String> = names.clone().filter(is_short).cloned().collect();
-    let short = |name: &String| {
-        if is_short(&name) {
-            return name.clone();
+    let mut counts = BTreeMap::new();
+    let short = |student: &Student| {
+        let chars: Vec<char> = student.name.chars().collect();
+        if chars.len() <= LONGEST_NAME {
+            return student.name.clone();
         }
-        let chars: Vec<char> = name.chars().collect();
         let (start, end) = (LONGEST_NAME / 2, chars.len() + 1 - LONGEST_NAME / 2);
-        let [start, end] = [&chars[..start], &chars[end..]].map(String::from_iter);
-        let gaps = iter::once("…".to_owned()).chain((2..).map(|number| format!("…{number}…")));
-        let mut shortened = gaps.map(|gap| format!("{start}{gap}{end}"));
-        shortened.find(|name| used.insert(name.clone())).unwrap_or_default()
+        let ends = [&chars[..start], &chars[end..]].map(String::from_iter);
+        let count = counts.entry(ends.clone()).and_modify(|count| *count += 1).or_insert(1);
+        let gap = if *count == 1 { "…".to_owned() } else { format!("…{count}…") };
+        ends.join(&gap)
     };
-    names.map(short).collect()
+    students.iter().map(short).collect()
 }
 
 /// The JSON output for a folder.

@@ -5,7 +5,7 @@ use pinhole_exchange::format::{ExportScene, Include, Input};
 use pinhole_exchange::programs::{Importer, file_text};
 use pinhole_exchange::{Document, limits, scene_file};
 
-use super::console::{CommandError, is_standard, read, scene_fault, warn};
+use super::console::{CommandError, read, scene_fault, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};
 use crate::cli::load::{deliver, files_of, load, pose, refuse_overwriting};
 
@@ -32,10 +32,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
     let inputs = std::slice::from_ref(&arguments.file);
     let output = arguments.output.as_deref();
-    refuse_overwriting(
-        inputs,
-        output.filter(|output| !is_standard(output)).map(|output| ("-o", output)),
-    )?;
+    refuse_overwriting(inputs, output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::FOREIGN)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };

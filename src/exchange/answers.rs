@@ -72,23 +72,19 @@ pub fn largest(image: ImageSize) -> u64 {
 const ANSWER: u64 = 480;
 const PIXEL: u64 = 80;
 
-/// Returns how much memory in bytes it takes at most to grade a file of this length about an image of this size.
-pub fn most_memory(image: ImageSize, length: u64) -> u64 {
-    let length = length.min(largest(image));
-    /// Bytes of the shortest row.
-    const ROW: u64 = 4;
-    let pixels = image.pixel_count();
-    length + (ANSWER * pixels.min(length / ROW)).max(PIXEL * pixels)
-}
+/// Bytes of the shortest row.
+pub const SHORTEST_ROW: u64 = 4;
 
-/// Returns how much memory in bytes it takes to grade these answers.
-fn memory(kind: AnswerKind, bytes: &[u8], image: ImageSize) -> u64 {
+/// Returns how much memory in bytes it takes at most to grade a table with this many rows, or a picture, about an
+/// image of this size; if the kind is not known yet, the larger of both.
+pub fn memory(kind: Option<AnswerKind>, rows: u64, image: ImageSize) -> u64 {
     let pixels = image.pixel_count();
-    if kind == AnswerKind::Picture {
-        return PIXEL * pixels;
+    let table = pixels / 8 + ANSWER * pixels.min(rows);
+    match kind {
+        None => table.max(PIXEL * pixels),
+        Some(AnswerKind::Picture) => PIXEL * pixels,
+        Some(_) => table,
     }
-    let lines = bytes.iter().filter(|byte| matches!(byte, b'\r' | b'\n')).count();
-    pixels / 8 + ANSWER * pixels.min(lines.min(limits::ROWS) as u64)
 }
 
 /// Returns true if a file that is dropped on the window should be treated as answers: it contains
@@ -122,17 +118,18 @@ pub fn parse(
     image: ImageSize,
     count_from: u32,
 ) -> Result<Answers, FileError> {
-    let kind = kind_of(bytes);
-    let memory = kind.map_or(0, |kind| memory(kind, bytes, image));
+    let kind = kind_of(bytes).ok_or_else(|| no_answers(path, bytes))?;
+    let rows = bytes.iter().filter(|byte| matches!(byte, b'\r' | b'\n')).count();
+    let memory = memory(Some(kind), rows.min(limits::ROWS) as u64, image);
     limits::memory("grading it", memory).map_err(|problem| FileError::of_file(path, problem))?;
+    let pixels = || AnsweredPixels::new(image, count_from);
     let answers = match kind {
-        None => return Err(no_answers(path, bytes)),
-        Some(AnswerKind::Picture) => {
+        AnswerKind::Picture => {
             return png::decode(path, bytes, image, BACKGROUND).map(Answers::Picture);
         }
-        Some(AnswerKind::Basis) => return basis(path, bytes),
-        Some(AnswerKind::Rays) => rays(path, bytes, AnsweredPixels::new(image, count_from))?,
-        Some(AnswerKind::Hits) => hits(path, bytes, AnsweredPixels::new(image, count_from))?,
+        AnswerKind::Basis => return basis(path, bytes),
+        AnswerKind::Rays => rays(path, bytes, pixels())?,
+        AnswerKind::Hits => hits(path, bytes, pixels())?,
     };
     if answers.is_empty() {
         return Err(FileError::of_file(path, "there is no answer: a row an answer must follow"));
@@ -192,10 +189,10 @@ fn rays(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers
 
 fn hits(path: &Path, bytes: &[u8], mut pixels: AnsweredPixels) -> Result<Answers, FileError> {
     let mut hits = Vec::new();
-    let names = header(bytes);
-    let has = |column: usize| names.iter().any(|name| name == HITS[column]);
     let problem = |problem: &str| FileError::at(path, Location::START, problem);
     let table = CsvTable::new(path, bytes, HITS, 2)?;
+    let columns = [ROW, COLUMN, T, X, X + 1, Z, OBJECT].map(|column| table.has(column));
+    let has = |column: usize| columns[column];
     let coordinates = (X..=Z).filter(|column| has(*column)).count();
     if coordinates != 0 && coordinates != 3 {
         return Err(problem("a point needs all of the columns x,y,z"));

@@ -55,14 +55,14 @@ pub fn spheres(path: &Path, source: impl Read) -> Result<SphereTable, FileError>
             return Err(row.error(R, "it must be greater than 0"));
         }
         row.append(&mut spheres, &[Sphere { center, radius }])?;
-        if row.fields[COLOR].is_some() {
+        if row.has(COLOR) {
             let color = images::parse_color(row.text(COLOR));
             if color.is_none() && !row.cell(COLOR).is_empty() {
                 return Err(row.error(COLOR, "it must be a colour such as #e69f00"));
             }
             row.append(&mut found.colors, &[color])?;
         }
-        if row.fields[NAME].is_some() {
+        if row.has(NAME) {
             let name = row.text(NAME);
             if name.is_empty() && !row.cell(NAME).is_empty() {
                 return Err(row.error(NAME, "it must be UTF-8 text"));
@@ -286,6 +286,11 @@ impl<'a> CsvTable<'a> {
         })?;
         list.extend_from_slice(items);
         Ok(())
+    }
+
+    /// Returns true if the file has this known column.
+    pub(crate) fn has(&self, column: usize) -> bool {
+        self.fields[column].is_some()
     }
 
     /// Returns the row's cell of a known column without surrounding spaces; it is empty if the file has no
