@@ -326,6 +326,10 @@ pub enum VoteAction {
     NextRound,
     /// Show which option is right.
     Reveal,
+    /// Open another vote.
+    Another,
+    /// Close the vote and return to the list of mistakes.
+    End,
 }
 
 /// Opens an entry of the Help menu over the window.

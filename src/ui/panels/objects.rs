@@ -4,6 +4,8 @@ use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, SharedList};
 
+use crate::ui::action::ObjectAction;
+use crate::ui::commands_table::hint;
 use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, line_field, vector_row};
 use crate::view::typesetting::theme;
 
@@ -13,11 +15,10 @@ const LIST_ROWS: f32 = 6.0;
 /// Edits the objects; `chosen` is the index of the object whose fields are shown, if any.
 pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize>) {
     ui.horizontal(|ui| {
-        if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
-            *chosen = Some(add_sphere(document));
-        }
-        if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
-            *chosen = Some(add_plane(document));
+        for (text, add) in
+            [("+ Sphere", ObjectAction::AddSphere), ("+ Plane", ObjectAction::AddPlane)]
+        {
+            ui.button(text).on_hover_text(hint(add)).asks(add);
         }
     });
     if document.object_count() == 0 {
@@ -28,9 +29,7 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut Option<usize
     list(ui, document, chosen);
     if let Some(index) = *chosen {
         ui.add_space(4.0);
-        if editor(ui, document, index) {
-            *chosen = None;
-        }
+        editor(ui, document, index);
     }
 }
 
@@ -53,22 +52,22 @@ pub(crate) fn add_plane(document: &mut Document) -> usize {
 /// # Errors
 /// Returns an error if the object comes from a file of spheres.
 pub(crate) fn duplicate(document: &mut Document, index: usize) -> Result<usize, String> {
-    let first_plane = document.sphere_count();
-    if index < document.spheres.len() {
-        let right = document.camera.resolve().map_or(DVec3::X, |camera| camera.basis().u);
-        let mut copy = document.spheres[index].clone();
-        let Sphere { center, radius } = copy.shape;
-        // At the end of the range of numbers, the copy is in the same place.
-        copy.shape = Sphere::new(center + 2.0 * radius * right, radius).unwrap_or(copy.shape);
-        document.spheres.push(copy);
-        Ok(document.spheres.len() - 1)
-    } else if index >= first_plane {
-        let mut copy = document.planes[index - first_plane].clone();
-        copy.shape.point += copy.shape.normal.normalize_or_zero();
-        document.planes.push(copy);
-        Ok(first_plane + document.planes.len() - 1)
-    } else {
-        Err(row_of_file(document, index))
+    match place(document, index)? {
+        Place::Sphere(index) => {
+            let right = document.camera.resolve().map_or(DVec3::X, |camera| camera.basis().u);
+            let mut copy = document.spheres[index].clone();
+            let Sphere { center, radius } = copy.shape;
+            // At the end of the range of numbers, the copy is in the same place.
+            copy.shape = Sphere::new(center + 2.0 * radius * right, radius).unwrap_or(copy.shape);
+            document.spheres.push(copy);
+            Ok(document.spheres.len() - 1)
+        }
+        Place::Plane(index) => {
+            let mut copy = document.planes[index].clone();
+            copy.shape.point += copy.shape.normal.normalize_or_zero();
+            document.planes.push(copy);
+            Ok(document.object_count() - 1)
+        }
     }
 }
 
@@ -77,22 +76,29 @@ pub(crate) fn duplicate(document: &mut Document, index: usize) -> Result<usize, 
 /// # Errors
 /// Returns an error if the object comes from a file of spheres.
 pub(crate) fn delete(document: &mut Document, index: usize) -> Result<(), String> {
-    let first_plane = document.sphere_count();
-    if index < document.spheres.len() {
-        document.spheres.remove(index);
-    } else if index >= first_plane {
-        document.planes.remove(index - first_plane);
-    } else {
-        return Err(row_of_file(document, index));
+    match place(document, index)? {
+        Place::Sphere(index) => drop(document.spheres.remove(index)),
+        Place::Plane(index) => drop(document.planes.remove(index)),
     }
     Ok(())
 }
 
-/// Returns a message that a sphere from a CSV file must be edited in that file.
-fn row_of_file(document: &Document, index: usize) -> String {
+/// The place of an object in the document's list of its kind.
+enum Place {
+    Sphere(usize),
+    Plane(usize),
+}
+
+/// Returns the place of an object, or a message that a sphere from a CSV file must be edited in that file.
+fn place(document: &Document, index: usize) -> Result<Place, String> {
+    if let Some(plane) = index.checked_sub(document.sphere_count()) {
+        return Ok(Place::Plane(plane));
+    }
+    let Some(row) = index.checked_sub(document.spheres.len()) else {
+        return Ok(Place::Sphere(index));
+    };
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
-    let row = index - document.spheres.len() + 1;
-    format!("Sphere {index} is row {row} of {file}: edit it there.")
+    Err(format!("Sphere {index} is row {} of {file}: edit it there.", row + 1))
 }
 
 /// The centres of the picture's quarters, as fractions of the viewport.
@@ -163,47 +169,39 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) -> Response {
     response
 }
 
-/// Shows an object's fields. Returns true if the object was deleted.
-fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> bool {
-    let first_plane = document.sphere_count();
+/// Shows an object's fields.
+fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
     let own = document.color_of(index as u32);
     let shown = theme::object_color(ui, document, index as u32);
-    if index < document.spheres.len() {
-        edit(ui, &mut document.spheres, index, [own, shown], sphere)
-    } else if index < first_plane {
-        ui.label(row_of_file(document, index));
-        false
-    } else {
-        edit(ui, &mut document.planes, index - first_plane, [own, shown], plane)
+    match place(document, index) {
+        Ok(Place::Sphere(index)) => edit(ui, &mut document.spheres, index, [own, shown], sphere),
+        Ok(Place::Plane(index)) => edit(ui, &mut document.planes, index, [own, shown], plane),
+        Err(elsewhere) => drop(ui.label(elsewhere)),
     }
 }
 
 /// Shows the fields of an object. Stores the object only if it has changed, because storing it copies the
-/// list, which is shared with the undo history. Returns true if the object was deleted.
+/// list, which is shared with the undo history.
 fn edit<S: Clone + PartialEq>(
     ui: &mut Ui,
     items: &mut SharedList<Item<S>>,
     index: usize,
     colors: [Rgb; 2],
     fields: fn(&mut Ui, &mut S) -> Result<(), ObjectError>,
-) -> bool {
+) {
     let mut item = items[index].clone();
-    if heading(ui, &mut item, colors) {
-        items.remove(index);
-        return true;
-    }
+    heading(ui, &mut item, colors);
     if let Err(fault) = fields(ui, &mut item.shape) {
         ui.label(fault_text(ui, fault));
     }
     if items[index] != item {
         items[index] = item;
     }
-    false
 }
 
-/// Shows the name, the colour and the delete button. Returns true if the button was clicked. The object's
-/// colour can be edited unless the colour scheme replaces it.
-fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
+/// Shows the name, the colour and the delete button. The object's colour can be edited unless the colour
+/// scheme replaces it.
+fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) {
     ui.horizontal(|ui| {
         let mut color = own;
         if own != shown {
@@ -217,9 +215,8 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, [own, shown]: [Rgb; 2]) -> bool {
         if ui.add(field).named("name").changed() {
             item.name = (!name.is_empty()).then_some(name);
         }
-        ui.button("Delete").clicked()
-    })
-    .inner
+        ui.button("Delete").asks(ObjectAction::Delete);
+    });
 }
 
 /// Shows a sphere's fields. Returns the error that the sphere had before the edit, if any.

@@ -153,7 +153,7 @@ pub(crate) fn ui(
         ui.ctx().request_discard("a vote was opened after its picture was drawn");
     }
     if mistakes_view.open_vote.is_some() {
-        return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs);
+        return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs.is_some());
     }
     if derived.fault.is_none() {
         gallery.step(ui, document, session.settings.shade);
@@ -172,7 +172,7 @@ pub(crate) fn ui(
     let (left, right) = (whole.left() + thumbnails, whole.right() - checks_width);
     if !is_stacked {
         column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-            vote::button(ui, mistakes_view, inputs);
+            vote::button(ui, mistakes_view, inputs.is_some());
             gallery.grid(ui, &mut mistakes_view.chosen);
         });
     }
@@ -187,7 +187,7 @@ pub(crate) fn ui(
                     ui.set_min_width(most.min(COLUMNS[2] * CELL.x));
                     gallery.grid(ui, chosen);
                 });
-                vote::button(ui, mistakes_view, inputs);
+                vote::button(ui, mistakes_view, inputs.is_some());
             });
         }
         if is_narrow {

@@ -7,15 +7,14 @@ use egui::{
     Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
-use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::mistakes::failing;
+use crate::model::practice::MistakesView;
 use crate::model::practice::vote::OpenVote;
-use crate::model::practice::{MistakesView, next_seed};
 use crate::model::session::Session;
 use crate::model::session::presenting::WRITTEN;
-use crate::ui::action::VoteAction;
+use crate::ui::action::{LookAction, VoteAction};
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{
     ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
@@ -71,9 +70,6 @@ const BETWEEN: f32 = 3.0;
 /// Maximum size of the number of hands, in points.
 const COUNT: f32 = 26.0;
 
-/// The camera and the scene from which a vote is created.
-pub(super) type VoteInputs<'a> = (&'a Camera, &'a ResolvedCamera, &'a Scene);
-
 /// Applies a key of the open vote.
 pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
     let view = &mut session.mistakes_view;
@@ -82,6 +78,11 @@ pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
         VoteAction::Choose(option) => open.choose(option),
         VoteAction::NextRound => open.begin_round(),
         VoteAction::Reveal => view.reveal(),
+        VoteAction::End => view.close_vote(),
+        VoteAction::Another => {
+            view.close_vote();
+            view.wants_vote = true;
+        }
         VoteAction::CountHands => {
             ctx.memory_mut(|memory| memory.request_focus(hands_id()));
             // The key's own letter is not for the field.
@@ -94,15 +95,11 @@ fn hands_id() -> Id {
     Id::unique("hands of the vote")
 }
 
-/// Shows the button that opens a vote.
-pub(super) fn button(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>) {
+/// Shows the button that opens a vote, if there is a picture to vote on.
+pub(super) fn button(ui: &mut Ui, view: &MistakesView, can: bool) {
     let hint = "Shows a wrong picture without its name, and four mistakes to choose from";
-    let button = ui.add_enabled(inputs.is_some(), egui::Button::new("Guess which"));
-    if button.on_hover_text(hint).clicked()
-        && let Some((camera, resolved, scene)) = inputs
-    {
-        view.ask(camera, resolved, scene);
-    }
+    let button = ui.add_enabled(can, egui::Button::new("Guess which"));
+    button.on_hover_text(hint).asks(LookAction::Vote);
     if view.nothing_shows {
         ui.label("No two mistakes look different in this picture: bring an object into view.");
     }
@@ -114,7 +111,7 @@ pub(super) fn ui(
     ui: &mut Ui,
     view: &mut MistakesView,
     wrong: Option<&ComparedCamera>,
-    inputs: Option<VoteInputs>,
+    can_ask: bool,
 ) {
     let whole = ui.available_rect_before_wrap().shrink2(vec2(10.0, 6.0));
     let Some(open) = &mut view.open_vote else { return };
@@ -134,7 +131,7 @@ pub(super) fn ui(
         let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
         area.show(ui, |ui| reason(ui, open, wrong));
     });
-    inside(ui, bar, |ui| buttons(ui, view, inputs, is_wide));
+    inside(ui, bar, |ui| buttons(ui, view, can_ask, is_wide));
 }
 
 fn question(ui: &mut Ui, rect: Rect) {
@@ -321,23 +318,16 @@ fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
 }
 
 /// Shows the field for the hands and the buttons: in two rows, or in one if the page is wide.
-fn buttons(ui: &mut Ui, view: &mut MistakesView, inputs: Option<VoteInputs>, is_wide: bool) {
-    let (mut another, mut closes) = (false, false);
+fn buttons(ui: &mut Ui, view: &mut MistakesView, can_ask: bool, is_wide: bool) {
     ui.horizontal(|ui| {
         let Some(open) = &mut view.open_vote else { return };
         hands(ui, open);
         if is_wide {
-            (another, closes) = ways_on(ui, view, inputs);
+            ways_on(ui, view, can_ask);
         }
     });
     if !is_wide {
-        ui.horizontal(|ui| (another, closes) = ways_on(ui, view, inputs));
-    }
-    if closes {
-        view.close_vote();
-    } else if another && let Some((camera, resolved, scene)) = inputs {
-        view.seed = next_seed(view.seed);
-        view.ask(camera, resolved, scene);
+        ui.horizontal(|ui| ways_on(ui, view, can_ask));
     }
 }
 
@@ -356,13 +346,11 @@ fn hands(ui: &mut Ui, open: &mut OpenVote) {
     next.on_hover_text(hint(VoteAction::NextRound)).asks(VoteAction::NextRound);
 }
 
-/// Shows the buttons that reveal the right option, ask again or end the vote. Returns whether another vote
-/// is asked for, and whether the vote is to end.
-fn ways_on(ui: &mut Ui, view: &MistakesView, inputs: Option<VoteInputs>) -> (bool, bool) {
+/// Shows the buttons that reveal the right option, ask again or end the vote.
+fn ways_on(ui: &mut Ui, view: &MistakesView, can_ask: bool) {
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     let response = ui.add_enabled(!view.is_revealed(), reveal);
     response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
-    let another = ui.add_enabled(inputs.is_some(), egui::Button::new("Another one")).clicked();
-    let closes = ui.button("All mistakes").on_hover_text("Ends the vote").clicked();
-    (another, closes)
+    ui.add_enabled(can_ask, egui::Button::new("Another one")).asks(VoteAction::Another);
+    ui.button("All mistakes").on_hover_text("Ends the vote").asks(VoteAction::End);
 }
