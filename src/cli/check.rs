@@ -7,8 +7,8 @@ use std::path::Path;
 use pinhole_core::{ImageSize, Scene};
 use pinhole_exchange::images::png;
 use pinhole_exchange::{Document, FileError, answers, atomic};
+use pinhole_lecture::Mistake;
 use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Worst, grade};
-use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::check_class;
@@ -88,7 +88,7 @@ fn of_answers(
         }
         save_map(map, &graded, graded.image)?;
     }
-    let text = if arguments.json { to_json(&Check::new(&graded))? } else { text(&graded) };
+    let text = if arguments.json { to_json(&to_value(&graded))? } else { text(&graded) };
     let status = match graded.grade.is_judged() {
         true => status(graded.grade.passes()),
         false => Err(CommandError::Unreadable(graded.grade.advice())),
@@ -182,49 +182,28 @@ fn text(graded: &Graded) -> String {
     text
 }
 
-/// The JSON output, with its fields in the order in which the man page explains them.
-#[derive(Serialize)]
-pub(super) struct Check {
-    kind: &'static str,
-    answers: usize,
-    agree: usize,
-    tolerance: f64,
-    worst: Value,
-    mistakes: Vec<&'static str>,
-    advice: String,
-    /// Other sets of mistakes that would lead to the same answers.
-    alternatives: Vec<Vec<&'static str>>,
-    /// The name of the shading with which the graded picture was compared; `None` if the answers are not a
-    /// picture.
-    shade: Option<&'static str>,
-    /// Number of pixels without an answer if such pixels count as wrong; otherwise 0.
-    unanswered: usize,
-    /// Number of answers that are not judged, because wrong ones would be accepted, too.
-    not_judged: usize,
-}
-
-impl Check {
-    pub(super) fn new(graded: &Graded) -> Check {
-        let grade = &graded.grade;
-        let diagnosis = &grade.diagnosis;
-        Check {
-            kind: grade.kind.name(),
-            answers: grade.answers(),
-            agree: grade.agree(),
-            tolerance: grade.tolerance,
-            worst: grade.worst.as_ref().map_or(Value::Null, |worst| worst_of(graded, worst)),
-            mistakes: diagnosis.mistakes.iter().map(|mistake| mistake.id()).collect(),
-            advice: graded.advice(),
-            alternatives: diagnosis
-                .alternatives
-                .iter()
-                .map(|set| set.iter().map(|mistake| mistake.id()).collect())
-                .collect(),
-            shade: grade.shade.map(|shade| shade.name()),
-            unanswered: grade.unanswered,
-            not_judged: grade.not_judged.len(),
-        }
-    }
+/// Returns the JSON output, with its fields in the order in which the man page explains them. The shade is the
+/// shading with which a graded picture was compared. `unanswered` counts the pixels without an answer if they count
+/// as wrong, and `not_judged` the answers that are not judged, because wrong ones would be accepted, too.
+pub(super) fn to_value(graded: &Graded) -> Value {
+    let grade = &graded.grade;
+    let ids = |mistakes: &Vec<Mistake>| -> Vec<&str> {
+        mistakes.iter().map(|mistake| mistake.id()).collect()
+    };
+    json!({
+        "kind": grade.kind.name(),
+        "answers": grade.answers(),
+        "agree": grade.agree(),
+        "tolerance": grade.tolerance,
+        "worst": grade.worst.as_ref().map(|worst| worst_of(graded, worst)),
+        "mistakes": ids(&grade.diagnosis.mistakes),
+        "advice": graded.advice(),
+        // Other sets of mistakes that would lead to the same answers.
+        "alternatives": grade.diagnosis.alternatives.iter().map(ids).collect::<Vec<_>>(),
+        "shade": grade.shade.map(|shade| shade.name()),
+        "unanswered": grade.unanswered,
+        "not_judged": grade.not_judged.len(),
+    })
 }
 
 /// Returns the worst answer as JSON: its position, the given and the right answer, and the distance between

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::check::{Check, CheckOutcome, Task, status};
+use super::check::{CheckOutcome, Task, status, to_value};
 use super::console::{CommandError, columns, read, to_json, warn};
 use super::progress::Progress;
 use crate::cli::arguments::CheckArguments;
@@ -193,7 +193,7 @@ struct Student {
     /// [`RIGHT`], `wrong`, [`INCOMPLETE`], [`NOT_JUDGED`] or [`BROKEN`].
     verdict: &'static str,
     #[serde(flatten)]
-    check: Option<Check>,
+    check: Option<Value>,
     /// The reason why the file cannot be graded.
     #[serde(skip_serializing_if = "Option::is_none")]
     problem: Option<String>,
@@ -227,7 +227,7 @@ impl Student {
             format!("{}: {agree} of {all}{}", grade.kind.name(), grade.not_judged_in_words())
         });
         let agreement = agreement.unwrap_or_default();
-        let check = graded.as_ref().ok().map(Check::new);
+        let check = graded.as_ref().ok().map(to_value);
         Student { name, file, verdict, check, problem, agreement, outcomes, made }
     }
 

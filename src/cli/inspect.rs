@@ -2,12 +2,10 @@
 
 use std::fmt::Write as _;
 
-use pinhole_core::{
-    DVec2, DVec3, Orientation, Pixel, Ray, ResolvedCamera, Root, UpAngle, shortest, triple,
-};
-use pinhole_exchange::document::{Document, StoredObserver};
+use pinhole_core::{DVec3, Orientation, Pixel, ResolvedCamera, UpAngle, shortest, triple};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::console::{CommandError, columns, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
@@ -198,79 +196,48 @@ fn row(name: &str, value: impl std::fmt::Display) -> String {
     format!("{name:22}{value}")
 }
 
-/// The JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such as the
-/// distance between two points at opposite ends of the range, is `null`, because JSON has no infinity. The
-/// conditioning (degrees of roll for each degree that up is tipped sideways) is never `null`, because the
-/// core caps it at the largest `f64`.
-#[derive(Serialize)]
-struct Inspect<'a> {
-    camera: CameraJson,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    observer: Option<StoredObserver>,
-    pixel: Option<Pixel>,
-    uv: DVec2,
-    ray: Ray,
-    hits: Vec<HitJson<'a>>,
-    first: Option<usize>,
-}
-
-#[derive(Serialize)]
-struct CameraJson {
-    eye: DVec3,
-    u: DVec3,
-    v: DVec3,
-    w: DVec3,
-    up_view_angle_deg: f64,
-    conditioning: f64,
-}
-
-#[derive(Serialize)]
-struct HitJson<'a> {
-    object: &'static str,
-    index: u32,
-    name: Option<&'a str>,
-    t: f64,
-    distance: f64,
-    point: DVec3,
-    normal: DVec3,
-}
-
 impl Readout<'_> {
-    fn json(&self) -> Inspect<'_> {
-        let Readout { camera, up_angle, inspection, .. } = self;
+    /// Returns the JSON output. Numbers read back to the same `f64`. A number beyond the range of `f64`, such as
+    /// the distance between two points at opposite ends of the range, is `null`, because JSON has no infinity.
+    /// The conditioning (degrees of roll for each degree that up is tipped sideways) is never `null`, because
+    /// the core caps it at the largest `f64`.
+    fn json(&self) -> Value {
+        let Readout { document, camera, up_angle, inspection } = self;
         let basis = camera.basis();
-        let hits = inspection.roots.iter().zip(&inspection.distances);
-        Inspect {
-            camera: CameraJson {
-                eye: plain(camera.eye()),
-                u: plain(basis.u),
-                v: plain(basis.v),
-                w: plain(basis.w),
-                up_view_angle_deg: up_angle.angle.to_degrees(),
-                conditioning: up_angle.conditioning,
+        let hits = inspection.roots.iter().zip(&inspection.distances).map(|(root, distance)| {
+            json!({
+                "object": self.kind_of(root.object),
+                "index": root.object,
+                "name": document.name_of(root.object),
+                "t": root.t,
+                "distance": distance,
+                "point": plain(root.point),
+                "normal": plain(root.normal),
+            })
+        });
+        let mut json = json!({
+            "camera": {
+                "eye": plain(camera.eye()),
+                "u": plain(basis.u),
+                "v": plain(basis.v),
+                "w": plain(basis.w),
+                "up_view_angle_deg": up_angle.angle.to_degrees(),
+                "conditioning": up_angle.conditioning,
             },
-            observer: self.document.observer,
-            pixel: inspection.pixel(),
-            uv: inspection.uv,
-            ray: Ray {
-                origin: plain(inspection.ray.origin),
-                direction: plain(inspection.ray.direction),
+            "observer": document.observer,
+            "pixel": inspection.pixel(),
+            "uv": inspection.uv,
+            "ray": {
+                "origin": plain(inspection.ray.origin),
+                "direction": plain(inspection.ray.direction),
             },
-            hits: hits.map(|(root, distance)| self.hit(root, *distance)).collect(),
-            first: inspection.first,
+            "hits": hits.collect::<Vec<_>>(),
+            "first": inspection.first,
+        });
+        if let (Value::Object(fields), None) = (&mut json, document.observer) {
+            fields.shift_remove("observer");
         }
-    }
-
-    fn hit(&self, root: &Root, distance: f64) -> HitJson<'_> {
-        HitJson {
-            object: self.kind_of(root.object),
-            index: root.object,
-            name: self.document.name_of(root.object),
-            t: root.t,
-            distance,
-            point: plain(root.point),
-            normal: plain(root.normal),
-        }
+        json
     }
 }
 
