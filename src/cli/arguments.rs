@@ -133,6 +133,13 @@ pub struct RayArguments {
     pub uv: Option<DVec2>,
 }
 
+impl RayArguments {
+    /// Returns true if a ray is requested.
+    pub(super) fn is_given(self) -> bool {
+        self.pixel.is_some() || self.uv.is_some()
+    }
+}
+
 /// `pinhole render`
 #[derive(Args, Clone, Debug)]
 pub struct RenderArguments {

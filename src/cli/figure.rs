@@ -115,15 +115,12 @@ fn session_of(
     let mut session = Session::default();
     // A picture in a file has no handles.
     session.settings.items.set(Item::Handles, false);
-    let asked = ray.pixel.is_some() || ray.uv.is_some();
+    let asked = ray.is_given();
     let sees = matches!(view, FigureSubject::World | FigureSubject::Camera);
     // The derivation of a camera without a basis shows where it fails.
     if asked || sees {
-        let camera = pose(scene, document)?;
-        if asked {
-            session.selection = selection_of(&camera, ray.pixel, ray.uv)
-                .map_err(|problem| scene_fault(scene, problem))?;
-        }
+        let asked = selection_of(scene, &pose(scene, document)?, *ray)?;
+        session.selection = asked.unwrap_or(session.selection);
     }
     if sees {
         let objects = document.scene().map_err(|error| scene_fault(scene, error))?;

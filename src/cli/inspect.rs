@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::console::{CommandError, columns, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
-use crate::cli::arguments::{InspectArguments, RayArguments};
+use crate::cli::arguments::InspectArguments;
 use crate::model::readings::{Reading, ReadingValue, of_basis};
 use crate::model::{Concept, Inspection};
 
@@ -27,9 +27,8 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let camera = pose(&arguments.scene, &document)?;
     let up_angle = document.camera.up_angle().map_err(|e| at_fault(&e))?;
     let scene = document.scene().map_err(|e| at_fault(&e))?;
-    let RayArguments { pixel, uv } = arguments.ray;
-    let selection = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?;
-    let inspection = Inspection::new(&camera, &scene, selection);
+    let selection = selection_of(&arguments.scene, &camera, arguments.ray)?;
+    let inspection = Inspection::new(&camera, &scene, selection.unwrap_or_default());
     let readout = Readout { document: &document, camera, up_angle, inspection };
     let text = if arguments.json { to_json(&readout.json())? } else { readout.to_text() };
     to_stdout(|out| out.write_all(text.as_bytes()))

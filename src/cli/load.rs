@@ -3,11 +3,12 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera, Selection};
+use pinhole_core::{CameraError, ImageSize, Pixel, ResolvedCamera, Selection};
 use pinhole_exchange::atomic::{self, is_same_file};
 use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 
 use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
+use crate::cli::arguments::RayArguments;
 
 /// Reads the scene that an argument names: a file, a built-in scene, or standard input for `-`.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
@@ -100,23 +101,21 @@ pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, 
     })
 }
 
-/// Returns the requested ray; by default, the ray through the viewport's centre.
+/// Returns the requested ray of a scene's camera; `None` if none is requested.
 pub(super) fn selection_of(
+    scene: &Path,
     camera: &ResolvedCamera,
-    pixel: Option<Pixel>,
-    uv: Option<DVec2>,
-) -> Result<Selection, String> {
-    let selection = match (pixel, uv) {
-        (Some(pixel), _) => {
-            inside(camera.image(), pixel)?;
-            Selection::Pixel(pixel)
-        }
-        (None, uv) => Selection::Uv(uv.unwrap_or_default()),
-    };
-    if !camera.ray(selection.uv(camera)).direction.is_finite() {
-        return Err("the ray's direction is beyond the range of numbers: make the viewport, its \
-                    distance or (u, v) smaller"
-            .to_owned());
+    RayArguments { pixel, uv }: RayArguments,
+) -> Result<Option<Selection>, CommandError> {
+    if let Some(pixel) = pixel {
+        inside(camera.image(), pixel).map_err(|problem| scene_fault(scene, problem))?;
+    }
+    let selection = pixel.map(Selection::Pixel).or(uv.map(Selection::Uv));
+    let is_finite = |one: Selection| camera.ray(one.uv(camera)).direction.is_finite();
+    if !selection.is_none_or(is_finite) {
+        let problem = "the ray's direction is beyond the range of numbers: make the viewport, its \
+                       distance or (u, v) smaller";
+        return Err(scene_fault(scene, problem));
     }
     Ok(selection)
 }

@@ -14,12 +14,9 @@ use crate::model::link::of_step;
 
 pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
     let (scene, document, shown) = shown(arguments)?;
-    let ray = match (arguments.ray.pixel, arguments.ray.uv) {
-        (None, None) => None,
-        (pixel, uv) => {
-            let selected = selection_of(&pose(&scene, &document)?, pixel, uv);
-            Some(selected.map_err(|problem| scene_fault(&scene, problem))?)
-        }
+    let ray = match arguments.ray.is_given() {
+        true => selection_of(&scene, &pose(&scene, &document)?, arguments.ray)?,
+        false => None,
     };
     let fragment = Link { shown, ray, page: None }.to_fragment();
     let fragment = fragment.map_err(|error| scene_fault(&scene, error.problem))?;
