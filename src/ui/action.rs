@@ -48,18 +48,10 @@ pub enum FileAction {
     AskOpen,
     /// Save to the scene's file; ask for a path if the scene has no file.
     Save,
-    /// Ask for a path to save to.
-    AskSaveAs {
-        /// The action to take once the scene is saved.
-        then: Option<Leave>,
-    },
-    /// Save to this path.
-    SaveAs {
-        /// The file.
-        path: PathBuf,
-        /// The action to take once the scene is saved.
-        then: Option<Leave>,
-    },
+    /// Ask for a path to save to, and take the action once the scene is saved.
+    AskSaveAs(Option<Leave>),
+    /// Save to this path, and take the action once the scene is saved.
+    SaveAs(PathBuf, Option<Leave>),
     /// Ask for the path of a page for a browser.
     AskSavePage,
     /// Save the scene, or the lesson's step, as a page for a browser.
@@ -86,11 +78,8 @@ pub enum FileAction {
         /// The action to take once the scene is saved.
         then: Option<Leave>,
     },
-    /// Open the version that another program has written.
-    TakeTheirs {
-        /// The action to take after the file is opened.
-        then: Option<Leave>,
-    },
+    /// Open the version that another program has written, and then take the action.
+    TakeTheirs(Option<Leave>),
 }
 
 /// Moves through the open lesson.
@@ -120,24 +109,12 @@ pub enum HistoryAction {
 pub enum FigureAction {
     /// Ask which figure to export.
     Ask,
-    /// Write a figure.
-    Export {
-        /// The figure.
-        order: Order,
-        /// The file.
-        path: PathBuf,
-    },
+    /// Write a figure to a file.
+    Export(Order, PathBuf),
     /// Ask how to export the open animation.
     AskAnimation,
-    /// Write an animation.
-    ExportAnimation {
-        /// The figure of each frame.
-        order: Order,
-        /// The number of frames.
-        frames: Frames,
-        /// The file.
-        path: PathBuf,
-    },
+    /// Write an animation of these frames, each of which is such a figure, to a file.
+    ExportAnimation(Order, Frames, PathBuf),
     /// Copy the figure of the open page to the clipboard.
     Copy,
     /// Copy the derivation to the clipboard.

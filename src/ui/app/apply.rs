@@ -63,7 +63,7 @@ impl App {
             Action::Leave(_)
             | Action::Share(ShareAction::Follow(_))
             | Action::History(_)
-            | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs { .. })
+            | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs(_))
             // The other lesson actions stop the animation once they know that there is a step to open.
             | Action::Lesson(LessonAction::Close) => self.stop_animation(),
             Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {}
@@ -157,8 +157,8 @@ impl App {
         let mine =
             if saves { "Saves your version over theirs" } else { "Continues with your version" };
         let keep = FileAction::KeepMine { saves, then: then.clone() };
-        let take = FileAction::TakeTheirs { then: then.clone() };
-        let save_as = FileAction::AskSaveAs { then };
+        let take = FileAction::TakeTheirs(then.clone());
+        let save_as = FileAction::AskSaveAs(then);
         let answers = vec![
             ("Keep mine", mine, Some(keep.into())),
             ("Take theirs", "Reads the file again. Undo restores your version", Some(take.into())),
@@ -218,8 +218,8 @@ impl App {
                 Some(Dialog::file(OPEN, self.scene.open.file(), "", files::dropped))
             }
             FileAction::Save => self.save(ctx, None),
-            FileAction::AskSaveAs { then } => Some(self.ask_save_as(then)),
-            FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
+            FileAction::AskSaveAs(then) => Some(self.ask_save_as(then)),
+            FileAction::SaveAs(path, then) => self.save_to(ctx, &path, then),
             FileAction::AskSavePage => {
                 let open = &self.scene.open;
                 let name = Path::new(&open.file_name()).with_extension("html");
@@ -256,7 +256,7 @@ impl App {
                 self.scene.open.keep_mine();
                 if saves { self.save(ctx, then) } else { None }
             }
-            FileAction::TakeTheirs { then } => {
+            FileAction::TakeTheirs(then) => {
                 let dialog = self.take_theirs(ctx);
                 if dialog.is_some() { dialog } else { self.leave(ctx, then?) }
             }
@@ -354,7 +354,7 @@ impl App {
     }
 
     fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
-        let save_as = move |path| FileAction::SaveAs { path, then: then.clone() };
+        let save_as = move |path| FileAction::SaveAs(path, then.clone());
         let open = &self.scene.open;
         Dialog::file(SAVE_AS, open.file(), &open.file_name(), save_as)
     }

@@ -224,7 +224,7 @@ impl App {
                 subjects.sort_by_key(|subject| *subject != first);
                 Some(Dialog::Export(self.export_form(ctx, &subjects)))
             }
-            FigureAction::Export { order, path } => {
+            FigureAction::Export(order, path) => {
                 let exported = self.export(&order, &path);
                 self.say_written(exported, "Exported to", &path, "The figure was not exported")
             }
@@ -235,7 +235,7 @@ impl App {
                 let subjects = [FigureSubject::World, FigureSubject::Camera];
                 Some(Dialog::Export(self.export_form(ctx, &subjects).animated(kind)))
             }
-            FigureAction::ExportAnimation { order, frames, path } => {
+            FigureAction::ExportAnimation(order, frames, path) => {
                 self.export_animation(order, frames, path)
             }
             FigureAction::Copy => self.copy_figure(ctx),

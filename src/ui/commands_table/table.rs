@@ -88,7 +88,7 @@ fn files() -> Vec<UiCommand> {
         File, "Open…", "Asks which scene or lesson to open.",
             FileAction::AskOpen => key(Anywhere, CTRL, Key::O);
         File, "Save as…", "Asks which file to save the scene to.",
-            FileAction::AskSaveAs { then: None } => key(Anywhere, CTRL_SHIFT, Key::S);
+            FileAction::AskSaveAs(None) => key(Anywhere, CTRL_SHIFT, Key::S);
         File, "Save", "Saves the scene to its file.", FileAction::Save => key(Anywhere, CTRL, Key::S);
         File, "Save as a page…", "Asks where to save a page that opens the scene or step in any browser.",
             FileAction::AskSavePage;

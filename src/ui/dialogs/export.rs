@@ -117,11 +117,11 @@ impl ExportForm {
             let (content, export) = match self.animation {
                 Some((_, frames)) => (
                     check_animation_path(&path),
-                    FigureAction::ExportAnimation { order, frames, path },
+                    FigureAction::ExportAnimation(order, frames, path),
                 ),
                 None => (
                     Content::for_path(shown.subject, &path).map(drop),
-                    FigureAction::Export { order, path },
+                    FigureAction::Export(order, path),
                 ),
             };
             self.problem = content.err().map(|problem| format!("Export {problem}"));

@@ -185,7 +185,7 @@ fn choice(ui: &mut Ui, there: Available<'_>, text: &str, action: LookAction) {
 fn file_menu(ui: &mut Ui, recent: &[PathBuf], there: Available<'_>) {
     entries!(ui, there:
         Leave::New, FileAction::AskOpen, ExchangeAction::AskImport, FileAction::Save,
-        FileAction::AskSaveAs { then: None }, FileAction::AskSavePage, FileAction::AskSaveStep,
+        FileAction::AskSaveAs(None), FileAction::AskSavePage, FileAction::AskSaveStep,
         ShareAction::Show;
         AnswersAction::Ask;
         FigureAction::Ask, FigureAction::Copy, FigureAction::CopyDerivation(Markup::Latex),
