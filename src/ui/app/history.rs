@@ -1,5 +1,6 @@
 //! Undo and redo: records changes of the document as undo steps, and moves back and forth between them.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::{Context, Id};
@@ -92,18 +93,15 @@ impl SceneHistory {
 
     /// Drops the oldest steps until those that are left have no more spheres of tables in memory than one scene may.
     fn forget_tables(&mut self) {
-        let (mut count, mut last) = (0, None);
+        let mut tables = BTreeMap::new();
         self.steps.keep_newest(|moment| {
             let document = match moment {
                 Moment::Edited(document) => document,
                 Moment::Elsewhere(scene) => &scene.open.document,
             };
-            if let Some(csv) = &document.csv_spheres
-                && last.replace(Arc::as_ptr(&csv.items)) != Some(Arc::as_ptr(&csv.items))
-            {
-                count += csv.count;
-            }
-            count <= limits::ROWS
+            let table = document.csv_spheres.as_ref();
+            tables.extend(table.map(|csv| (Arc::as_ptr(&csv.items), csv.count)));
+            tables.values().sum::<usize>() <= limits::ROWS
         });
     }
 
