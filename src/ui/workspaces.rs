@@ -240,12 +240,15 @@ fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     clipped(ui, above, |ui| readouts::column(ui, derived, document, style));
     inside(ui, below, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            *all = ui.small_button("All numbers").clicked();
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                readouts::left_out(ui, derived);
-            });
-        });
+        few(ui, all, |ui| readouts::left_out(ui, derived));
+    });
+}
+
+/// Shows a few numbers, with the button for all of them on their right.
+fn few(ui: &mut Ui, all: &mut bool, numbers: impl FnOnce(&mut Ui)) {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        *all |= ui.small_button("All numbers").clicked();
+        ui.with_layout(Layout::left_to_right(Align::Center), numbers);
     });
 }
 
@@ -256,23 +259,15 @@ pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     let area = ui.available_rect_before_wrap();
     let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
     let ui = &mut ui.new_child(inner);
-    let all = context.session.settings.unfolded.numbers && area.height() > readouts::BAND;
-    let mut switched = false;
+    let all = &mut context.session.settings.unfolded.numbers;
+    let band = |ui: &mut Ui| readouts::band(ui, derived, document, items, style);
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
-        readouts::band(ui, derived, document, items, style);
-    } else if all {
-        switched = ui.small_button("Fewer numbers").clicked();
+        band(ui);
+    } else if *all && area.height() > readouts::BAND {
+        *all = !ui.small_button("Fewer numbers").clicked();
         readouts::ui(ui, derived, document, style);
     } else {
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            switched = ui.small_button("All numbers").clicked();
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                readouts::band(ui, derived, document, items, style);
-            });
-        });
-    }
-    if switched {
-        context.session.settings.unfolded.numbers = !all;
+        few(ui, all, band);
     }
 }
 

@@ -2,7 +2,7 @@
 //! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
 use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
-use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
+use pinhole_core::{Camera, CameraDifference, DVec3, Orientation, ResolvedCamera, Root, Viewport};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
 
@@ -87,16 +87,17 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         let way = if is_stacked { Direction::TopDown } else { Direction::LeftToRight };
         ui.with_layout(Layout::from_main_dir_and_cross_align(way, Align::Min), |ui| {
-            let moved = moved(&document.camera, ghost, against, style);
-            let vectors = [turned(now, against, style), moved].concat();
+            let (camera, ghost) = (&document.camera, &ghost.camera);
+            let vectors = vectors((camera, now), ghost, against, style);
             // As wide as the widest numbers, so that nothing moves sideways while they change.
             let digits = style.digits as f32;
             table(ui, "vectors", &vectors, LETTER * size * 3.0 * (digits + 2.8));
             ui.separator();
             let here = derived.inspection.as_deref();
-            let mut lines = numbers(document, ghost, against, style);
-            lines.extend(hits(here, &against.inspection, document, style));
-            table(ui, "scalars", &lines, LETTER * size * (digits + 2.6));
+            let hits = hits(here, &against.inspection, document, style);
+            let viewports = viewports(camera.viewport, ghost.viewport, &against.difference, style);
+            let scalars = [&viewports[..], &hits].concat();
+            table(ui, "scalars", &scalars, LETTER * size * (digits + 2.6));
         });
     });
 }
@@ -143,54 +144,44 @@ fn signed(x: f64, style: NumberStyle) -> String {
     format!("{sign}{}", style.number(x))
 }
 
-/// Returns the lines that compare u, v, w.
-fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> [ComparedLine; 3] {
-    let (here, there, by) = (now.basis(), against.ghost.basis(), against.difference.basis);
-    let line = |name, there, here, angle| {
-        (name, style.vector(there), style.vector(here), degrees(angle, style))
-    };
-    [
-        line("u", there.u, here.u, by[0]),
-        line("v", there.v, here.v, by[1]),
-        line("w", there.w, here.w, by[2]),
-    ]
-}
-
-/// Returns the lines that compare *eye*, *at* and *up*.
-fn moved(
-    now: &Camera,
-    ghost: &Ghost,
+/// Returns the lines that compare u, v, w, *eye*, *at* and *up*.
+fn vectors(
+    now: (&Camera, &ResolvedCamera),
+    ghost: &Camera,
     against: &AgainstGhost,
     style: NumberStyle,
-) -> [ComparedLine; 3] {
-    let (then, by) = (&ghost.camera, &against.difference);
+) -> [ComparedLine; 6] {
+    let (here, there, by) = (now.1.basis(), against.ghost.basis(), &against.difference);
     let vector = |v: DVec3| style.vector(v);
+    let turned =
+        |name, there, here, angle| (name, vector(there), vector(here), degrees(angle, style));
     let way = |v: DVec3| style.number(v.length());
     let at = |camera: &Camera| match camera.orientation {
         Orientation::At { at, .. } => vector(at),
         _ => "none".to_owned(),
     };
     [
-        ("eye", vector(then.eye), vector(now.eye), way(by.eye)),
-        ("at", at(then), at(now), by.at.map(way).unwrap_or_default()),
-        ("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
+        turned("u", there.u, here.u, by.basis[0]),
+        turned("v", there.v, here.v, by.basis[1]),
+        turned("w", there.w, here.w, by.basis[2]),
+        ("eye", vector(ghost.eye), vector(now.0.eye), way(by.eye)),
+        ("at", at(ghost), at(now.0), by.at.map(way).unwrap_or_default()),
+        turned("up", ghost.up(), now.0.up(), by.up),
     ]
 }
 
 /// Returns the lines of the viewport.
-fn numbers(
-    document: &Document,
-    ghost: &Ghost,
-    against: &AgainstGhost,
+fn viewports(
+    now: Viewport,
+    ghost: Viewport,
+    by: &CameraDifference,
     style: NumberStyle,
-) -> Vec<ComparedLine> {
-    let by = &against.difference;
-    let (old, new) = (ghost.camera.viewport, document.camera.viewport);
+) -> [ComparedLine; 3] {
     let line = |name, old, new, by| (name, style.number(old), style.number(new), signed(by, style));
-    vec![
-        line("distance", old.distance, new.distance, by.distance),
-        line("width", old.width, new.width, by.extent[0]),
-        line("height", old.height, new.height, by.extent[1]),
+    [
+        line("distance", ghost.distance, now.distance, by.distance),
+        line("width", ghost.width, now.width, by.extent[0]),
+        line("height", ghost.height, now.height, by.extent[1]),
     ]
 }
 
