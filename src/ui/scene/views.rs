@@ -192,28 +192,28 @@ fn uv_at(ui: &Ui, rect: Rect, resolved: &ResolvedCamera, at: Vec2) -> DVec2 {
     overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], at.into())
 }
 
+/// Returns, as a selection, the pixel under the pointer in the camera view or, in the world view, on the viewport.
+fn pixel_under(ui: &Ui, view: &str, rect: Rect, at: Pos2, shown: &Derived) -> Option<Selection> {
+    let resolved = shown.resolved.as_ref()?;
+    let at = dot_under(ui, rect, at);
+    let uv = match view {
+        WORLD => overlay::pick(resolved, shown.world_frame.as_ref()?, at.into())?,
+        _ => uv_at(ui, rect, resolved, at),
+    };
+    Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
+}
+
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
-    if let (Some(pointer), Some(resolved), true) =
-        (response.interact_pointer_pos(), &shown.resolved, pressed)
-    {
-        let at = dot_under(ui, response.rect, pointer);
-        if let Some(position) = resolved.pixel_of_uv(uv_at(ui, response.rect, resolved, at)) {
-            session.selection = Selection::Pixel(position.pixel);
-        }
-    }
+    let at = response.interact_pointer_pos().filter(|_| pressed);
+    let selected = at.and_then(|at| pixel_under(ui, CAMERA, response.rect, at, shown));
+    session.selection = selected.unwrap_or(session.selection);
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    if let (true, Some(pointer), Some(frame), Some(resolved)) =
-        (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.resolved)
-    {
-        let at = dot_under(ui, response.rect, pointer);
-        let uv = overlay::pick(resolved, frame, at.into());
-        if let Some(position) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
-            session.selection = Selection::Pixel(position.pixel);
-        }
-    }
+    let at = response.interact_pointer_pos().filter(|_| response.clicked());
+    let selected = at.and_then(|at| pixel_under(ui, WORLD, response.rect, at, shown));
+    session.selection = selected.unwrap_or(session.selection);
     if let Some(t) = dragged_ray_point(ui, response, session.ray_point_t, shown) {
         session.ray_point_t = Some(t);
         return;
@@ -343,19 +343,12 @@ fn object_in_picture(ui: &Ui, shown: &Derived, rect: Rect, at: Vec2) -> Option<C
 /// Returns, as a selection, the pixel under the mouse, either in the camera view or on the viewport in the
 /// world view.
 pub(crate) fn pointed_ray(ui: &Ui, rects: &ViewRects, shown: &Derived) -> Option<Selection> {
-    let resolved = shown.resolved.as_ref().filter(|_| shown.fault.is_none())?;
-    if ui.input(|i| i.pointer.any_down()) {
+    if shown.fault.is_some() || ui.input(|i| i.pointer.any_down()) {
         return None;
     }
-    let at = |rect: Option<Rect>, name| Some((rect?, dot_under(ui, rect?, pointer_in(ui, name)?)));
-    let uv = match at(rects.camera, CAMERA) {
-        Some((rect, at)) => uv_at(ui, rect, resolved, at),
-        None => {
-            let (_, at) = at(rects.world, WORLD)?;
-            overlay::pick(resolved, shown.world_frame.as_ref()?, at.into())?
-        }
-    };
-    Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
+    let at = |rect: Option<Rect>, view| Some((view, rect?, pointer_in(ui, view)?));
+    let (view, rect, at) = at(rects.camera, CAMERA).or_else(|| at(rects.world, WORLD))?;
+    pixel_under(ui, view, rect, at, shown)
 }
 
 /// Distance of a tooltip from the pointer, in points, so that it does not cover what the pointer is on.
