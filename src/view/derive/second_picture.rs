@@ -208,12 +208,10 @@ impl SecondPictures {
             ([document.camera, ghost.camera], [world.generation, world.palette]);
         let (raster, shade) = (raster(inputs, good), session.settings.shade);
         let key = (cameras, numbers, raster, shade, session.selection);
-        let (against, [picture, differences]) =
-            self.ghost.get(key, |([camera, ghost], _, raster, shade, selection)| {
-                self.count += 1;
-                let cameras = ((camera, &good.resolved), ghost);
-                ghost_picture(cameras, world, raster, *shade, *selection, watch)
-            })?;
+        let (against, [picture, differences]) = self.ghost.get(key, |key| {
+            self.count += 1;
+            ghost_picture(key, &good.resolved, world, watch)
+        })?;
         let shows_hit = view.items.shows(Item::Hit) && !ghost.shows_differences;
         view.items = view.items.with(Item::Hit, shows_hit);
         view.resolved = against.ghost;
@@ -258,15 +256,13 @@ fn raster(inputs: Inputs<'_>, good: &GoodPicture) -> Raster {
 
 /// Traces the scene for the edited camera and the ghost. Returns `None` if the ghost has no basis.
 fn ghost_picture(
-    ((camera, now), ghost): ((&Camera, &ResolvedCamera), &Camera),
+    ([camera, ghost], _, raster, shade, selection): &GhostKey,
+    now: &ResolvedCamera,
     world: &GoodWorld,
-    raster: &Raster,
-    shade: Shade,
-    selection: Selection,
     watch: OnWork<'_>,
 ) -> Option<(Arc<AgainstGhost>, Pair)> {
     let resolved = resolve(ghost, camera).ok()?;
-    let colors = (shade, |i: u32| world.colors[i as usize]);
+    let colors = (*shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
     let trace =
         |camera| trace_picture(&world.scene, camera, raster, outputs, colors, (None, watch));
