@@ -87,18 +87,12 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             ..Page::VIEWS
         },
         ViewLayout::World => Page {
-            areas: |divider| {
-                let (view, rest) = divider.figure_and_foot();
-                Areas { world: Some(view), camera: None, second: None, rest }
-            },
+            areas: |divider| divider.figure_and_foot(true),
             rest: foot,
             ..page(ViewLayout::Both)
         },
         ViewLayout::Camera => Page {
-            areas: |divider| {
-                let (view, rest) = divider.figure_and_foot();
-                Areas { world: None, camera: Some(view), second: None, rest }
-            },
+            areas: |divider| divider.figure_and_foot(false),
             rest: foot,
             figure: FigureSubject::Camera,
             ..page(ViewLayout::Both)

@@ -137,7 +137,7 @@ impl App {
         }
         if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;
-            views::strips(ui, rects, &mut scene.session.settings, image);
+            views::strips(ui, rects, &scene.session.settings, image);
             if let (Some(area), Some(frame)) =
                 (rects.world.and_then(|world| gizmo::area(ui, world)), &derived.world_frame)
             {

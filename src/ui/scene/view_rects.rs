@@ -108,10 +108,12 @@ impl Divider<'_> {
         Areas { rest, ..self.figure_and_column() }
     }
 
-    /// Returns the area of a view that fills the page, and of the numbers at its foot.
-    pub(crate) fn figure_and_foot(&self) -> (Rect, Rect) {
+    /// Lets a view, the world view or the camera view, fill the page, with the numbers at its foot.
+    pub(crate) fn figure_and_foot(&self, is_world: bool) -> Areas {
         let boundary = (self.whole.bottom() - self.band).max(self.whole.top());
-        self.whole.split_top_bottom_at_y(boundary)
+        let (view, rest) = self.whole.split_top_bottom_at_y(boundary);
+        let (world, camera) = if is_world { (Some(view), None) } else { (None, Some(view)) };
+        Areas { world, camera, second: None, rest }
     }
 
     /// Puts the world view, the camera view and a second picture side by side, above the rest. In a narrow area,

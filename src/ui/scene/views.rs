@@ -23,7 +23,7 @@ use crate::model::{
     Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, Settings, ViewLayout,
     ViewSize,
 };
-use crate::ui::action::{Observe, request};
+use crate::ui::action::{LookAction, Observe, Switch, request};
 use crate::ui::commands_table::{self, When, instruction};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
@@ -384,23 +384,16 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
 const NARROW: f32 = 310.0;
 
 /// Shows the titles above the views, each with a button that maximises the view.
-pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, image: ImageSize) {
-    let title = |ui: &mut Ui,
-                 settings: &mut Settings,
-                 rect: Rect,
-                 text: String,
-                 hint: &str,
-                 own: ViewLayout| {
+pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &Settings, image: ImageSize) {
+    let title = |ui: &mut Ui, rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip(ui, rect, |ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let alone = settings.layout == own;
                 let (label, to) =
                     if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
-                if ui.small_button(label).clicked() {
-                    settings.layout = to;
-                }
+                ui.small_button(label).asks(LookAction::Layout(to));
                 if own == ViewLayout::World && rect.width() >= NARROW {
-                    eye_keeps(ui, &mut settings.eye_keeps);
+                    eye_keeps(ui, settings.eye_keeps);
                 }
                 // The title gets the width that the buttons leave.
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
@@ -414,7 +407,7 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
     if let Some(rect) = rects.world_title {
         let hint = "Drag: orbit. Shift+drag or right drag: pan. Wheel: zoom to what is there. Double click: frame it. F: show everything. Drag a \
                     handle to move it.";
-        title(ui, settings, rect, WORLD.to_owned(), hint, ViewLayout::World);
+        title(ui, rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
     if let (Some(world), ViewLayout::Both) = (rects.world, settings.layout) {
         let foot = world.with_min_y(world.bottom() - STRIP);
@@ -434,19 +427,18 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &mut Settings, im
         };
         let hint = "Click: select a pixel. Right drag: look around. Middle drag or Shift+right drag: orbit \
                     around at. Wheel: enlarge pixels. Ctrl+wheel: field of view.";
-        title(ui, settings, above(rect), text, hint, ViewLayout::Camera);
+        title(ui, above(rect), text, hint, ViewLayout::Camera);
     }
 }
 
 /// Shows a button that says whether an eye moved in the world view keeps looking at *at* or keeps its view
 /// direction. A click switches between the two.
-fn eye_keeps(ui: &mut Ui, keeps: &mut Keep) {
-    let text = if *keeps == Keep::At { "Eye orbits at" } else { "Eye travels" };
+fn eye_keeps(ui: &mut Ui, keeps: Keep) {
+    let text = if keeps == Keep::At { "Eye orbits at" } else { "Eye travels" };
     let hint = "Eye orbits at: a moved eye keeps looking at the same point. Eye travels: it keeps its view \
                 direction. Alt switches while dragging.";
-    if ui.small_button(text).on_hover_text(hint).clicked() {
-        *keeps = keeps.other();
-    }
+    let button = ui.small_button(text).on_hover_text(hint);
+    button.asks(LookAction::Toggle(Switch::EyeTravels));
 }
 
 /// Shows a view's finished picture with its labels.
