@@ -35,11 +35,6 @@ pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
 }
 
 impl Readout<'_> {
-    /// Returns the object's kind: `sphere` or `plane`.
-    fn kind_of(&self, object: u32) -> &'static str {
-        if (object as usize) < self.document.sphere_count() { "sphere" } else { "plane" }
-    }
-
     fn to_text(&self) -> String {
         let mut text = String::new();
         let parts = [
@@ -96,16 +91,14 @@ impl Readout<'_> {
     }
 
     fn observer_lines(&self) -> Vec<String> {
+        let Some(observer) = self.document.observer else { return Vec::new() };
         let degrees = |x: f64| format!("{} degrees", shortest(x));
-        let rows = self.document.observer.map(|observer| {
-            [
-                row("target", triple(observer.target)),
-                row("azimuth", degrees(observer.azimuth)),
-                row("elevation", degrees(observer.elevation)),
-                row("distance", shortest(observer.distance)),
-            ]
-        });
-        rows.into_iter().flatten().collect()
+        vec![
+            row("target", triple(observer.target)),
+            row("azimuth", degrees(observer.azimuth)),
+            row("elevation", degrees(observer.elevation)),
+            row("distance", shortest(observer.distance)),
+        ]
     }
 
     fn ray_lines(&self) -> Vec<String> {
@@ -173,7 +166,7 @@ impl Readout<'_> {
     }
 
     fn object_text(&self, object: u32) -> String {
-        let kind = self.kind_of(object);
+        let kind = self.document.kind_of(object as usize);
         match self.document.name_of(object) {
             Some(name) => format!("{kind} {object} {name:?}"),
             None => format!("{kind} {object}"),
@@ -205,7 +198,7 @@ impl Readout<'_> {
         let basis = camera.basis();
         let hits = inspection.roots.iter().zip(&inspection.distances).map(|(root, distance)| {
             json!({
-                "object": self.kind_of(root.object),
+                "object": document.kind_of(root.object as usize),
                 "index": root.object,
                 "name": document.name_of(root.object),
                 "t": root.t,

@@ -26,7 +26,7 @@ use serde_json::json;
 
 pub use self::arguments::mistyped;
 pub use self::console::{CommandError, exit_code, print};
-use self::console::{to_json, to_stdout};
+use self::console::{columns, to_json, to_stdout};
 use crate::cli::arguments::{Command, Shell};
 
 /// Runs a command.
@@ -71,11 +71,7 @@ fn list_scenes(json: bool) -> Result<(), CommandError> {
         let text = to_json(&json!({"scenes": scenes.iter().map(listed).collect::<Vec<_>>()}))?;
         return to_stdout(|out| out.write_all(text.as_bytes()));
     }
-    let width = scenes.iter().map(|scene| scene.name.len()).max().unwrap_or(0);
-    to_stdout(|out| {
-        for scene in scenes {
-            writeln!(out, "{:width$}  {}", scene.name, scene.summary())?;
-        }
-        Ok(())
-    })
+    let row = |scene: &BuiltinScene| [scene.name.to_owned(), scene.summary()];
+    let lines = columns(&scenes.iter().map(row).collect::<Vec<_>>());
+    to_stdout(|out| writeln!(out, "{}", lines.join("\n")))
 }

@@ -213,10 +213,15 @@ impl Document {
         }
     }
 
+    /// Returns the kind of the object with this index: `sphere` or `plane`.
+    pub fn kind_of(&self, index: usize) -> &'static str {
+        if index < self.sphere_count() { "sphere" } else { "plane" }
+    }
+
     /// Returns the title of the object with this index, for lists and readouts: `sphere 0`, `sphere 1
     /// “ball”`, `plane 2`.
     pub fn title_of(&self, index: usize) -> String {
-        let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
+        let kind = self.kind_of(index);
         match self.name_of(index as u32) {
             Some(name) => format!("{kind} {index} “{name}”"),
             None => format!("{kind} {index}"),

@@ -195,11 +195,7 @@ fn hits(
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
     // Objects are shown by number, because their names do not fit. The list of objects shows the numbers
     // as well.
-    let kind = |hit: &Root| {
-        let object = hit.object as usize;
-        let kind = if object < document.sphere_count() { "sphere" } else { "plane" };
-        format!("{kind} {object}")
-    };
+    let kind = |hit: &Root| format!("{} {}", document.kind_of(hit.object as usize), hit.object);
     let named = |hit: Option<&Root>| hit.map_or("nothing".to_owned(), kind);
     let t = |hit: Option<&Root>| hit.map_or("none".to_owned(), |hit| style.number(hit.t));
     let is_same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
