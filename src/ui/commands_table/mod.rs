@@ -124,11 +124,6 @@ pub(crate) fn instruction(ctx: &Context, text: &str) -> String {
     words.iter().fold(text.to_owned(), |text, [keys, touch]| text.replace(keys, touch))
 }
 
-/// Returns all keys of this action, such as `Page Down, Right`; empty if the action has none.
-pub fn keys_text(action: impl Into<Action>) -> String {
-    command_of(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
-}
-
 /// Returns the command of an action.
 pub(crate) fn command_of(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|command| command.action == *action)

@@ -119,7 +119,7 @@ fn program() -> Vec<UiCommand> {
             ExchangeAction::AskImport;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
             ExchangeAction::AskPaste => key(Untyped, CTRL, Key::V);
-        Lesson, "Next step", "Goes to the lesson's next step.",
+        Lesson, "Next step", "Shows the answer to the lesson's step, or goes to the next step.",
             LessonAction::Next => plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight);
         Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
             LessonAction::ShowAll => plain(LessonUntyped, Key::End);

@@ -9,7 +9,7 @@ use egui::{
 use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
-use crate::ui::commands_table::{keys_text, shortcut};
+use crate::ui::commands_table::{hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, column_of};
 use crate::view::typesetting::theme;
 
@@ -21,35 +21,30 @@ const SHOW_ANSWER: &str = "Show the answer";
 const NARROW: f32 = 400.0;
 const NARROWEST: f32 = 320.0;
 
-const ABOUT_ANSWER: &str = "The answer to the question";
-
 /// Shows the buttons from right to left.
 pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     let OpenStep { open, file, is_changed } = *step;
-    let button = |ui: &mut Ui, text: &str, name: &str, hint: &str, can: bool, action: Action| {
-        let button = Button::new(RichText::new(text).size(BUTTON));
-        let response = ui.add_enabled(can, button).on_hover_text(hint).on_disabled_hover_text(hint);
+    let button = |ui: &mut Ui, text: &str, name: &str, can: bool, action: Action| {
+        let (hint, button) = (hint(action.clone()), Button::new(RichText::new(text).size(BUTTON)));
+        let response =
+            ui.add_enabled(can, button).on_hover_text(&hint).on_disabled_hover_text(hint);
         response.named(name).asks(action);
     };
-    button(ui, "×", "Close the lesson", "Close the lesson", true, LessonAction::Close.into());
+    button(ui, "×", "Close the lesson", true, LessonAction::Close.into());
     let width = ui.max_rect().width();
     let back = match theme::installed(ui.ctx()).by_touch || width < NARROWEST {
         true => "Reset".to_owned(),
         false => format!("Reset ({})", shortcut(Leave::BackToStep)),
     };
-    let hint = "Resets everything to the step";
-    button(ui, &back, "Back to the step", hint, is_changed, Leave::BackToStep.into());
-    let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
+    button(ui, &back, "Back to the step", is_changed, Leave::BackToStep.into());
     let can = is_asking || open.next().is_some();
-    let (text, name, about) = match is_asking {
-        true if width < NARROW => ("Answer", SHOW_ANSWER, ABOUT_ANSWER),
-        true => (SHOW_ANSWER, SHOW_ANSWER, ABOUT_ANSWER),
-        false => (NEXT, "Next", "The next step"),
+    let (text, name) = match is_asking {
+        true if width < NARROW => ("Answer", SHOW_ANSWER),
+        true => (SHOW_ANSWER, SHOW_ANSWER),
+        false => (NEXT, "Next"),
     };
-    button(ui, text, name, &hint(about, LessonAction::Next), can, LessonAction::Next.into());
-    let can = open.previous().is_some();
-    let hint = hint("The previous step", LessonAction::Previous);
-    button(ui, "←", "Previous", &hint, can, LessonAction::Previous.into());
+    button(ui, text, name, can, LessonAction::Next.into());
+    button(ui, "←", "Previous", open.previous().is_some(), LessonAction::Previous.into());
     // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));
