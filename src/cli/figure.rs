@@ -114,22 +114,22 @@ fn session_of(
     let FigureArguments { scene, view, ray, .. } = arguments;
     let mut session = Session::default();
     // A picture in a file has no handles.
-    session.settings.items.set(Item::Handles, false);
+    session.shown.setup.items.set(Item::Handles, false);
     let asked = ray.is_given();
     let sees = matches!(view, FigureSubject::World | FigureSubject::Camera);
     // The derivation of a camera without a basis shows where it fails.
     if asked || sees {
         let asked = selection_of(scene, &pose(scene, document)?, *ray)?;
-        session.selection = asked.unwrap_or(session.selection);
+        session.shown.selection = asked.unwrap_or(session.shown.selection);
     }
     if sees {
         let objects = document.scene().map_err(|error| scene_fault(scene, error))?;
         let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
-        session.observer = Some(Observer::of_scene(document, &objects, size));
+        session.shown.observer = Some(Observer::of_scene(document, &objects, size));
     }
     if !asked {
         for item in [Item::Ray, Item::Hit] {
-            session.settings.items.set(item, false);
+            session.shown.setup.items.set(item, false);
         }
     }
     Ok(session)

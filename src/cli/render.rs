@@ -20,7 +20,7 @@ use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
 use crate::figures::{FigureSubject, Order, scale_of};
-use crate::model::{Item, Observer, OverlayItems, Session, Settings, ViewSize};
+use crate::model::{Item, Observer, OverlayItems, Session, Setup, Shown, ViewSize};
 use crate::view::overlay::Style;
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
@@ -235,11 +235,12 @@ fn with_overlay(
         // Planes are infinite: the world view draws a finite part of each.
         OverlayItems::NONE.with(Item::Planes, true)
     };
-    let session = Session {
+    let shown = Shown {
         observer: Some(Observer::of_scene(document, scene, ViewSize::of_aspect(size.aspect()))),
-        settings: Settings { shade: arguments.shade, items, ..Settings::default() },
-        ..Session::default()
+        setup: Setup { shade: arguments.shade, items, ..Setup::default() },
+        ..Shown::default()
     };
+    let session = Session { shown, ..Session::default() };
     let size = [size.width(), size.height()];
     // On large pictures, strokes and text grow in proportion.
     let order = Order {

@@ -132,7 +132,7 @@ impl Order {
                 let points = self.size.map(|dots| dots as f32 / self.scale);
                 let page = Rect::from_min_size(Pos2::ZERO, points.into());
                 let drawn = UiPass::draw(&self.context(), self.dots(), self.scale, |ui| {
-                    lines::draw(ui, page, &session.lines, session.settings.digits);
+                    lines::draw(ui, page, &session.shown.lines, session.shown.setup.digits);
                 });
                 Ok(self.with_background(self.dots(), self.style.colors().background, drawn))
             }
@@ -257,7 +257,7 @@ pub fn scale_of([width, height]: [u32; 2]) -> f32 {
 /// not include it.
 pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
-    session.settings.layout = ViewLayout::Derivation;
+    session.shown.setup.layout = ViewLayout::Derivation;
     let derived = Deriver::default().derive(document, &session, &ViewSizes::default());
     derived.derivation.map(|derivation| (*derivation).clone()).unwrap_or_default()
 }

@@ -49,13 +49,13 @@ pub fn to_window(document: &Document, session: &Session, lesson: Option<&OpenLes
     let text = |document: &Document| scene_file::to_text(document, None);
     let open = lesson.filter(|open| text(&open.step().document) == text(document));
     let step = open.and_then(|open| Some((of_step(open.id())?, open.step())));
-    let layout = session.settings.layout;
+    let layout = session.shown.setup.layout;
     let layout = session.presenting.map_or(layout, |presenting| presenting.before(layout));
     let (shown, ray, usual) = match step {
         Some((shown, step)) => (shown, step.selection, step.view.layout.unwrap_or(layout)),
         None => (Linked::scene(document), Selection::default(), ViewLayout::Both),
     };
-    let ray = Some(session.selection).filter(|selected| *selected != ray);
+    let ray = Some(session.shown.selection).filter(|selected| *selected != ray);
     let page = layout.name().filter(|_| layout != usual).map(str::to_owned);
     Link { shown, ray, page }
 }

@@ -47,6 +47,8 @@ pub use practice::progress::Progress;
 pub use practice::{AnswersFile, MistakesView, StudentAnswers};
 pub use readings::NumberStyle;
 pub use session::handles::HandleState;
-pub use session::{Ghost, Scheme, Session, Settings, ThemeName, ViewLayout, Workspace};
+pub use session::{
+    Ghost, Preferences, Scheme, Session, Settings, Setup, Shown, ThemeName, ViewLayout, Workspace,
+};
 pub use store::{Remembered, Store, WindowGeometry};
 pub use translator::Translator;

@@ -7,7 +7,7 @@ use pinhole_lecture::Rounding;
 use pinhole_lecture::numbers::written;
 
 use crate::model::symbols::{SymbolKind, meaning};
-use crate::model::{Concept, Inspection, Settings};
+use crate::model::{Concept, Inspection, Setup};
 
 /// The format in which numbers are written.
 #[derive(Clone, Copy)]
@@ -130,8 +130,8 @@ impl Inspection {
 
 impl NumberStyle {
     /// Creates the number style of the settings.
-    pub(crate) fn new(settings: &Settings) -> NumberStyle {
-        let Settings { digits, count_from_one, .. } = *settings;
+    pub(crate) fn new(setup: &Setup) -> NumberStyle {
+        let Setup { digits, count_from_one, .. } = *setup;
         NumberStyle { digits, count_from_one }
     }
 

@@ -283,23 +283,23 @@ mod tests {
         let base = Remembered { progress, recent, ..Remembered::default() };
         assert_eq!(store.save(&Remembered::default(), &base), Ok(()));
         let [mut one, mut two] = [base.clone(), base.clone()];
-        one.settings.digits = 7;
-        one.settings.unfolded.ray = true;
-        one.settings.splits.set(Split::Views, 0.3);
+        one.settings.setup.digits = 7;
+        one.settings.preferences.unfolded.ray = true;
+        one.settings.preferences.splits.set(Split::Views, 0.3);
         one.progress = done(&["sphere", "distance", "lines"]);
         one.recent = paths(&["b", "one", "a", "c"]);
-        two.settings.zoom = 1.5;
-        two.settings.unfolded.objects = true;
-        two.settings.splits.set(Split::Stack, 0.3);
+        two.settings.preferences.zoom = 1.5;
+        two.settings.preferences.unfolded.objects = true;
+        two.settings.preferences.splits.set(Split::Stack, 0.3);
         two.progress = done(&["distance", "turned-basis"]);
         two.recent = paths(&["two", "a", "b", "c"]);
         two.address = "https://example.org".to_owned();
         two.last = Some("planet".into());
         assert_eq!((store.save(&base, &one), store.save(&base, &two)), (Ok(()), Ok(())));
         let mut wanted = Remembered { settings: one.settings, ..two.clone() };
-        wanted.settings.zoom = 1.5;
-        wanted.settings.unfolded.objects = true;
-        wanted.settings.splits.set(Split::Stack, 0.3);
+        wanted.settings.preferences.zoom = 1.5;
+        wanted.settings.preferences.unfolded.objects = true;
+        wanted.settings.preferences.splits.set(Split::Stack, 0.3);
         wanted.progress = done(&["distance", "lines", "turned-basis"]);
         wanted.recent = paths(&["two", "b", "one", "a", "c"]);
         assert_eq!(store.load(), wanted);
@@ -340,7 +340,7 @@ mod tests {
     fn a_file_that_is_gone_or_broken_is_written_again() {
         let (folder, store) = store();
         let mut own = Remembered::default();
-        own.settings.digits = 7;
+        own.settings.setup.digits = 7;
         for text in [&b""[..], b"{ not json", b"\xff\xfe{}", b"[7]", b"gone"] {
             let path = folder.path().join("state.json");
             std::fs::write(&path, text).expect("a file");
@@ -354,7 +354,8 @@ mod tests {
 
     #[test]
     fn a_file_of_another_version_loses_only_what_is_unknown() {
-        let settings = Settings { digits: 7, compared: Method::LadderF32, ..Settings::default() };
+        let mut settings = Settings::default();
+        (settings.setup.digits, settings.preferences.compared) = (7, Method::LadderF32);
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut state = serde_json::to_value(&remembered).expect("JSON");
         let stored = &mut state["settings"];
@@ -368,7 +369,7 @@ mod tests {
         stored["eye_keeps"] = "View".into();
         stored["maps_certainty"] = true.into();
         stored["splits"]["frame"] = 350.into();
-        let settings = Settings { compared: Settings::default().compared, ..settings };
+        settings.preferences.compared = Settings::default().preferences.compared;
         let read = readable(&state.to_string(), &Remembered::default());
         assert_eq!(read, Remembered { settings, ..remembered });
     }

@@ -430,7 +430,7 @@ impl Action {
             Action::History(HistoryAction::Redo) => there.redo.is_some(),
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
             Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
-            Action::Ghost(GhostAction::Drop) => session.ghost.is_some(),
+            Action::Ghost(GhostAction::Drop) => session.shown.ghost.is_some(),
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway)
@@ -450,10 +450,10 @@ impl Action {
 impl LookAction {
     /// Returns true if what it chooses is chosen, or what it toggles is on.
     pub(crate) fn is_on(self, session: &Session) -> bool {
-        let settings = &session.settings;
+        let (setup, settings) = (&session.shown.setup, &session.preferences);
         match self {
-            LookAction::Layout(layout) => settings.layout == layout,
-            LookAction::Shade(shade) => settings.shade == shade,
+            LookAction::Layout(layout) => setup.layout == layout,
+            LookAction::Shade(shade) => setup.shade == shade,
             LookAction::Theme(theme) => settings.theme == theme,
             LookAction::Scheme(scheme) => settings.scheme == scheme,
             LookAction::Toggle(switch) => switch.is_on(session),
@@ -488,11 +488,11 @@ pub enum Switch {
 impl Switch {
     /// Returns true if it is on.
     pub(crate) fn is_on(self, session: &Session) -> bool {
-        let settings = &session.settings;
+        let (setup, settings) = (&session.shown.setup, &session.preferences);
         match self {
-            Switch::Item(item) => settings.items.shows(item),
+            Switch::Item(item) => setup.items.shows(item),
             Switch::ExactForms => settings.exact_forms,
-            Switch::CountFromOne => settings.count_from_one,
+            Switch::CountFromOne => setup.count_from_one,
             Switch::EyeTravels => settings.eye_keeps == Keep::View,
             Switch::KeepUp => settings.keep_up,
             Switch::ReducedMotion => settings.reduced_motion,
@@ -505,11 +505,11 @@ impl Switch {
     /// Toggles the switch.
     pub(crate) fn toggle(self, session: &mut Session) {
         let on = !self.is_on(session);
-        let settings = &mut session.settings;
+        let (setup, settings) = (&mut session.shown.setup, &mut session.preferences);
         match self {
-            Switch::Item(item) => settings.items.set(item, on),
+            Switch::Item(item) => setup.items.set(item, on),
             Switch::ExactForms => settings.exact_forms = on,
-            Switch::CountFromOne => settings.count_from_one = on,
+            Switch::CountFromOne => setup.count_from_one = on,
             Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
             Switch::KeepUp => settings.keep_up = on,
             Switch::ReducedMotion => settings.reduced_motion = on,

@@ -12,7 +12,9 @@ use egui::{
 };
 use pinhole_exchange::document::Document;
 
-use crate::model::{Concept, DerivationSection, Givens, HoverSource, Hovered, Session, ViewLayout};
+use crate::model::{
+    Concept, DerivationSection, Givens, HoverSource, Hovered, Session, Shown, ViewLayout,
+};
 use crate::ui::action::{Action, request};
 use crate::ui::widgets::{NumberField, ResponseExt as _};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
@@ -69,16 +71,16 @@ impl<'a> DerivationPass<'a> {
             givens: Givens {
                 document,
                 selection: session.shown_selection().inside(document.camera.image),
-                from_one: session.settings.count_from_one,
+                from_one: session.shown.setup.count_from_one,
             },
             inks: Inks::from_ui(ui),
             highlighted: session.highlighted(),
             goal: None,
-            revealed: session.revealed_lines,
+            revealed: session.shown.revealed_lines,
             goal_line: None,
             line: 0,
             // The numbers that an exercise gives stay as they are.
-            is_editable: session.settings.layout != ViewLayout::Exercises,
+            is_editable: session.shown.setup.layout != ViewLayout::Exercises,
         }
     }
 }
@@ -126,7 +128,7 @@ impl DerivationPanel {
         let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
         self.scrolled_to = by_view.map(|hovered| hovered.concept);
-        let revealed = session.revealed_lines;
+        let revealed = session.shown.revealed_lines;
         let is_new = std::mem::replace(&mut self.revealed, revealed) != revealed;
         let mut frame = DerivationPass {
             goal,
@@ -167,7 +169,7 @@ impl DerivationPanel {
     ) {
         self.fields.clear();
         self.lay_out(ui, derivation, size);
-        let Some(laid) = self.laid.as_ref().filter(|_| !session.is_asking) else { return };
+        let Some(laid) = self.laid.as_ref().filter(|_| !session.shown.is_asking) else { return };
         let frame = DerivationPass::new(ui, document, session);
         let lines = derivation.sections.iter().flat_map(|section| &section.lines);
         let lines: Vec<(&DerivedLine, &LaidLine)> =
@@ -257,17 +259,17 @@ pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) 
     if theme::installed(ui.ctx()).presenting {
         return;
     }
-    if session.before_recap.is_some() && ui.button("All lines").clicked() {
-        session.end_recap();
+    if session.shown.before_recap.is_some() && ui.button("All lines").clicked() {
+        session.shown.end_recap();
     }
-    let Session { sections, settings, .. } = session;
+    let Session { shown: Shown { sections, .. }, preferences, .. } = session;
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new("Derivation").strong().size(SIZE));
         for (exact, label, hint) in [
             (true, "Exact", "Roots and fractions where they are short, such as 1/√2"),
             (false, "Decimals", "Only decimals; ≈ where they are rounded"),
         ] {
-            ui.selectable_value(&mut settings.exact_forms, exact, label).on_hover_text(hint);
+            ui.selectable_value(&mut preferences.exact_forms, exact, label).on_hover_text(hint);
         }
         ui.separator();
         if ui.button("Copy").named("Copy the derivation").clicked() {

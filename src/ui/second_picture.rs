@@ -33,7 +33,7 @@ pub(crate) fn show(
     let (mut spoken, mut why_not) = (None, None);
     match second {
         SecondPicture::ErrorMap => {
-            accuracy::strip(ui, area, &mut session.settings);
+            accuracy::strip(ui, area, &mut session.preferences.compared);
             if let (Some(compared), Some(_)) = (derived.compared.as_deref(), view) {
                 spoken = Some(accuracy::summary(compared));
                 accuracy::legend(ui, area, compared);
@@ -41,20 +41,20 @@ pub(crate) fn show(
             why_not = derived.too_many.map(|why| format!("No error map: {why}"));
         }
         SecondPicture::WrongCamera => {
-            let mistakes_view = &mut session.mistakes_view;
+            let mistakes_view = &mut session.shown.mistakes_view;
             match on_stage {
-                Some(camera) => mistakes::headings(ui, [camera, area], session.is_asking),
+                Some(camera) => mistakes::headings(ui, [camera, area], session.shown.is_asking),
                 None => mistakes::strip(ui, area, mistakes_view),
             }
             if let Some(wrong) = derived.wrong_camera.as_deref() {
-                spoken = Some(mistakes::spoken(wrong, mistakes_view, session.is_asking));
+                spoken = Some(mistakes::spoken(wrong, mistakes_view, session.shown.is_asking));
                 why_not = mistakes::why_not(wrong, mistakes_view);
             }
         }
         SecondPicture::Ghost => {
-            compare::strip(ui, area, &mut session.ghost);
+            compare::strip(ui, area, &mut session.shown.ghost);
             spoken = Some(compare::spoken(derived.against_ghost.as_deref()));
-            why_not = Some(compare::why_not(session.ghost.as_ref()));
+            why_not = Some(compare::why_not(session.shown.ghost.as_ref()));
         }
         SecondPicture::Answers => {
             let graded = derived.grading.as_ref().and_then(|graded| graded.as_ref().ok());
@@ -65,7 +65,7 @@ pub(crate) fn show(
         }
     }
     if let Some(spoken) = spoken {
-        views::speak(ui, name(second, session.is_asking), &spoken);
+        views::speak(ui, name(second, session.shown.is_asking), &spoken);
     }
     match (view, why_not) {
         (Some(shown), _) => {

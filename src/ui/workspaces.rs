@@ -125,7 +125,9 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::Lines => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
-            rest: |ui, context| lines::ui(ui, &mut context.session.lines, context.style.digits),
+            rest: |ui, context| {
+                lines::ui(ui, &mut context.session.shown.lines, context.style.digits)
+            },
             figure: FigureSubject::Lines,
             ..Page::VIEWS
         },
@@ -216,12 +218,12 @@ const BELOW_NUMBERS: f32 = 26.0;
 fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
     if context.session.presenting.is_some() {
-        if context.session.settings.presents_numbers {
+        if context.session.preferences.presents_numbers {
             readouts::column(ui, derived, document, style);
         }
         return;
     }
-    let all = &mut context.session.settings.unfolded.numbers;
+    let all = &mut context.session.preferences.unfolded.numbers;
     if *all {
         ui.horizontal_wrapped(|ui| {
             *all = !ui.small_button("Fewer numbers").clicked();
@@ -249,11 +251,11 @@ fn few(ui: &mut Ui, all: &mut bool, numbers: impl FnOnce(&mut Ui)) {
 /// Shows the numbers at the foot of the main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (derived, document, style) = (context.derived, &context.open.document, context.style);
-    let items = context.session.settings.items;
+    let items = context.session.shown.setup.items;
     let area = ui.available_rect_before_wrap();
     let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
     let ui = &mut ui.new_child(inner);
-    let all = &mut context.session.settings.unfolded.numbers;
+    let all = &mut context.session.preferences.unfolded.numbers;
     let band = |ui: &mut Ui| readouts::band(ui, derived, document, items, style);
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
         band(ui);

@@ -106,7 +106,7 @@ impl HandleDrag<'_> {
                 return self.object(point, dragged);
             }
         };
-        if self.settings.keep_picture {
+        if self.settings.setup.keep_picture {
             let (old, new) = (values.camera.viewport, camera.viewport);
             dragged.values.selection = values.selection.in_another_viewport(old, new);
         }
@@ -118,7 +118,7 @@ impl HandleDrag<'_> {
     fn along(&self) -> Result<DragAlong, CameraError> {
         let camera = &self.drag.before.camera;
         Ok(match self.handle {
-            Handle::Corner(_) | Handle::Distance if self.settings.keep_picture => {
+            Handle::Corner(_) | Handle::Distance if self.settings.setup.keep_picture => {
                 DragAlong::Axis(self.drag.at - camera.eye)
             }
             Handle::Distance => DragAlong::Axis(camera.basis()?.w),
@@ -156,7 +156,7 @@ impl HandleDrag<'_> {
     fn led_to(&self, set: Camera, keep: Keep) -> Result<Steered, SteerError> {
         let steered = self.drag.before.camera.led_to(set, keep);
         let is_at_fault = matches!(steered, Err(SteerError::Camera(_)));
-        if set.orientation.has_up() && (self.settings.keep_up || is_at_fault) {
+        if set.orientation.has_up() && (self.settings.preferences.keep_up || is_at_fault) {
             return Ok(Steered { camera: set, up_went_along: false });
         }
         steered
@@ -197,7 +197,7 @@ impl HandleDrag<'_> {
     /// diagonal, to the point nearest to the pointer. An invalid size is not corrected, so that the input
     /// fields show the fault.
     fn corner(&self, corner: Corner, point: DVec3) -> Result<Camera, SteerError> {
-        if self.settings.keep_picture {
+        if self.settings.setup.keep_picture {
             return self.distance(point);
         }
         let camera = self.drag.before.camera;
@@ -214,7 +214,8 @@ impl HandleDrag<'_> {
             let height = 2.0 * (ratio * half.x + half.y) / (ratio * ratio + 1.0);
             Some(sized(ratio * height, height)).filter(|viewport| viewport.check().is_ok())
         };
-        let viewport = match self.settings.keep_pixel_shape.then(on_diagonal).flatten() {
+        let viewport = match self.settings.preferences.keep_pixel_shape.then(on_diagonal).flatten()
+        {
             Some(Viewport { width, height, .. }) => {
                 let ratio = width / height;
                 let width = self.changed(old.width, width, 2.0)?;
@@ -235,7 +236,7 @@ impl HandleDrag<'_> {
         let distance = self.number((camera.eye - point).dot(camera.basis()?.w), 1.0)?;
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
         // An invalid distance is set without keeping the picture, so that the input fields show the fault.
-        let scaled = self.settings.keep_picture.then(|| camera.scaled_picture(distance).ok());
+        let scaled = self.settings.setup.keep_picture.then(|| camera.scaled_picture(distance).ok());
         Ok(scaled.flatten().unwrap_or(set))
     }
 
@@ -269,6 +270,7 @@ impl HandleDrag<'_> {
 
 #[cfg(test)]
 mod tests {
+    use crate::model::session::{Preferences, Setup};
     use pinhole_core::Sphere;
 
     use super::*;
@@ -306,7 +308,10 @@ mod tests {
             drag: &drag,
             observer: &observer.resolve().expect("an observer"),
             scale: 1.0,
-            settings: &Settings { keep_pixel_shape, keep_picture, ..Settings::default() },
+            settings: &Settings {
+                setup: Setup { keep_picture, ..Setup::default() },
+                preferences: Preferences { keep_pixel_shape, ..Preferences::default() },
+            },
             eye_keeps: Keep::At,
             snaps: false,
         };

@@ -7,7 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::concept::{Concept, HoverSource, Hovered};
 use pinhole::model::lessons::LessonArgument;
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::Shape;
@@ -15,7 +15,10 @@ use pinhole::view::overlay::Shape;
 use super::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
 
 fn derivation_window(scene: &str) -> Harness<'static, App> {
-    let settings = Settings { layout: ViewLayout::Derivation, ..unfolded() };
+    let settings = Settings {
+        setup: Setup { layout: ViewLayout::Derivation, ..Setup::default() },
+        ..unfolded()
+    };
     window_with(scene, Remembered { settings, ..Remembered::default() }, None)
 }
 
@@ -399,7 +402,7 @@ fn exact_forms_or_decimals() {
     assert_says(&window, "𝐮 = (1/√2, 0, −1/√2); set by hand");
     window.get_by_label("Decimals").click();
     window.run();
-    assert!(!window.state().session().settings.exact_forms);
+    assert!(!window.state().session().preferences.exact_forms);
     assert_says(&window, "𝐮 ≈ (0.70711, 0, −0.70711); set by hand");
     let shown = window.state().derived().derivation.clone().unwrap().to_string();
     let is_number = |after: &str| after.starts_with(|c: char| c.is_ascii_digit());
@@ -436,7 +439,7 @@ fn w_recaps_the_way_to_the_ray_in_six_lines_and_ends_the_recap() {
         window.key_press(key);
         window.run();
     };
-    let layout = |window: &Harness<'_, App>| window.state().session().settings.layout;
+    let layout = |window: &Harness<'_, App>| window.state().session().shown.setup.layout;
     let mut window = window_with("look-at", Remembered::default(), None);
     let before = layout(&window);
     press(&mut window, egui::Key::W);
@@ -579,7 +582,7 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
 #[test]
 fn concepts_are_pointed_at_in_the_views_of_every_layout() {
     for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Mistakes] {
-        let settings = Settings { layout, ..unfolded() };
+        let settings = Settings { setup: Setup { layout, ..Setup::default() }, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);
         if window.query_by_role_and_label(Role::Image, "World view").is_some() {

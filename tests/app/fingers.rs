@@ -66,7 +66,7 @@ fn swipe(harness: &mut Harness<'_, App>, from: Pos2, by: f32) {
 
 fn step(harness: &Harness<'_, App>) -> (usize, bool) {
     let state = harness.state();
-    (state.lesson().unwrap().id().step, state.session().is_asking)
+    (state.lesson().unwrap().id().step, state.session().shown.is_asking)
 }
 
 #[test]

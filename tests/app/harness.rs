@@ -7,7 +7,7 @@ use egui::{Key, Modifiers, OutputCommand, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::files::OpenDocument;
-use pinhole::model::session::{Settings, Unfolded, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, Unfolded, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_exchange::scenes::SceneSource;
@@ -45,7 +45,10 @@ pub(crate) fn unfolded() -> Settings {
         numbers: true,
         camera: true,
     };
-    Settings { unfolded, ..Settings::default() }
+    Settings {
+        preferences: Preferences { unfolded, ..Preferences::default() },
+        ..Settings::default()
+    }
 }
 
 /// A window on a scene, by name or path, with everything unfolded.
@@ -67,7 +70,7 @@ pub(crate) fn command(harness: &mut Harness<'_, App>, title: &str) {
 /// Shows a layout.
 pub(crate) fn show(harness: &mut Harness<'_, App>, layout: ViewLayout) {
     command(harness, &format!("Layout: {}", layout.label()));
-    assert_eq!(harness.state().session().settings.layout, layout);
+    assert_eq!(harness.state().session().shown.setup.layout, layout);
 }
 
 /// Chooses an object in the list, as a click does.

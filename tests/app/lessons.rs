@@ -37,7 +37,7 @@ fn go_to(window: &mut Window, lesson: usize, step: usize) {
 
 /// Shows the answer to the step's question, if it has one.
 fn answer(window: &mut Window) {
-    if window.state().session().is_asking {
+    if window.state().session().shown.is_asking {
         press(window, "Show the answer");
     }
 }

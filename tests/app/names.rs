@@ -6,7 +6,7 @@ use egui::accesskit::{Action, Role};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
@@ -49,7 +49,8 @@ fn assert_all_named(harness: &Harness<'_, App>, context: &str) {
 #[test]
 fn every_control_has_a_name_of_its_own_in_every_layout() {
     for scene in ["canonical", "look-at"] {
-        let settings = Settings { teaching: true, ..unfolded() };
+        let settings =
+            Settings { setup: Setup { teaching: true, ..Setup::default() }, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut harness = window_with(scene, remembered, None);
         for layout in ViewLayout::LISTED {

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Settings, Unfolded, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, Setup, Unfolded, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
@@ -79,7 +79,8 @@ fn every_number_in_the_window_is_written_in_one_way() {
     let further = ["inside", "almost-parallel-up", "tiny-far", "planet", "non-square"];
     let further = further.map(|scene| (scene, ViewLayout::Derivation));
     for (scene, layout) in everywhere.chain(further) {
-        let settings = Settings { layout, teaching: true, ..unfolded() };
+        let settings =
+            Settings { setup: Setup { layout, teaching: true, ..Setup::default() }, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with(scene, remembered, None);
         for (field, text) in [("eye x", "-1.25"), ("eye y", "-12345.678")] {
@@ -102,7 +103,10 @@ fn the_strip_has_the_digits_of_the_settings_and_calls_no_rounded_number_equal() 
         (5, "(u, v) = (−0.21375, 0.11875)", "u ≈ (0.58124, 0, −0.81373)"),
         (4, "(u, v) ≈ (−0.2138, 0.1188)", "u ≈ (0.5812, 0, −0.8137)"),
     ] {
-        let settings = Settings { digits, unfolded, ..Settings::default() };
+        let settings = Settings {
+            setup: Setup { digits, ..Setup::default() },
+            preferences: Preferences { unfolded, ..Preferences::default() },
+        };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("look-at", remembered, None);
         type_into(&mut window, "uv u", "-0.21375");
@@ -115,7 +119,7 @@ fn the_strip_has_the_digits_of_the_settings_and_calls_no_rounded_number_equal() 
 #[test]
 fn fields_have_the_digits_of_the_settings() {
     let value = |digits| {
-        let settings = Settings { digits, ..unfolded() };
+        let settings = Settings { setup: Setup { digits, ..Setup::default() }, ..unfolded() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let window = window_with("canonical", remembered, None);
         window.get_by_role_and_label(Role::SpinButton, "horizontal field of view").value()

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use pinhole::model::observer::Observer;
 use pinhole::model::overlay_items::OverlayItems;
-use pinhole::model::session::{Session, Settings};
+use pinhole::model::session::{Session, Setup, Shown};
 use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
@@ -55,11 +55,12 @@ fn document() -> Document {
 }
 
 fn session(shade: Shade) -> Session {
-    Session {
+    let shown = Shown {
         observer: Some(Observer::new(DVec3::new(0.0, 0.0, -3.0), 0.5, 0.3, 12.0)),
-        settings: Settings { shade, ..Settings::default() },
-        ..Session::default()
-    }
+        setup: Setup { shade, ..Setup::default() },
+        ..Shown::default()
+    };
+    Session { shown, ..Session::default() }
 }
 
 /// What is shown, of which a picture alone is compared by its pixels.
@@ -189,7 +190,7 @@ fn balls_have_smooth_borders_in_the_world_view_and_their_own_pixels_in_the_camer
     let spheres = vec![Item::plain(ball(0.0, 0.0, -5.0, 1.0))].into();
     let document = Document { spheres, ..Document::default() };
     let mut session = session(Shade::Object);
-    session.settings.items = OverlayItems::NONE;
+    session.shown.setup.items = OverlayItems::NONE;
     let ground = Style::Light.colors().background;
     for purpose in [Purpose::Window, Purpose::Figure { clear: false }] {
         let sizes = ViewSizes { purpose, ..SIZES };

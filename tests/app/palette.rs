@@ -56,21 +56,21 @@ fn listed(harness: &Harness<'_, App>) -> (Vec<String>, Vec<String>) {
 fn everything_is_reached_by_a_few_letters() {
     let mut harness = window("canonical");
     command(&mut harness, "layout derivation");
-    assert_eq!(harness.state().session().settings.layout, ViewLayout::Derivation);
+    assert_eq!(harness.state().session().shown.setup.layout, ViewLayout::Derivation);
     command(&mut harness, "overlay labels");
-    assert!(!harness.state().session().settings.items.shows(Item::Labels));
+    assert!(!harness.state().session().shown.setup.items.shows(Item::Labels));
     command(&mut harness, "shade normal");
-    assert_eq!(harness.state().session().settings.shade, pinhole_core::Shade::Normal);
+    assert_eq!(harness.state().session().shown.setup.shade, pinhole_core::Shade::Normal);
     command(&mut harness, "blind");
-    assert_eq!(harness.state().session().settings.scheme, Scheme::ColourBlind);
+    assert_eq!(harness.state().session().preferences.scheme, Scheme::ColourBlind);
     command(&mut harness, "reduced motion");
-    assert!(harness.state().session().settings.reduced_motion);
+    assert!(harness.state().session().preferences.reduced_motion);
     command(&mut harness, "exercise sphere");
     let session = harness.state().session();
     assert_eq!(session.exercises.question().exercise, Exercise::Sphere);
-    assert_eq!(session.settings.layout, ViewLayout::Exercises);
+    assert_eq!(session.shown.setup.layout, ViewLayout::Exercises);
     command(&mut harness, &format!("mistake {}", Mistake::UpAsV.name()));
-    assert_eq!(harness.state().session().mistakes_view.chosen, Mistake::UpAsV);
+    assert_eq!(harness.state().session().shown.mistakes_view.chosen, Mistake::UpAsV);
     command(&mut harness, "scene look-at");
     assert!(harness.state().document().spheres.len() > 1);
     command(&mut harness, "step lesson 7 2.");
@@ -97,8 +97,8 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
     assert_eq!(listed(&harness).1, titles[1..2]);
     press(&mut harness, Modifiers::NONE, Key::Escape);
     assert!(!is_open(&harness));
-    assert_eq!(harness.state().session().settings, before.settings);
-    assert_eq!(harness.state().session().selection, before.selection);
+    assert_eq!(harness.state().session().settings(), before.settings());
+    assert_eq!(harness.state().session().shown.selection, before.shown.selection);
 }
 
 #[test]
@@ -119,12 +119,12 @@ fn the_palette_stays_where_it_is_while_somebody_types() {
 #[test]
 fn a_letter_that_nothing_has_finds_nothing() {
     let mut harness = window("canonical");
-    let before = harness.state().session().settings;
+    let before = harness.state().session().settings();
     look_for(&mut harness, "qqqq");
     assert_eq!(listed(&harness).0, Vec::<String>::new());
     press(&mut harness, Modifiers::NONE, Key::Enter);
     assert!(is_open(&harness));
-    assert_eq!(harness.state().session().settings, before);
+    assert_eq!(harness.state().session().settings(), before);
 }
 
 #[test]

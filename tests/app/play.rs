@@ -157,18 +157,18 @@ fn without_loop_it_ends_at_the_end() {
 fn t_runs_from_the_eye_to_the_hit() {
     let mut harness = playing("canonical", "Walk along the ray");
     let hit = harness.state().derived().inspection.as_ref().unwrap().first_hit().unwrap().t;
-    assert_eq!(harness.state().session().ray_point_t, None, "not begun");
+    assert_eq!(harness.state().session().shown.ray_point_t, None, "not begun");
     for _ in 0..6 {
         press(&mut harness, Key::Period);
     }
-    assert_eq!(harness.state().session().ray_point_t, Some(0.25 * hit));
+    assert_eq!(harness.state().session().shown.ray_point_t, Some(0.25 * hit));
     for _ in 0..18 {
         press(&mut harness, Key::Period);
     }
-    assert_eq!(harness.state().session().ray_point_t, Some(hit));
+    assert_eq!(harness.state().session().shown.ray_point_t, Some(hit));
     let document = harness.state().document().clone();
     click(&mut harness, "Stop and go back");
-    assert_eq!(harness.state().session().ray_point_t, None);
+    assert_eq!(harness.state().session().shown.ray_point_t, None);
     assert_eq!(*harness.state().document(), document);
 }
 
@@ -178,16 +178,16 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     type_into(&mut harness, "W", "8");
     type_into(&mut harness, "H", "8");
     let whole = harness.state().derived().camera_view.clone().unwrap().image;
-    let selection = harness.state().session().selection;
+    let selection = harness.state().session().shown.selection;
     open(&mut harness, "Scan the pixels row by row");
     let opened = harness.state().session();
-    assert_eq!((opened.selection, opened.scanned_pixels), (selection, Some(0)));
+    assert_eq!((opened.shown.selection, opened.scanned_pixels), (selection, Some(0)));
     for _ in 0..27 {
         press(&mut harness, Key::Period);
     }
     assert_says(&harness, "27 of 64 pixels");
     let session = harness.state().session();
-    assert_eq!(session.selection, Selection::Pixel(Pixel { row: 3, column: 2 }));
+    assert_eq!(session.shown.selection, Selection::Pixel(Pixel { row: 3, column: 2 }));
     assert_eq!(session.scanned_pixels, Some(27));
     let image = harness.state().derived().camera_view.clone().unwrap().image;
     // The middle of a pixel has no mark and no edge.
@@ -200,7 +200,7 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     assert!((4..8).all(|row| (0..8).all(|column| differs(row, column))), "not yet");
     assert!(!differs(3, 1) && differs(3, 5));
     click(&mut harness, "Stop and go back");
-    assert_eq!(harness.state().session().selection, selection);
+    assert_eq!(harness.state().session().shown.selection, selection);
     assert_eq!(harness.state().derived().camera_view.clone().unwrap().image.pixels, whole.pixels);
 }
 
@@ -318,25 +318,25 @@ fn nothing_in_the_strip_lies_over_anything_else() {
 #[test]
 fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
     let mut harness = window("look-at");
-    let before = harness.state().session().observer;
+    let before = harness.state().session().shown.observer;
     open(&mut harness, "Orbit the camera around at");
-    assert_ne!(harness.state().session().observer, before, "it steps back");
+    assert_ne!(harness.state().session().shown.observer, before, "it steps back");
     for k in 0..24 {
         let eye = harness.query_by_role_and_label(Role::Slider, "eye handle");
         assert!(eye.is_some(), "the eye is out of sight after {k} steps");
         press(&mut harness, Key::Period);
     }
     click(&mut harness, "Stop and go back");
-    assert_eq!(harness.state().session().observer, before);
+    assert_eq!(harness.state().session().shown.observer, before);
 
     // Who moves the observer meanwhile has it stay there.
     open(&mut harness, "Orbit the camera around at");
     harness.get_by_role_and_label(Role::Image, "World view").focus();
     harness.run();
     press_with(&mut harness, Modifiers::COMMAND, Key::ArrowRight);
-    let moved = harness.state().session().observer;
+    let moved = harness.state().session().shown.observer;
     click(&mut harness, "Stop and go back");
-    assert_eq!(harness.state().session().observer, moved);
+    assert_eq!(harness.state().session().shown.observer, moved);
 
     // Who looks at a part of the camera goes on looking at it.
     let mut harness = window("canonical");
@@ -345,9 +345,9 @@ fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
     for _ in 0..20 {
         press(&mut harness, Key::Plus);
     }
-    let near = harness.state().session().observer;
+    let near = harness.state().session().shown.observer;
     open(&mut harness, "Orbit the camera around at");
-    assert_eq!(harness.state().session().observer, near);
+    assert_eq!(harness.state().session().shown.observer, near);
 }
 
 /// Who only watches has nothing to save, and is offered nothing at the next start.

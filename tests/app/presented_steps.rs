@@ -36,7 +36,7 @@ fn the_whole_lecture_takes_few_presses_of_page_down() {
     let state = |harness: &Harness<'_, App>| {
         let session = harness.state().session();
         let id = harness.state().lesson().unwrap().id();
-        (id, session.is_asking, session.revealed_lines)
+        (id, session.shown.is_asking, session.shown.revealed_lines)
     };
     loop {
         let before = state(&harness);
@@ -57,7 +57,7 @@ fn the_whole_lecture_takes_few_presses_of_page_down() {
         |lesson: usize, step: usize| StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     let of = |step| presses.iter().find(|(id, _)| *id == step).map_or(0, |(_, count)| *count);
     assert_eq!(of(at(6, 2)), 4, "checks of the same kind come together, and so do given vectors");
-    let layout = |harness: &Harness<'_, App>| harness.state().session().settings.layout;
+    let layout = |harness: &Harness<'_, App>| harness.state().session().shown.setup.layout;
     let shown = layout(&harness);
     press(&mut harness, Key::F5);
     assert_eq!(layout(&harness), shown, "what a step has set stays");
@@ -89,15 +89,15 @@ fn key_3_swaps_main_figure_and_inset_and_swaps_them_back() {
     // The inset is what the pointer reaches.
     harness.hover_at(inset.center());
     harness.run();
-    let observer = harness.state().session().observer;
+    let observer = harness.state().session().shown.observer;
     drag_from(&mut harness, inset.center(), vec2(20.0, 5.0));
-    assert_ne!(harness.state().session().observer, observer);
+    assert_ne!(harness.state().session().shown.observer, observer);
     press(&mut harness, Key::Num3);
     assert_eq!(rects(&harness), [world, camera]);
     press(&mut harness, Key::Num2);
     assert!(harness.query_by_label("Camera view").is_none());
     press(&mut harness, Key::F5);
-    assert_eq!(harness.state().session().settings.layout, ViewLayout::Both);
+    assert_eq!(harness.state().session().shown.setup.layout, ViewLayout::Both);
 }
 
 #[test]

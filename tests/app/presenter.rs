@@ -7,7 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::presenting::{WRITTEN, zoom};
-use pinhole::model::session::{Settings, ThemeName, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, ThemeName, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
@@ -24,7 +24,7 @@ pub(crate) fn press(harness: &mut Harness<'_, App>, key: Key) {
 }
 
 fn layout(harness: &Harness<'_, App>) -> ViewLayout {
-    harness.state().session().settings.layout
+    harness.state().session().shown.setup.layout
 }
 
 /// The window is that large on the screen, in pixels.
@@ -78,7 +78,7 @@ fn panels_go_and_everything_comes_back() {
     assert!(harness.ctx.zoom_factor() > zoom_before);
     press(&mut harness, Key::Num3);
     press(&mut harness, Key::F5);
-    assert_eq!(harness.state().session().settings, before.settings);
+    assert_eq!(harness.state().session().settings(), before.settings());
     assert_eq!(harness.state().session().presenting, None);
     assert_eq!(harness.ctx.zoom_factor(), zoom_before);
     assert_says(&harness, "File");
@@ -120,7 +120,7 @@ fn no_text_is_smaller_than_the_setting() {
     let mut harness = window("canonical");
     press(&mut harness, Key::F5);
     for pixels in [[1024.0, 768.0], [1280.0, 720.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
-        let smallest = harness.state().session().settings.smallest_text;
+        let smallest = harness.state().session().preferences.smallest_text;
         let scale = zoom(pixels, smallest);
         resize(&mut harness, pixels);
         let zoomed = harness.ctx.zoom_factor();
@@ -145,13 +145,13 @@ fn no_text_is_smaller_than_the_setting() {
 #[test]
 fn the_smallest_text_is_set_by_keys_while_presenting() {
     let mut harness = window("canonical");
-    let usual = Settings::default().smallest_text;
+    let usual = Preferences::default().smallest_text;
     let zoom_before = harness.ctx.zoom_factor();
     press(&mut harness, Key::F5);
     let small = harness.ctx.zoom_factor();
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Plus);
     harness.run();
-    assert!(harness.state().session().settings.smallest_text > usual);
+    assert!(harness.state().session().preferences.smallest_text > usual);
     assert!(harness.ctx.zoom_factor() > small);
     press(&mut harness, Key::F5);
     assert_eq!(harness.ctx.zoom_factor(), zoom_before);
@@ -171,7 +171,7 @@ fn keys_of_presenting_are_typed_into_fields_and_the_next_run_does_not_present() 
     press(&mut harness, Key::Num2);
     assert_eq!(layout(&harness), ViewLayout::World);
     harness.state_mut().on_exit();
-    assert_eq!(store.load().settings.layout, ViewLayout::Exercises);
+    assert_eq!(store.load().settings.setup.layout, ViewLayout::Exercises);
 }
 
 #[test]
@@ -212,7 +212,7 @@ fn the_numbers_stand_in_the_column_and_the_views_stay_without_them() {
 #[test]
 fn no_text_at_1080_lines_is_smaller_than_28_pixels() {
     let settings = Settings::default();
-    assert!(WRITTEN * zoom([1920.0, 1080.0], settings.smallest_text) >= 28.0);
+    assert!(WRITTEN * zoom([1920.0, 1080.0], settings.preferences.smallest_text) >= 28.0);
 }
 
 #[test]
@@ -248,7 +248,7 @@ fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
     press(&mut harness, Key::F5);
     press(&mut harness, Key::P);
     let (document, observer) =
-        (harness.state().document().clone(), harness.state().session().observer);
+        (harness.state().document().clone(), harness.state().session().shown.observer);
     let view = harness.get_by_label("World view").rect();
     drag_from(&mut harness, view.center(), vec2(60.0, 40.0));
     let pen = harness.state().session().pen.clone().unwrap();
@@ -259,7 +259,7 @@ fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
     };
     assert!(drawn(&harness) >= 2, "a line and its casing");
     assert_eq!(*harness.state().document(), document, "nothing below it was dragged");
-    assert_eq!(harness.state().session().observer, observer);
+    assert_eq!(harness.state().session().shown.observer, observer);
     press(&mut harness, Key::Escape);
     assert!(harness.state().session().pen.is_none() && drawn(&harness) == 0);
     assert!(harness.state().session().presenting.is_some(), "Escape put the pen away, no more");
@@ -291,7 +291,10 @@ fn presenting_fills_the_screen_and_the_window_comes_back() {
 
 #[test]
 fn a_hall_sees_light_ground_and_the_window_s_own_comes_back() {
-    let settings = Settings { theme: ThemeName::Dark, ..unfolded() };
+    let settings = Settings {
+        preferences: Preferences { theme: ThemeName::Dark, ..unfolded().preferences },
+        ..unfolded()
+    };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut harness = window_with("canonical", remembered, None);
     let is_dark = |harness: &Harness<'_, App>| harness.ctx.theme() == Theme::Dark;
@@ -304,7 +307,7 @@ fn a_hall_sees_light_ground_and_the_window_s_own_comes_back() {
     assert!(!is_dark(&harness));
     press(&mut harness, Key::F5);
     assert!(is_dark(&harness));
-    assert_eq!(harness.state().session().settings.theme, ThemeName::Dark);
+    assert_eq!(harness.state().session().preferences.theme, ThemeName::Dark);
 }
 
 #[test]

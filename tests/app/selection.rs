@@ -34,7 +34,7 @@ fn a_click_in_the_camera_view_selects_the_pixel_under_it() {
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
     click_at(&mut window, at);
     assert_eq!(
-        window.state().session().selection,
+        window.state().session().shown.selection,
         Selection::Pixel(Pixel { row: 300, column: 100 })
     );
     assert_says(&window, "pixel = row 300, column 100");
@@ -54,7 +54,10 @@ fn arrow_keys_move_the_selection_and_stop_at_the_edge() {
         window.key_press(key);
         window.run();
     }
-    assert_eq!(window.state().session().selection, Selection::Pixel(Pixel { row: 1, column: 3 }));
+    assert_eq!(
+        window.state().session().shown.selection,
+        Selection::Pixel(Pixel { row: 1, column: 3 })
+    );
 }
 
 #[test]
@@ -71,7 +74,7 @@ fn the_first_arrow_key_goes_its_own_way_from_a_corner_of_pixels() {
         window.run();
         window.key_press(key);
         window.run();
-        let selection = window.state().session().selection;
+        let selection = window.state().session().shown.selection;
         assert_eq!(selection, Selection::Pixel(Pixel { row, column }), "{key:?}");
     }
 }
@@ -105,7 +108,9 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     window.run();
     window.drop_at(at);
     window.run();
-    let Selection::Pixel(pixel) = window.state().session().selection else { panic!("no pixel") };
+    let Selection::Pixel(pixel) = window.state().session().shown.selection else {
+        panic!("no pixel")
+    };
     // Seen from the side, a dot covers several pixels.
     let point = resolved.viewport_point(resolved.uv_of_pixel(pixel));
     let [x, y] = pinhole::view::overlay::world_position_of(&frame, point).unwrap();
@@ -128,7 +133,7 @@ fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
     let row = window.get_by_role_and_label(Role::SpinButton, "row");
     assert_eq!(row.value().as_deref(), Some("100"));
     assert_eq!(
-        window.state().session().selection,
+        window.state().session().shown.selection,
         Selection::Pixel(Pixel { row: 99, column: 199 }),
         "the same pixel"
     );
@@ -138,7 +143,7 @@ fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
 fn the_mouse_moves_the_observer_and_never_the_camera() {
     let mut window = window("canonical");
     let before = window.state().document().clone();
-    let observer = window.state().session().observer;
+    let observer = window.state().session().shown.observer;
     let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
     let from = rect.min + egui::vec2(40.0, 40.0);
     window.drag_at(from);
@@ -147,7 +152,7 @@ fn the_mouse_moves_the_observer_and_never_the_camera() {
     window.run();
     window.drop_at(from + egui::vec2(60.0, 25.0));
     window.run();
-    let orbited = window.state().session().observer;
+    let orbited = window.state().session().shown.observer;
     assert_ne!(orbited, observer, "a drag orbits");
     window.hover_at(from);
     window.run();
@@ -159,11 +164,11 @@ fn the_mouse_moves_the_observer_and_never_the_camera() {
         source: egui::MouseWheelSource::Wheel,
     });
     window.run();
-    assert_ne!(window.state().session().observer, orbited, "the wheel zooms");
+    assert_ne!(window.state().session().shown.observer, orbited, "the wheel zooms");
     assert_eq!(*window.state().document(), before);
     window.key_press(egui::Key::F);
     window.run();
-    assert_eq!(window.state().session().observer, observer, "F frames all again");
+    assert_eq!(window.state().session().shown.observer, observer, "F frames all again");
 }
 
 #[test]
@@ -207,12 +212,16 @@ fn arrow_keys_are_not_held_up_by_a_pointer_that_rests() {
         window.run();
     }
     let session = window.state().session();
-    assert_ne!(session.selection, clicked);
-    assert_eq!(session.shown_selection(), session.selection, "what the keys select is shown");
+    assert_ne!(session.shown.selection, clicked);
+    assert_eq!(session.shown_selection(), session.shown.selection, "what the keys select is shown");
     window.hover_at(view.center() + egui::vec2(20.0, 5.0));
     window.run();
     let session = window.state().session();
-    assert_ne!(session.shown_selection(), session.selection, "a pointer that moves is followed");
+    assert_ne!(
+        session.shown_selection(),
+        session.shown.selection,
+        "a pointer that moves is followed"
+    );
 }
 
 #[test]

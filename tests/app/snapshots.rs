@@ -2,7 +2,7 @@
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --test pinhole app::snapshots` writes them anew.
 
-use pinhole::model::session::{Settings, ThemeName, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, ThemeName, ViewLayout};
 use pinhole::model::store::Remembered;
 
 use super::harness::{show, type_into, unfolded, window, window_with};
@@ -22,7 +22,10 @@ fn the_lectures_scene() {
 
 #[test]
 fn a_dark_window_on_another_scene() {
-    let settings = Settings { theme: ThemeName::Dark, ..unfolded() };
+    let settings = Settings {
+        preferences: Preferences { theme: ThemeName::Dark, ..unfolded().preferences },
+        ..unfolded()
+    };
     let remembered = Remembered { settings, ..Remembered::default() };
     window_with("look-at", remembered, None).snapshot("window_dark");
 }

@@ -59,7 +59,7 @@ fn a_vote_is_told_without_its_answer() {
     show(&mut window, ViewLayout::Mistakes);
     click(&mut window, "Guess which");
     assert_told(&window, "Which mistake made the wrong picture?\nA: ");
-    let right = window.state().session().mistakes_view.shown().name();
+    let right = window.state().session().shown.mistakes_view.shown().name();
     assert_eq!(told(&window).matches(right).count(), 1, "{}", told(&window));
     click(&mut window, "Reveal");
     assert_eq!(told(&window).matches(right).count(), 2, "{}", told(&window));

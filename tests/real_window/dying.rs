@@ -75,7 +75,7 @@ fn die(screen: &Screen, way: Way) {
         wait_for("the changes to be written aside", || written.exists().then_some(()));
         wait_for("the setting to be stored", || {
             let store = Store::at(&folder.path().join("pinhole/state.json"));
-            store.load().settings.count_from_one.then_some(())
+            store.load().settings.setup.count_from_one.then_some(())
         });
         assert!(changed.elapsed() < MOST, "{:?}", changed.elapsed());
     }

@@ -109,7 +109,7 @@ pub(crate) fn drive(setting: &Setting) {
     window.quit();
     assert_eq!(scene_file::load(&scene).unwrap(), before);
     let remembered = Store::at(&folder.path().join("pinhole/state.json")).load();
-    let layout = memory.0.state().session().settings.layout;
-    assert_eq!(remembered.settings.layout, layout, "presenting leaves no trace");
+    let layout = memory.0.state().session().shown.setup.layout;
+    assert_eq!(remembered.settings.setup.layout, layout, "presenting leaves no trace");
     assert!(remembered.renderer.starts_with(setting.drawn_by), "{}", remembered.renderer);
 }

@@ -35,8 +35,8 @@ pub fn with_step(
     // A step that goes on with a scene cannot take back what the step before it says of t and the formulas.
     let goes_on = steps.last().is_some_and(|last| {
         plain(&last.document) == plain(&open.document)
-            && (last.view.t.is_none() || session.ray_point_t.is_some())
-            && (last.view.formulas.is_none() || session.formulas.is_some())
+            && (last.view.t.is_none() || session.shown.ray_point_t.is_some())
+            && (last.view.formulas.is_none() || session.shown.formulas.is_some())
     });
     let title = Value::from(&*path.file_stem().unwrap_or_default().to_string_lossy());
     let begun = format!("pinhole_lesson = {VERSION}\ntitle = {title}\n");
@@ -82,7 +82,7 @@ fn scene_of(open: &OpenDocument, folder: &Path) -> (String, Document) {
 
 /// Returns the layout with which a step shows what is shown now.
 fn layout_of_step(session: &Session) -> ViewLayout {
-    match session.settings.layout {
+    match session.shown.setup.layout {
         ViewLayout::DerivationAlone => ViewLayout::Derivation,
         // A step's ghost is a scene.
         ViewLayout::Compare => ViewLayout::Both,
@@ -92,27 +92,30 @@ fn layout_of_step(session: &Session) -> ViewLayout {
 
 /// Returns the keys of a step that set the view, a line each.
 fn view(document: &Document, session: &Session) -> String {
-    let settings = &session.settings;
+    let settings = &session.shown.setup;
     let layout = layout_of_step(session);
     let key = |name: &str, value: Option<String>| {
         value.map_or(String::new(), |value| format!("{name} = {value}\n"))
     };
-    let ray = match session.selection.inside(document.camera.image) {
+    let ray = match session.shown.selection.inside(document.camera.image) {
         Selection::Pixel(pixel) => format!("pixel = [{}, {}]", pixel.row, pixel.column),
         Selection::Uv(uv) => format!("uv = {:?}", uv.to_array()),
     };
-    let observer = session.observer.map(|observer| observer_fields(&observer.stored()).join(", "));
+    let observer =
+        session.shown.observer.map(|observer| observer_fields(&observer.stored()).join(", "));
     let items = Item::ALL.into_iter().filter(|item| settings.items.shows(*item));
-    let sections = DerivationSection::ALL.into_iter().filter(|one| session.sections.shows(*one));
+    let sections =
+        DerivationSection::ALL.into_iter().filter(|one| session.shown.sections.shows(*one));
     let is_there = |one: &Concept| is_in_scene(Some(*one), document.object_count());
-    let highlighted = session.highlighted.filter(is_there).map_or(NOTHING.into(), Concept::name);
-    let formulas = session.formulas.as_ref().map(|formulas| match formulas {
+    let highlighted =
+        session.shown.highlighted.filter(is_there).map_or(NOTHING.into(), Concept::name);
+    let formulas = session.shown.formulas.as_ref().map(|formulas| match formulas {
         Formulas::Recap => "\"recap\"".to_owned(),
         some => format!("{:?}", Vec::from_iter(some.concepts().iter().map(|one| one.name()))),
     });
     let lines = (layout == ViewLayout::Lines).then(|| {
-        let LinesLab { ray, t, trail, shown, .. } = &session.lines;
-        let ImplicitLine { a, b, c } = session.lines.line();
+        let LinesLab { ray, t, trail, shown, .. } = &session.shown.lines;
+        let ImplicitLine { a, b, c } = session.shown.lines.line();
         let implicit = format!("implicit = [{a:?}, {b:?}, {c:?}]");
         let [p, d] = [ray.p, ray.d].map(|pair| pair.to_array());
         let parametric = format!("p = {p:?}, d = {d:?}, t = {t:?}");
@@ -124,7 +127,7 @@ fn view(document: &Document, session: &Session) -> String {
             ShownLines::Parametric => format!("{{ {parametric}{trail} }}"),
         }
     });
-    let mistake = (layout == ViewLayout::Mistakes).then_some(session.mistakes_view.chosen);
+    let mistake = (layout == ViewLayout::Mistakes).then_some(session.shown.mistakes_view.chosen);
     [
         ray + "\n",
         key("observer", observer.map(|fields| format!("{{ {fields} }}"))),
@@ -135,7 +138,7 @@ fn view(document: &Document, session: &Session) -> String {
         format!("highlight = {highlighted:?}\nshade = {:?}\n", settings.shade.name()),
         format!("count_from_one = {}\ndigits = {}\n", settings.count_from_one, settings.digits),
         format!("keep_picture = {}\nteaching = {}\n", settings.keep_picture, settings.teaching),
-        key("t", session.ray_point_t.map(|t| format!("{t:?}"))),
+        key("t", session.shown.ray_point_t.map(|t| format!("{t:?}"))),
         key("mistake", mistake.map(|mistake| format!("{:?}", mistake.id()))),
         key("lines", lines),
     ]

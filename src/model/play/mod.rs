@@ -119,9 +119,10 @@ impl Still {
                 let camera = &mut document.camera;
                 (camera.eye, camera.orientation) = (self.camera.eye, self.camera.orientation);
             }
-            Kind::Walk => session.ray_point_t = self.ray_point_t,
+            Kind::Walk => session.shown.ray_point_t = self.ray_point_t,
             Kind::Scan => {
-                (session.selection, session.scanned_pixels) = (self.selection, self.scanned_pixels)
+                (session.shown.selection, session.scanned_pixels) =
+                    (self.selection, self.scanned_pixels)
             }
         }
     }
@@ -138,8 +139,8 @@ impl Start {
     ) -> Start {
         Start {
             camera: document.camera,
-            selection: session.selection,
-            ray_point_t: session.ray_point_t,
+            selection: session.shown.selection,
+            ray_point_t: session.shown.ray_point_t,
             end: ray_point_end(inspection),
             orbit: scene.and_then(|scene| distance_ahead(&document.camera, scene)),
         }

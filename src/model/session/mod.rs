@@ -2,15 +2,17 @@
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
-use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection, Shade};
+use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
 use serde::{Deserialize, Serialize};
 
 use crate::model::practice::class::ClassCodes;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::{
-    Concept, DerivationSections, Exercises, Formulas, HandleState, HoverSource, Hovered, LinesLab,
-    MistakesView, Observer, OverlayItems, Progress, StudentAnswers, Translator,
+    Concept, Exercises, HandleState, HoverSource, Hovered, Observer, Progress, StudentAnswers,
+    Translator,
 };
+
+pub use shown::{Setup, Shown};
 
 pub use choices::{
     Scheme, Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
@@ -19,47 +21,22 @@ pub use choices::{
 mod choices;
 pub mod handles;
 pub mod presenting;
+mod shown;
 
 /// The state of the window other than the document. A change to it never marks the document as edited.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Session {
-    /// The selected ray.
-    pub selection: Selection,
+    /// What is shown of the document, and how.
+    pub shown: Shown,
     /// The ray through the position under the pointer, which is shown instead of the selected one.
     pub pointed_ray: Option<Selection>,
-    /// The observer of the world view; `None` until it is placed for the first time.
-    pub observer: Option<Observer>,
-    /// The t of the movable point p + t d on the selected ray; `None` if no point is shown.
-    pub ray_point_t: Option<f64>,
     /// During a scan, the number of pixels that the camera's picture shows so far, counted row by row;
     /// `None` if it shows all.
     pub scanned_pixels: Option<u64>,
-    /// The frozen camera with which the current one is compared.
-    pub ghost: Option<Ghost>,
-    /// The state of the page *Lines*.
-    pub lines: LinesLab,
     /// The concept under the pointer or with the keyboard focus.
     pub hovered: Option<Hovered>,
-    /// The concept that is highlighted while the pointer is over no other one.
-    pub highlighted: Option<Concept>,
     /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
     pub alt_dims: bool,
-    /// True while the question of a lesson's step is not answered yet. No number is shown then.
-    pub is_asking: bool,
-    /// The concepts that the lesson's step mentions and whose handles or arrows are therefore shown; `None` if
-    /// no lesson is open.
-    pub spoken: Option<Vec<Concept>>,
-    /// The sections of the derivation that are shown.
-    pub sections: DerivationSections,
-    /// The lines to which the derivation is reduced; `None` for all lines of the shown sections.
-    pub formulas: Option<Formulas>,
-    /// What the recap has replaced, and replaces again when it ends; `None` if it was not asked for.
-    pub before_recap: Option<BeforeRecap>,
-    /// How many lines of the derivation are shown, from the first one; `None` if all are. The total number
-    /// depends on the derivation.
-    pub revealed_lines: Option<usize>,
-    /// The comparison of a wrong camera with the right one.
-    pub mistakes_view: MistakesView,
     /// The open exercise and its answers.
     pub exercises: Exercises,
     /// The exercises that are done, which are kept across runs.
@@ -76,41 +53,8 @@ pub struct Session {
     pub handles: HandleState,
     /// The choices in the translator.
     pub translator: Translator,
-    /// The settings, which are kept across runs.
-    pub settings: Settings,
-}
-
-/// What is shown instead of the recap.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BeforeRecap {
-    layout: ViewLayout,
-    formulas: Option<Formulas>,
-    revealed_lines: Option<usize>,
-}
-
-impl Session {
-    /// Shows the recap from view to the ray, beside the picture; again, shows what it replaced.
-    pub fn toggle_recap(&mut self) {
-        let layout = &mut self.settings.layout;
-        if let Some(before) = self.before_recap.take() {
-            *layout = before.layout;
-            (self.formulas, self.revealed_lines) = (before.formulas, before.revealed_lines);
-            return;
-        }
-        let before = std::mem::replace(layout, ViewLayout::Derivation);
-        self.before_recap = Some(BeforeRecap {
-            layout: before,
-            formulas: self.formulas.replace(Formulas::Recap),
-            revealed_lines: self.revealed_lines.take(),
-        });
-    }
-
-    /// Shows all lines of the derivation instead of the recap.
-    pub fn end_recap(&mut self) {
-        if let Some(before) = self.before_recap.take() {
-            self.formulas = before.formulas;
-        }
-    }
+    /// The preferences, which are kept across runs.
+    pub preferences: Preferences,
 }
 
 /// Minimum and maximum number of significant digits of the readouts.
@@ -122,37 +66,32 @@ pub(crate) const LOUPE_PIXELS: (u32, u32) = (3, 15);
 /// Minimum and maximum zoom of the window.
 pub(crate) const ZOOM: (f32, f32) = (0.5, 4.0);
 
-/// The user's preferences, kept across runs.
+/// All settings that are kept across runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Settings {
+    /// How a document is shown.
+    #[serde(flatten)]
+    pub setup: Setup,
+    /// The user's preferences.
+    #[serde(flatten)]
+    pub preferences: Preferences,
+}
+
+/// The user's preferences, which no lesson changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Settings {
-    /// The layout of the views.
-    pub layout: ViewLayout,
-    /// The shading of the pictures.
-    pub shade: Shade,
-    /// The items of the overlay.
-    #[serde(rename = "shown")]
-    pub items: OverlayItems,
+pub struct Preferences {
     /// Number of pixels that the loupe shows across and down; always odd.
     pub loupe_pixels: u32,
-    /// Number of significant digits of the readouts.
-    pub digits: usize,
     /// True if the derivation writes short exact forms, such as 1/√2, instead of decimals.
     pub exact_forms: bool,
-    /// True if rows and columns are counted from 1, as in the course.
-    pub count_from_one: bool,
     /// True if the pixels keep their ratio of width to height when the viewport or the image changes.
     pub keep_pixel_shape: bool,
-    /// True if distance, width and height of the viewport change together, so that the picture stays the
-    /// same.
-    pub keep_picture: bool,
     /// True if up keeps the value that the user gave while eye and at are dragged, even if the view
     /// direction comes close to it.
     pub keep_up: bool,
     /// The quantity that stays fixed while the eye is dragged in the world view, such as at.
     pub eye_keeps: Keep,
-    /// True if the teaching part of the camera panel is unfolded.
-    pub teaching: bool,
     /// True if the side panel is hidden.
     pub hides_panel: bool,
     /// The sections of the panel that are unfolded.
@@ -208,21 +147,14 @@ impl Default for Unfolded {
     }
 }
 
-impl Default for Settings {
+impl Default for Preferences {
     fn default() -> Self {
-        Settings {
-            layout: ViewLayout::Both,
-            shade: Shade::Lambert,
-            items: OverlayItems::default(),
+        Preferences {
             loupe_pixels: 5,
-            digits: 5,
             exact_forms: true,
-            count_from_one: false,
             keep_pixel_shape: true,
-            keep_picture: false,
             keep_up: false,
             eye_keeps: Keep::At,
-            teaching: false,
             hides_panel: false,
             unfolded: Unfolded::default(),
             splits: Splits::default(),
@@ -243,26 +175,38 @@ impl Settings {
     #[must_use]
     pub fn in_range(mut self) -> Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
-        let default = Settings::default();
-        self.digits = self.digits.clamp(DIGITS.0, DIGITS.1);
-        self.loupe_pixels = self.loupe_pixels.clamp(LOUPE_PIXELS.0, LOUPE_PIXELS.1) | 1;
-        self.smallest_text = finite(self.smallest_text, default.smallest_text)
+        let Settings { setup, preferences: now } = &mut self;
+        let default = Preferences::default();
+        setup.digits = setup.digits.clamp(DIGITS.0, DIGITS.1);
+        now.loupe_pixels = now.loupe_pixels.clamp(LOUPE_PIXELS.0, LOUPE_PIXELS.1) | 1;
+        now.smallest_text = finite(now.smallest_text, default.smallest_text)
             .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
-        self.zoom = finite(self.zoom, default.zoom).clamp(ZOOM.0, ZOOM.1);
+        now.zoom = finite(now.zoom, default.zoom).clamp(ZOOM.0, ZOOM.1);
         self
     }
 }
 
 impl Session {
+    /// Returns all settings that are kept across runs.
+    pub fn settings(&self) -> Settings {
+        Settings { setup: self.shown.setup, preferences: self.preferences }
+    }
+
+    /// Returns the session as another observer sees the world view.
+    pub fn seen_from(&self, observer: Option<Observer>) -> Session {
+        let shown = Shown { observer, ..self.shown.clone() };
+        Session { shown, ..self.clone() }
+    }
+
     /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
-        self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
+        self.hovered.map(|hovered| hovered.concept).or(self.shown.highlighted)
     }
 
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.
     pub fn spoken_of(&self) -> Vec<Concept> {
-        let spoken = self.spoken.iter().flatten().copied();
-        spoken.chain(self.highlighted()).chain(self.highlighted).collect()
+        let spoken = self.shown.spoken.iter().flatten().copied();
+        spoken.chain(self.highlighted()).chain(self.shown.highlighted).collect()
     }
 
     /// Returns true if everything except the highlighted concept is dimmed. It always is if the derivation
@@ -274,12 +218,12 @@ impl Session {
 
     /// Returns the ray that is shown: the one under the pointer, or else the selected one.
     pub fn shown_selection(&self) -> Selection {
-        self.pointed_ray.unwrap_or(self.selection)
+        self.pointed_ray.unwrap_or(self.shown.selection)
     }
 
     /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.
     pub fn shows_exercise(&self) -> bool {
-        self.settings.layout == ViewLayout::Exercises && !self.is_asking
+        self.shown.setup.layout == ViewLayout::Exercises && !self.shown.is_asking
     }
 
     /// Checks the answers to the open exercise.
@@ -290,21 +234,22 @@ impl Session {
 
     /// Returns true if a vote (on the mistake in a picture) is open or is about to open.
     pub fn shows_vote(&self) -> bool {
-        let view = &self.mistakes_view;
-        self.settings.layout == ViewLayout::Mistakes
+        let view = &self.shown.mistakes_view;
+        self.shown.setup.layout == ViewLayout::Mistakes
             && (view.open_vote.is_some() || view.wants_vote)
     }
 
     /// Returns true if a vote is open whose right option is not shown yet.
     pub fn is_voting(&self) -> bool {
-        self.shows_vote() && !self.mistakes_view.is_revealed()
+        self.shows_vote() && !self.shown.mistakes_view.is_revealed()
     }
 
     /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
-        self.selection = self.selection.in_another_image(before.image, now.image);
-        if self.settings.keep_picture {
-            self.selection = self.selection.in_another_viewport(before.viewport, now.viewport);
+        self.shown.selection = self.shown.selection.in_another_image(before.image, now.image);
+        if self.shown.setup.keep_picture {
+            self.shown.selection =
+                self.shown.selection.in_another_viewport(before.viewport, now.viewport);
         }
     }
 }

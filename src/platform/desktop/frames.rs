@@ -26,7 +26,7 @@ pub(super) struct FirstPass(JoinHandle<(App, FullOutput)>);
 impl FirstPass {
     /// Starts the first pass on another thread, for a window with the geometry from the end of the last run.
     pub(super) fn start(ctx: Context, mut app: App, geometry: WindowGeometry) -> FirstPass {
-        App::set_up(&ctx, &app.session().settings);
+        App::set_up(&ctx, &app.session().settings());
         let input = input(geometry, ctx.zoom_factor());
         FirstPass(spawn(move || {
             let output = ctx.run_ui(input, |ui| app.ui(ui));
@@ -135,7 +135,8 @@ mod tests {
     /// frame. Returns the egui context and the app after that pass.
     fn opened(geometry: WindowGeometry, zoom: f32) -> (Context, App) {
         let open = OpenDocument::blank();
-        let settings = Settings { zoom, ..Settings::default() };
+        let mut settings = Settings::default();
+        settings.preferences.zoom = zoom;
         let app = App::new(open, Remembered { settings, ..Remembered::default() }, None);
         let ctx = crate::platform::desktop::start::context();
         let (app, output) = FirstPass::start(ctx.clone(), app, geometry).end();

@@ -102,7 +102,7 @@ fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
     if store.as_ref().is_none_or(Store::is_new) {
         let folders = choose_base_strategy();
-        remembered.settings.reduced_motion =
+        remembered.settings.preferences.reduced_motion =
             folders.is_ok_and(|folders| is_reduced(&folders.config_dir()));
     }
     let geometry = remembered.window;

@@ -93,7 +93,7 @@ impl Page {
         let store = Store::at(&browser::state());
         let mut remembered = store.load();
         if store.is_new() {
-            remembered.settings.reduced_motion = page::reduced_motion();
+            remembered.settings.preferences.reduced_motion = page::reduced_motion();
         }
         // Files that the user chose in an earlier run are not in this page.
         remembered.recent.clear();

@@ -176,7 +176,7 @@ impl App {
         let before = self.scene.clone();
         let opened = match leave {
             Leave::New => {
-                self.scene.session.settings.layout = ViewLayout::Both;
+                self.scene.session.shown.setup.layout = ViewLayout::Both;
                 Ok(self.scene.replace(OpenDocument::blank(), Selection::default()))
             }
             Leave::Open(source) => self.open(source),
@@ -434,10 +434,10 @@ const ZOOM_STEP: f32 = 0.1;
 
 /// Changes how the scene is shown.
 pub(super) fn change_look(session: &mut Session, action: LookAction) {
-    let settings = &mut session.settings;
+    let (layout, settings) = (&mut session.shown.setup.layout, &mut session.preferences);
     match action {
-        LookAction::Layout(layout) => settings.layout = layout,
-        LookAction::Shade(shade) => settings.shade = shade,
+        LookAction::Layout(chosen) => *layout = chosen,
+        LookAction::Shade(shade) => session.shown.setup.shade = shade,
         LookAction::Theme(theme) => match &mut session.presenting {
             Some(presenting) => presenting.theme = theme,
             None => settings.theme = theme,
@@ -459,33 +459,33 @@ pub(super) fn change_look(session: &mut Session, action: LookAction) {
             }
         }
         LookAction::Scheme(scheme) => settings.scheme = scheme,
-        LookAction::Digits(digits) => settings.digits = digits,
+        LookAction::Digits(digits) => session.shown.setup.digits = digits,
         LookAction::Toggle(switch) => switch.toggle(session),
-        LookAction::Recap => session.toggle_recap(),
+        LookAction::Recap => session.shown.toggle_recap(),
         LookAction::ZoomBy(by) => zoom_by(session, by),
         LookAction::Exercise(exercise) => {
             session.exercises.show(exercise, None);
-            settings.layout = ViewLayout::Exercises;
+            *layout = ViewLayout::Exercises;
         }
         LookAction::Mistake(chosen) => {
-            session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
-            settings.layout = ViewLayout::Mistakes;
+            session.shown.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
+            *layout = ViewLayout::Mistakes;
         }
         LookAction::ShowMe(mistake) => session.exercises.toggle_shown(mistake),
         LookAction::Vote => {
-            session.mistakes_view.wants_vote = true;
-            settings.layout = ViewLayout::Mistakes;
+            session.shown.mistakes_view.wants_vote = true;
+            *layout = ViewLayout::Mistakes;
         }
         LookAction::Present => present_or_end(session),
         LookAction::Fill(full) => {
             let presenting = session.presenting.get_or_insert(Presenting::begin());
-            presenting.fill(full, &mut settings.layout);
+            presenting.fill(full, layout);
         }
     }
 }
 
 fn zoom_by(session: &mut Session, by: i32) {
-    let settings = &mut session.settings;
+    let settings = &mut session.preferences;
     if session.presenting.is_some() {
         let next = settings.smallest_text + by as f32 * SMALLEST_TEXT.step;
         let next = if by == 0 { SMALLEST_TEXT.usual } else { next };
@@ -501,13 +501,13 @@ fn present_or_end(session: &mut Session) {
         None => {
             session.presenting = Some(Presenting::begin());
             // The derivation answers the open question, so it is revealed line by line.
-            let derives = session.settings.layout.workspace() == Some(Workspace::Derivation);
-            session.revealed_lines = (session.is_asking && derives).then_some(0);
+            let derives = session.shown.setup.layout.workspace() == Some(Workspace::Derivation);
+            session.shown.revealed_lines = (session.shown.is_asking && derives).then_some(0);
         }
         Some(presenting) => {
-            session.settings.layout = presenting.before(session.settings.layout);
+            session.shown.setup.layout = presenting.before(session.shown.setup.layout);
             session.pen = None;
-            session.revealed_lines = None;
+            session.shown.revealed_lines = None;
         }
     }
 }
@@ -517,14 +517,17 @@ const NEVER: f32 = 86_400.0;
 
 /// Applies the settings' theme, text size and zoom to the window.
 pub(super) fn follow_look(ctx: &Context, session: &Session) {
-    let settings = &session.settings;
+    let settings = &session.preferences;
     ctx.set_theme(match session.presenting.map_or(settings.theme, |now| now.theme) {
         ThemeName::System => ThemePreference::System,
         ThemeName::Dark => ThemePreference::Dark,
         ThemeName::Light => ThemePreference::Light,
     });
     let presenting = session.presenting.is_some();
-    theme::install(ctx, Look { by_touch: is_by_touch(ctx), ..Look::new(settings, presenting) });
+    theme::install(
+        ctx,
+        Look { by_touch: is_by_touch(ctx), ..Look::new(&session.settings(), presenting) },
+    );
     let usual = egui::style::Interaction::default().tooltip_delay;
     let delay = if may_explain(ctx) { usual } else { NEVER };
     if ctx.global_style().interaction.tooltip_delay != delay {

@@ -158,8 +158,8 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
         AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Question),
         AnswersAction::PutAway => {
             session.answers = None;
-            if session.settings.layout == ViewLayout::Answers {
-                session.settings.layout = ViewLayout::Both;
+            if session.shown.setup.layout == ViewLayout::Answers {
+                session.shown.setup.layout = ViewLayout::Both;
             }
         }
         AnswersAction::AskStartOver => {
@@ -176,7 +176,7 @@ pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction)
         }
         AnswersAction::AddCodes(text) => {
             session.class.add(&text);
-            session.settings.layout = ViewLayout::Class;
+            session.shown.setup.layout = ViewLayout::Class;
         }
     }
     None
@@ -201,7 +201,7 @@ fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
     let kind = answers::kind_of(&bytes);
     let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
     session.answers = Some(StudentAnswers { file, count_from });
-    session.settings.layout = ViewLayout::Answers;
+    session.shown.setup.layout = ViewLayout::Answers;
     Ok(())
 }
 
@@ -255,11 +255,11 @@ impl App {
 
     /// Returns what a figure of the open page shows: a view, the derivation or two lines in the plane.
     fn layout_subject(&self) -> FigureSubject {
-        page(self.scene.session.settings.layout).figure
+        page(self.scene.session.shown.setup.layout).figure
     }
 
     fn figure_style(&self, ctx: &Context) -> Style {
-        Style::new(self.scene.session.settings.scheme, ctx.theme() == egui::Theme::Dark)
+        Style::new(self.scene.session.preferences.scheme, ctx.theme() == egui::Theme::Dark)
     }
 
     /// Copies a figure of the open page to the clipboard, at the page's size on the screen.

@@ -15,7 +15,7 @@ use pinhole_lecture::numbers::grouped;
 
 use crate::model::fault::caught;
 use crate::model::session::Split;
-use crate::model::{Hovered, NumberStyle, Session, ViewLayout, Workspace};
+use crate::model::{Hovered, NumberStyle, Session, Shown, ViewLayout, Workspace};
 use crate::ui::action::{
     Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
@@ -106,11 +106,11 @@ impl App {
 
     pub(super) fn page(&self) -> Page {
         let session = &self.scene.session;
-        let layout = session.settings.layout;
+        let layout = session.shown.setup.layout;
         // While a question waits for the class's answer, the views take the space of the derivation or the
         // graph.
         let derives = layout.workspace() == Some(Workspace::Derivation);
-        let asks = session.is_asking && (derives || layout == ViewLayout::Plot);
+        let asks = session.shown.is_asking && (derives || layout == ViewLayout::Plot);
         page(if asks { ViewLayout::Both } else { layout })
     }
 
@@ -231,13 +231,13 @@ impl App {
         let session = &self.scene.session;
         // The panels above do not show the values that an animation changes, so they need not be drawn
         // again.
-        start.session.ray_point_t = session.ray_point_t;
+        start.session.shown.ray_point_t = session.shown.ray_point_t;
         start.session.scanned_pixels = session.scanned_pixels;
         // On a phone the panel is below, and what is not about the scene has all the space.
         let is_narrow = ui.available_width() < LEAST_WIDTH;
-        let is_scene = session.settings.layout.workspace() == Some(Workspace::Scene);
+        let is_scene = session.shown.setup.layout.workspace() == Some(Workspace::Scene);
         let is_alone = is_narrow && (self.scene.has_stage() || !is_scene);
-        let hidden = presenting || is_alone || session.settings.hides_panel;
+        let hidden = presenting || is_alone || session.preferences.hides_panel;
         if !hidden && self.page().has_panel {
             let panel = match is_narrow {
                 true => Panel::bottom("panel below").default_size(0.3 * ui.available_height()),
@@ -264,24 +264,28 @@ impl App {
         let scene = &mut self.scene;
         let document = &mut scene.open.document;
         ui.add_space(4.0);
-        let settings = &mut scene.session.settings;
         let before = document.camera;
-        camera::ui(ui, &mut document.camera, settings);
+        camera::ui(ui, &mut document.camera, &mut scene.session);
         scene.session.follow_camera(&before, &document.camera);
-        let (selected, settings) = (&mut scene.session.selection, &mut scene.session.settings);
+        let Session { shown, preferences: settings, .. } = &mut scene.session;
         ui.separator();
         let resolved = document.camera.resolve().ok();
         // The ray's numbers may be the answer to the question.
-        if !scene.session.is_asking {
-            let uv = resolved.as_ref().map(|resolved| selected.uv(resolved));
-            let uv = uv.map(|uv| NumberStyle::new(settings).uv(uv));
+        if !shown.is_asking {
+            let uv = resolved.as_ref().map(|resolved| shown.selection.uv(resolved));
+            let uv = uv.map(|uv| NumberStyle::new(&shown.setup).uv(uv));
             section(
                 ui,
                 "Selected ray",
                 &uv.unwrap_or_default(),
                 &mut settings.unfolded.ray,
                 |ui| {
-                    camera::selected_ray(ui, selected, resolved.as_ref(), settings.count_from_one);
+                    camera::selected_ray(
+                        ui,
+                        &mut shown.selection,
+                        resolved.as_ref(),
+                        shown.setup.count_from_one,
+                    );
                 },
             );
             ui.separator();
@@ -310,13 +314,13 @@ impl App {
     /// Returns the stage of the open vote or of the lesson's step; `None` without either.
     fn stage(&self, ui: &Ui) -> Option<Stage> {
         let whole = ui.available_rect_before_wrap();
-        let Session { presenting, settings, .. } = &self.scene.session;
+        let Session { shown, presenting, .. } = &self.scene.session;
         let is_flat = self.scene.session.shows_exercise() && self.question.is_none();
-        let is_swapped = presenting.is_some_and(|now| now.is_swapped(settings.layout));
+        let is_swapped = presenting.is_some_and(|now| now.is_swapped(shown.setup.layout));
         let stage = || {
-            let stage = Stage::new(whole, settings.layout, self.band(whole));
+            let stage = Stage::new(whole, shown.setup.layout, self.band(whole));
             // A question in two dimensions has no camera.
-            let layout = if is_flat { ViewLayout::Lines } else { settings.layout };
+            let layout = if is_flat { ViewLayout::Lines } else { shown.setup.layout };
             Stage { is_swapped, layout, ..stage }
         };
         self.scene.has_stage().then(stage)
@@ -324,10 +328,10 @@ impl App {
 
     /// Returns the height of the numbers at the foot of the main figure.
     fn band(&self, whole: Rect) -> f32 {
-        let Session { presenting, settings, .. } = &self.scene.session;
+        let Session { shown, presenting, preferences: settings, .. } = &self.scene.session;
         let has_room = whole.width() > readouts::LEAST;
         match (presenting, settings.unfolded.numbers) {
-            _ if settings.layout == ViewLayout::Exercises => 0.0,
+            _ if shown.setup.layout == ViewLayout::Exercises => 0.0,
             (None, true) if has_room => settings.splits.get(Split::Readouts),
             _ if settings.presents_numbers => readouts::BAND,
             _ => 0.0,
@@ -346,8 +350,8 @@ impl App {
             return ViewRects::new(areas, image, per_point, true);
         }
         let whole = stage.map_or(whole, |stage| stage.main);
-        let has_all_numbers = !presenting && session.settings.unfolded.numbers;
-        let splits = &mut session.settings.splits;
+        let has_all_numbers = !presenting && session.preferences.unfolded.numbers;
+        let splits = &mut session.preferences.splits;
         let areas = areas(&mut Divider { ui, whole, splits, image, band, has_all_numbers });
         ViewRects::new(areas, image, per_point, presenting)
     }
@@ -358,7 +362,7 @@ impl App {
         // If keys or a lesson's step change the selection while the pointer rests, the selected ray is shown
         // rather than the ray under the pointer.
         let (pointer, selection) =
-            (ui.input(|i| i.pointer.latest_pos()), self.scene.session.selection);
+            (ui.input(|i| i.pointer.latest_pos()), self.scene.session.shown.selection);
         if self.views.seen_selection.replace(selection) != Some(selection) {
             self.views.rested_at = pointer;
         }
@@ -372,7 +376,7 @@ impl App {
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;
         if !self.over.covers() {
-            let is_asking = scene.session.is_asking;
+            let is_asking = scene.session.shown.is_asking;
             let second = page.second.map_or("", |second| second_picture::name(second, is_asking));
             views::inputs(ui, rects, second, &mut scene.session, shown);
             let is_free = scene.session.handles.over.is_none();
@@ -394,7 +398,7 @@ impl App {
             stage.show_ground(ui);
         }
         self.show_views(ui, rects, stage.is_some());
-        let style = NumberStyle::new(&self.scene.session.settings);
+        let style = NumberStyle::new(&self.scene.session.shown.setup);
         let is_changed = self.scene.differs_from_step();
         // Practice has its own exercise, which is not the step's.
         let is_practice =
@@ -440,7 +444,7 @@ impl OpenScene {
         let (before, now) = (&start.document, &self.open.document);
         // These fields are set before the views are derived, and only the views show them.
         let session = Session {
-            observer: self.session.observer,
+            shown: Shown { observer: self.session.shown.observer, ..start.session.shown },
             pointed_ray: self.session.pointed_ray,
             hovered: self.session.hovered,
             alt_dims: self.session.alt_dims,

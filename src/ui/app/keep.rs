@@ -28,7 +28,7 @@ impl App {
         if self.question.is_some() {
             return Some(Dialog::message("This view was not kept", OF_EXERCISE));
         }
-        self.scene.open.document.observer = Some(self.scene.session.observer?.stored());
+        self.scene.open.document.observer = Some(self.scene.session.shown.observer?.stored());
         self.say("The scene opens with this view once it is saved".to_owned(), Vec::new());
         None
     }
@@ -47,7 +47,8 @@ impl App {
     pub(super) fn save_step(&mut self, path: &Path) -> Option<Dialog> {
         let lesson = self.write_step(path);
         let count = lesson.as_ref().map_or(0, |lesson| lesson.steps.len());
-        let ghost = if self.scene.session.ghost.is_some() { ", without the ghost," } else { "" };
+        let ghost =
+            if self.scene.session.shown.ghost.is_some() { ", without the ghost," } else { "" };
         let verb = format!("Saved step {count}{ghost} to");
         let written = lesson.map(|lesson| {
             self.scene.lessons.is_longer(lesson);

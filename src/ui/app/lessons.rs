@@ -11,7 +11,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
-use crate::model::{Observer, Session, Settings, ViewLayout, Workspace};
+use crate::model::{Observer, Session, Setup, Shown, ViewLayout, Workspace};
 use crate::ui::dialogs::Question;
 use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
@@ -56,12 +56,9 @@ impl Lessons {
         Some(OpenStep { open, file, is_changed })
     }
 
-    /// Returns the settings without the changes made by lessons.
-    pub(super) fn settings_without(&self, mut settings: Settings) -> Settings {
-        if let Some(before) = &self.before {
-            apply::restore_settings(&before.settings, &mut settings);
-        }
-        settings
+    /// Returns how documents are shown without a lesson; `now` is how they are shown now.
+    pub(super) fn setup_without(&self, now: Setup) -> Setup {
+        self.before.as_ref().map_or(now, |before| before.shown.setup)
     }
 
     /// Returns the numbers of the open lesson and its step, counted from 1, if the lesson is built in.
@@ -89,23 +86,23 @@ impl OpenScene {
         let document = with_table(&next.step().document, &self.open.document)
             .map_err(|error| Question::message("This step cannot be shown", error))?;
         self.lessons.file = file;
-        self.session.revealed_lines = self.lines_to_begin_with(next.step());
+        self.lessons.before.get_or_insert_with(|| self.session.clone());
+        self.session.shown.revealed_lines = self.lines_to_begin_with(next.step());
         let lessons = &mut self.lessons;
         let is_step = matches!(self.open.origin(), Origin::Step(_));
         let same_scene =
             is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
         if !same_scene {
-            self.session.observer = None;
+            self.session.shown.observer = None;
             self.chosen_object = None;
         }
-        lessons.before.get_or_insert_with(|| self.session.clone());
         if let Some(scene) = argument_of(self.open.origin()) {
             lessons.scene_before = Some(scene);
         }
         let title = format!("{}, step {}", next.short_title(), id.step + 1);
         self.open = OpenDocument::of_step(document, title);
         apply::apply(next.step(), None, &mut self.session);
-        lessons.seen_from = self.session.observer;
+        lessons.seen_from = self.session.shown.observer;
         if next.step().view.observer.is_some() {
             self.framed = None;
         }
@@ -122,18 +119,18 @@ impl OpenScene {
     /// question is open, shows the next line of the derivation while presenting. Returns false if everything
     /// was already shown.
     pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
-        let is_asking = self.session.is_asking;
+        let is_asking = self.session.shown.is_asking;
         if is_asking {
             self.answer();
         }
         let session = &mut self.session;
-        let shown = session.revealed_lines.zip(derivation);
+        let shown = session.shown.revealed_lines.zip(derivation);
         let Some((count, derivation)) = shown else { return is_asking };
-        let all = derivation.lines_through(session.highlighted);
+        let all = derivation.lines_through(session.shown.highlighted);
         let is_left = count < all;
         if is_left {
             let next = derivation.lines_after(count, all);
-            session.revealed_lines = Some(if is_asking { all } else { next });
+            session.shown.revealed_lines = Some(if is_asking { all } else { next });
         }
         is_asking || is_left
     }
@@ -144,21 +141,25 @@ impl OpenScene {
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let session = &self.session;
         session.presenting?;
-        let layout = step.view.layout.unwrap_or(session.settings.layout);
+        let layout = step.view.layout.unwrap_or(session.shown.setup.layout);
         if layout.workspace() != Some(Workspace::Derivation) {
             return None;
         }
         let is_same = self.open.document == step.document
-            && session.selection == step.selection
-            && step.view.derivation.is_none_or(|sections| sections == session.sections);
-        let was_derived = session.settings.layout.workspace() == Some(Workspace::Derivation);
-        if is_same && was_derived && !session.is_asking { session.revealed_lines } else { Some(0) }
+            && session.shown.selection == step.selection
+            && step.view.derivation.is_none_or(|sections| sections == session.shown.sections);
+        let was_derived = session.shown.setup.layout.workspace() == Some(Workspace::Derivation);
+        if is_same && was_derived && !session.shown.is_asking {
+            session.shown.revealed_lines
+        } else {
+            Some(0)
+        }
     }
 
     /// Shows the step's answer and all lines of its derivation.
     pub(super) fn show_all(&mut self) {
         self.answer();
-        self.session.revealed_lines = None;
+        self.session.shown.revealed_lines = None;
     }
 
     /// Shows the answer to the step's question.
@@ -172,28 +173,34 @@ impl OpenScene {
     pub(super) fn back_to_step(&mut self) -> Result<Opened, Question> {
         let open = self.lessons.open.clone().filter(|_| self.differs_from_step());
         let Some(open) = open else { return Ok(Opened::default()) };
-        let (seen_from, is_asking) = (self.lessons.seen_from, self.session.is_asking);
-        let revealed_lines = self.session.revealed_lines;
+        let (seen_from, is_asking) = (self.lessons.seen_from, self.session.shown.is_asking);
+        let revealed_lines = self.session.shown.revealed_lines;
         let opened = self.open_lesson(open.id(), None)?;
         apply::clear_answers(open.step(), &mut self.session);
-        self.session.revealed_lines = revealed_lines;
+        self.session.shown.revealed_lines = revealed_lines;
         if !is_asking {
             self.answer();
         }
         // The step's own observer is fitted again the next time the world view is shown.
         let observer = open.step().view.observer.or(seen_from);
-        (self.session.observer, self.lessons.seen_from) = (observer, observer);
+        (self.session.shown.observer, self.lessons.seen_from) = (observer, observer);
         Ok(opened)
     }
 
     /// Closes the lesson; its scene stays open as an ordinary scene. An observer that the user has moved
     /// stays; otherwise the observer is fitted to the layout from before the lesson.
     pub(super) fn close_lesson(&mut self) {
-        if self.lessons.open.take().is_some() && self.session.observer == self.lessons.seen_from {
-            self.session.observer = None;
+        if self.lessons.open.take().is_some()
+            && self.session.shown.observer == self.lessons.seen_from
+        {
+            self.session.shown.observer = None;
         }
         if let Some(before) = self.lessons.before.take() {
-            apply::restore(&before, &mut self.session);
+            let Shown { selection, observer, .. } = self.session.shown;
+            self.session.shown = Shown { selection, observer, ..before.shown };
+            // The answers typed in a step's exercise are kept.
+            let exercises = &before.exercises;
+            self.session.exercises.show(exercises.question().exercise, exercises.seed());
         }
         let before = self.lessons.scene_before.iter();
         let before = before.filter_map(|path| SceneSource::from_argument(path).ok());
@@ -210,7 +217,7 @@ impl OpenScene {
 
     /// Returns true if a lesson's step, a vote or an exercise fills the window.
     pub(super) fn has_stage(&self) -> bool {
-        let is_exercise = self.session.settings.layout == ViewLayout::Exercises;
+        let is_exercise = self.session.shown.setup.layout == ViewLayout::Exercises;
         self.lessons.open.is_some() || self.session.shows_vote() || is_exercise
     }
 }

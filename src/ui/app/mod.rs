@@ -34,7 +34,7 @@ use self::scene::OpenScene;
 use self::views::Views;
 use self::window::{AppWindow, FileWatch};
 use crate::model::recovery::{Slot, Unsaved};
-use crate::model::session::{Session, Settings, ZOOM};
+use crate::model::session::{Session, Settings, Shown, ZOOM};
 use crate::model::{Lesson, OpenDocument, OpenLesson, Player, Remembered, StepId, Store};
 use crate::ui::action::{Action, FileAction, LookAction};
 use crate::ui::dialogs::{Dialog, FileAnswer, FileRequest};
@@ -78,9 +78,11 @@ impl App {
         if let Some(path) = open.file().map(Path::to_owned) {
             window.remember(&path);
         }
+        let Settings { setup, preferences } = remembered.settings.in_range();
+        let selection = remembered.selection.unwrap_or_default();
         let session = Session {
-            selection: remembered.selection.unwrap_or_default(),
-            settings: remembered.settings.in_range(),
+            shown: Shown { selection, setup, ..Shown::default() },
+            preferences,
             progress: remembered.progress,
             ..Session::default()
         };
@@ -117,7 +119,7 @@ impl App {
             options.fallback_theme = egui::Theme::Light;
             // If the zoom were set later, it would take effect in the first pass and change the size of the
             // screen.
-            options.zoom_factor = settings.zoom.clamp(ZOOM.0, ZOOM.1);
+            options.zoom_factor = settings.preferences.zoom.clamp(ZOOM.0, ZOOM.1);
         });
         theme::install(ctx, Look::new(settings, false));
     }

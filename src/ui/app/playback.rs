@@ -49,7 +49,7 @@ impl App {
         player.start.camera.image = camera.image;
         player.start.camera.viewport = camera.viewport;
         player.start.end = ray_point_end(self.views.derived.inspection.as_deref());
-        player.reduced = self.scene.session.settings.reduced_motion;
+        player.reduced = self.scene.session.preferences.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
         Panel::bottom("play").show(ui, |ui| play::ui(ui, player));
         if player.running {
@@ -91,10 +91,10 @@ impl App {
         let start = Start::new(&scene.open.document, &scene.session, inspection, traced);
         let mut player = Player::new(kind, start);
         let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().view.play);
-        if let Some(before) = scene.session.observer.filter(|_| of_step != Some(kind)) {
+        if let Some(before) = scene.session.shown.observer.filter(|_| of_step != Some(kind)) {
             let aspect = self.views.world_size().aspect();
             let after = before.following(&start.camera, &start.cameras(kind), aspect);
-            scene.session.observer = Some(after);
+            scene.session.shown.observer = Some(after);
             player.stepped_back = (after != before).then_some([before, after]);
         }
         self.playback.player = Some(player);
@@ -105,7 +105,7 @@ impl App {
         let Some(mut player) = self.playback.player.take() else { return };
         self.scene.open.before_animation = None;
         // The observer stays if the user has moved it since.
-        let observer: &mut Option<Observer> = &mut self.scene.session.observer;
+        let observer: &mut Option<Observer> = &mut self.scene.session.shown.observer;
         *observer = match player.stepped_back {
             Some([before, after]) if *observer == Some(after) => Some(before),
             _ => *observer,

@@ -4,7 +4,7 @@ use pinhole_core::Selection;
 
 use super::scene::OpenScene;
 use crate::model::lessons::StepView;
-use crate::model::{Formulas, OpenDocument, OpenLesson, Session, Settings, ViewLayout};
+use crate::model::{Formulas, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
 pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
@@ -26,7 +26,7 @@ impl OpenScene {
     /// Returns the scene of the exercise on the stage, as seen in `before`, the last frame's; `None` if there is
     /// no exercise on the stage, or if it has no camera.
     pub(super) fn question(&self, before: Option<OpenScene>) -> Option<OpenScene> {
-        let Session { exercises, settings, .. } = &self.session;
+        let Session { shown: Shown { setup, .. }, exercises, preferences, .. } = &self.session;
         if !self.session.shows_exercise() {
             return None;
         }
@@ -43,29 +43,34 @@ impl OpenScene {
         let mut scene = before.filter(is_same).unwrap_or_else(|| {
             let open = OpenDocument::made_up(document.clone(), String::new());
             let observer = step.as_ref().and_then(|open| open.step().view.observer);
-            let mut scene = OpenScene::new(open, Session { observer, ..Session::default() });
+            let mut scene = OpenScene::new(open, Session::default());
+            scene.session.shown.observer = observer;
             scene.lessons.open = step.clone();
             scene
         });
-        let Session { observer, hovered, .. } = scene.session;
+        let Session { shown: Shown { observer, .. }, hovered, .. } = scene.session;
         let concepts = exercises.concepts().into_iter().map(|(_, concept)| concept);
         scene.session = Session {
-            selection: match question.pixel() {
-                Some((pixel, _)) => Selection::Pixel(pixel),
-                None => question.uv().map_or(Selection::default(), Selection::Uv),
+            shown: Shown {
+                selection: match question.pixel() {
+                    Some((pixel, _)) => Selection::Pixel(pixel),
+                    None => question.uv().map_or(Selection::default(), Selection::Uv),
+                },
+                observer,
+                formulas: Some(Formulas::Solution(concepts.collect())),
+                setup: Setup {
+                    items: exercises.items(setup.items),
+                    count_from_one: question.pixel().is_some_and(|(_, from_one)| from_one),
+                    ..*setup
+                },
+                // As in a lesson's step, everything that is drawn has its label.
+                spoken: Some(Vec::new()),
+                ..Shown::default()
             },
-            observer,
             hovered,
             presenting: self.session.presenting,
-            formulas: Some(Formulas::Solution(concepts.collect())),
-            settings: Settings {
-                items: exercises.items(settings.items),
-                count_from_one: question.pixel().is_some_and(|(_, from_one)| from_one),
-                ..*settings
-            },
+            preferences: *preferences,
             exercises: exercises.clone(),
-            // As in a lesson's step, everything that is drawn has its label.
-            spoken: Some(Vec::new()),
             ..Session::default()
         };
         Some(scene)

@@ -17,8 +17,8 @@ use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{
-    Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, Settings,
-    ViewLayout, ViewSize,
+    Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, ViewLayout,
+    ViewSize,
 };
 use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
@@ -60,9 +60,9 @@ pub(super) struct Opened {
 }
 
 impl OpenScene {
-    pub(super) fn new(open: OpenDocument, session: Session) -> OpenScene {
+    pub(super) fn new(open: OpenDocument, mut session: Session) -> OpenScene {
         let stored = open.document.observer.map(Observer::from);
-        let session = Session { observer: session.observer.or(stored), ..session };
+        session.shown.observer = session.shown.observer.or(stored);
         OpenScene { open, session, lessons: Lessons::default(), chosen_object: None, framed: None }
     }
 
@@ -93,9 +93,9 @@ impl OpenScene {
     pub(super) fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
         self.close_lesson();
         self.open = open;
-        self.session.observer = self.open.document.observer.map(Observer::from);
-        self.session.ghost = None;
-        self.session.selection = selection;
+        self.session.shown.observer = self.open.document.observer.map(Observer::from);
+        self.session.shown.ghost = None;
+        self.session.shown.selection = selection;
         self.chosen_object = None;
         Opened { is_another: true, play: None }
     }
@@ -110,7 +110,7 @@ impl OpenScene {
     /// yet. An observer that the user has not moved is fitted again in two cases: when the size changes, and
     /// when *eye* or *at* leaves its sight while nothing is dragged or played.
     pub(super) fn frame(&mut self, size: ViewSize, is_at_rest: bool) {
-        let shown = self.session.observer;
+        let shown = self.session.shown.observer;
         let own = self.framed.filter(|framed| shown == Some(framed.observer));
         let lost = is_at_rest && own.is_some_and(|framed| self.is_lost_to(&framed));
         if own.is_some_and(|framed| framed.size == size) && !lost {
@@ -136,14 +136,14 @@ impl OpenScene {
         // Overlay items that are switched on or off later must not move the observer.
         let mut items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session),
-            None => self.session.settings.items,
+            None => self.session.shown.setup.items,
         };
         if self.session.shows_exercise() {
             // The solution has them, and must not move the observer.
             [Item::Basis, Item::Ray, Item::Hit].into_iter().for_each(|item| items.set(item, true));
         }
         // A highlighted cross product is drawn with its area.
-        match self.session.highlighted {
+        match self.session.shown.highlighted {
             Some(Concept::UpCrossW) => items.set(Item::UpCrossW, true),
             Some(Concept::WCrossU) => items.set(Item::WCrossU, true),
             _ => {}
@@ -157,7 +157,7 @@ impl OpenScene {
             (None, None) => Observer::frame_all(camera, &scene(), size),
         };
         self.framed = Some(Framed { observer, size, camera: *camera, named });
-        self.session.observer = Some(observer);
+        self.session.shown.observer = Some(observer);
         self.lessons.framed(shown, observer);
     }
 
@@ -169,14 +169,14 @@ impl OpenScene {
             let wrong = WrongCamera::new(camera, Mistake::WAsPrinted).ok();
             let is_asked = session.exercises.asks(Asked::W);
             wrong.filter(|_| is_asked).as_ref().map(GhostCamera::of_answer)
-        } else if session.settings.layout == ViewLayout::Mistakes {
-            let wrong = WrongCamera::new(camera, session.mistakes_view.shown()).ok();
+        } else if session.shown.setup.layout == ViewLayout::Mistakes {
+            let wrong = WrongCamera::new(camera, session.shown.mistakes_view.shown()).ok();
             wrong.as_ref().map(GhostCamera::of_mistake)
         } else {
-            let ghost = session.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
+            let ghost = session.shown.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
             ghost.as_ref().map(GhostCamera::frozen)
         };
-        let ray = (session.shown_selection(), session.ray_point_t);
+        let ray = (session.shown_selection(), session.shown.ray_point_t);
         drawn(camera, scene, items, ray, ghost.as_ref())
     }
 
@@ -190,7 +190,7 @@ impl OpenScene {
     /// Moves the observer of a world view of this size.
     pub(super) fn observe(&mut self, observe: Observe, size: ViewSize) {
         let camera = &self.open.document.camera;
-        let Some(observer) = &mut self.session.observer else { return };
+        let Some(observer) = &mut self.session.shown.observer else { return };
         let everything =
             self.framed.map_or(observer.distance(), |framed| framed.observer.distance());
         let viewport = camera.viewport.width.max(camera.viewport.height);
@@ -220,7 +220,7 @@ impl OpenScene {
             Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere, size),
             Observe::FrameCamera => *observer = observer.framing_camera(camera, size),
             // The next pass frames the whole scene, because it knows the view's aspect.
-            Observe::FrameAll => self.session.observer = None,
+            Observe::FrameAll => self.session.shown.observer = None,
         }
     }
 
@@ -250,13 +250,13 @@ impl OpenScene {
     /// Replaces the camera. The selected pixel keeps its position in the image.
     pub(super) fn replace_camera(&mut self, camera: Camera) {
         let before = std::mem::replace(&mut self.open.document.camera, camera);
-        let selection = self.session.selection;
-        self.session.selection = selection.in_another_image(before.image, camera.image);
+        let selection = self.session.shown.selection;
+        self.session.shown.selection = selection.in_another_image(before.image, camera.image);
     }
 
     /// Freezes the camera as the ghost, with which it is then compared, or removes the ghost.
     pub(super) fn change_ghost(&mut self, action: GhostAction) {
-        let (camera, ghost) = (self.open.document.camera, &mut self.session.ghost);
+        let (camera, ghost) = (self.open.document.camera, &mut self.session.shown.ghost);
         match action {
             GhostAction::Freeze => {
                 let shows_differences = ghost.is_some_and(|known| known.shows_differences);
@@ -265,7 +265,7 @@ impl OpenScene {
             GhostAction::Drop => {
                 *ghost = None;
                 // Without a ghost, half of the comparison would be empty.
-                let layout = &mut self.session.settings.layout;
+                let layout = &mut self.session.shown.setup.layout;
                 if *layout == ViewLayout::Compare {
                     *layout = ViewLayout::Both;
                 }
@@ -276,8 +276,8 @@ impl OpenScene {
     /// Moves the selection by whole pixels.
     pub(super) fn step_selection(&mut self, rows: i64, columns: i64) {
         if let Ok(resolved) = self.open.document.camera.resolve() {
-            let selection = self.session.selection.inside(resolved.image());
-            self.session.selection = selection.stepped(&resolved, rows, columns);
+            let selection = self.session.shown.selection.inside(resolved.image());
+            self.session.shown.selection = selection.stepped(&resolved, rows, columns);
         }
     }
 
@@ -289,33 +289,20 @@ impl OpenScene {
         // Editing a ray under the pointer selects it.
         let mut selection = session.shown_selection().inside(before.image);
         let shown = selection;
-        let from_one = session.settings.count_from_one;
+        let from_one = session.shown.setup.count_from_one;
         given::set(given, value, document, &mut selection, from_one);
         if selection != shown {
-            session.selection = selection;
+            session.shown.selection = selection;
         }
-        camera::keep(ctx, &before, &mut document.camera, &session.settings);
+        camera::keep(ctx, &before, &mut document.camera, &session.settings());
         session.follow_camera(&before, &document.camera);
     }
 
-    /// Returns to a scene or lesson step that was open before, with its view. Settings of the window itself,
-    /// such as the theme, stay.
+    /// Returns to a scene or lesson step that was open before, with what was shown of it. All else,
+    /// such as the theme, stays.
     pub(super) fn go_back(&mut self, to: OpenScene) {
-        let now = &self.session.settings;
-        let settings = Settings {
-            theme: now.theme,
-            scheme: now.scheme,
-            reduced_motion: now.reduced_motion,
-            smallest_text: now.smallest_text,
-            presents_numbers: now.presents_numbers,
-            zoom: now.zoom,
-            ..to.session.settings
-        };
-        let now = &mut self.session;
-        let (presenting, pen) = (now.presenting, now.pen.take());
-        let progress = std::mem::take(&mut now.progress);
-        let handles = HandleState::default();
-        let session = Session { settings, presenting, pen, progress, handles, ..to.session };
-        *self = OpenScene { session, ..to };
+        let Session { shown, exercises, .. } = to.session;
+        let (now, handles) = (std::mem::take(&mut self.session), HandleState::default());
+        *self = OpenScene { session: Session { shown, exercises, handles, ..now }, ..to };
     }
 }

@@ -30,11 +30,11 @@ impl OpenScene {
                 self.replace(open, Default::default())
             }
         };
-        self.session.selection = link.ray.unwrap_or(self.session.selection);
+        self.session.shown.selection = link.ray.unwrap_or(self.session.shown.selection);
         // A scene is shown in both views, a step as it says.
         let is_scene = self.lessons.open.is_none();
         if let Some(layout) = layout.or(is_scene.then_some(ViewLayout::Both)) {
-            self.session.settings.layout = layout;
+            self.session.shown.setup.layout = layout;
         }
         Ok(opened)
     }

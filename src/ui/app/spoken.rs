@@ -31,7 +31,7 @@ impl App {
         SpokenAbout {
             // An object's name changes without the ray.
             words: self.words().join("\n") + &self.hit(),
-            settings: self.scene.session.settings,
+            settings: self.scene.session.settings(),
             fault: derived.fault,
             inspection: derived.inspection.clone(),
         }
@@ -43,7 +43,9 @@ impl App {
     pub fn spoken(&self) -> String {
         let session = &self.scene.session;
         let mut lines = self.words();
-        if !session.is_asking && session.settings.layout.workspace() != Some(Workspace::Practice) {
+        if !session.shown.is_asking
+            && session.shown.setup.layout.workspace() != Some(Workspace::Practice)
+        {
             self.numbers(&mut lines);
         }
         lines.join("\n")
@@ -61,14 +63,14 @@ impl App {
         if let Some(step) = self.lesson().map(|lesson| lesson.step()) {
             lines.push(without_marks(&step.text));
             if let Some(question) = &step.question {
-                let said = if session.is_asking { &question.ask } else { &question.answer };
+                let said = if session.shown.is_asking { &question.ask } else { &question.answer };
                 lines.push(without_marks(said));
             }
         }
-        if !session.is_asking {
-            match session.settings.layout {
+        if !session.shown.is_asking {
+            match session.shown.setup.layout {
                 ViewLayout::Exercises => exercise(&session.exercises, &mut lines),
-                ViewLayout::Mistakes => self.mistake(&session.mistakes_view, &mut lines),
+                ViewLayout::Mistakes => self.mistake(&session.shown.mistakes_view, &mut lines),
                 ViewLayout::Answers => lines.push(answers::spoken(&self.views.derived, session)),
                 ViewLayout::Class => lines.extend(class::spoken(&session.class.answers)),
                 _ => {}
@@ -79,14 +81,14 @@ impl App {
 
     /// Returns what the selected ray hits.
     pub(super) fn hit(&self) -> String {
-        let style = NumberStyle::new(&self.scene.session.settings);
+        let style = NumberStyle::new(&self.scene.session.shown.setup);
         views::spoken(&self.views.derived, &self.scene.open.document, style)
     }
 
     /// Tells the numbers of the selected ray and of its camera.
     fn numbers(&self, lines: &mut Vec<String>) {
         let derived = &self.views.derived;
-        let style = NumberStyle::new(&self.scene.session.settings);
+        let style = NumberStyle::new(&self.scene.session.shown.setup);
         lines.push(self.hit());
         let line = |reading: &Reading| {
             format!("{} {}", without_marks(reading.long_name), style.equated_value(&reading.value))

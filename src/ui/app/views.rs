@@ -10,7 +10,7 @@ use super::glide::Glide;
 use super::question::in_views;
 use crate::model::practice::answer_marks;
 use crate::model::symbols::typeset_message;
-use crate::model::{Fault, Session, ViewSize};
+use crate::model::{Fault, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, gizmo, views};
 use crate::ui::widgets::ViewTexture;
@@ -70,10 +70,10 @@ impl App {
         let stopwatch = Stopwatch::start();
         let watch = |work| stopwatch.record(work);
         let (document, session) = (&scene.open.document, &scene.session);
-        let (step, is_still) = (self.scene.lessons.open.as_ref(), session.settings.reduced_motion);
-        let observer = views.glide.follow(ctx, step, session.observer, is_still);
-        let gliding =
-            (observer != session.observer).then(|| Session { observer, ..session.clone() });
+        let (step, is_still) =
+            (self.scene.lessons.open.as_ref(), session.preferences.reduced_motion);
+        let observer = views.glide.follow(ctx, step, session.shown.observer, is_still);
+        let gliding = (observer != session.shown.observer).then(|| session.seen_from(observer));
         let session = gliding.as_ref().unwrap_or(session);
         views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);
         let times = stopwatch.stop();
@@ -92,7 +92,7 @@ impl App {
 
     /// Returns what the views tell a screen reader.
     fn spoken_in_views(&self) -> String {
-        match (&self.question, self.scene.session.is_asking) {
+        match (&self.question, self.scene.session.shown.is_asking) {
             (Some(asked), _) => {
                 let marks = answer_marks::spoken(&self.views.derived.answer_marks);
                 let has_ghost = asked.session.exercises.ghost().is_some();
@@ -137,7 +137,7 @@ impl App {
         }
         if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;
-            views::strips(ui, rects, &scene.session.settings, image);
+            views::strips(ui, rects, &scene.session, image);
             if let (Some(area), Some(frame)) =
                 (rects.world.and_then(|world| gizmo::area(ui, world)), &derived.world_frame)
             {
@@ -147,7 +147,7 @@ impl App {
         let (document, session) = (&scene.open.document, &scene.session);
         // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
-        if session.handles.over.is_none() && !is_steered && !session.is_asking {
+        if session.handles.over.is_none() && !is_steered && !session.shown.is_asking {
             views::show_pointed(ui, session, derived, document);
         }
         if let (Some(rect), Some(fault)) = (picture, derived.fault) {

@@ -113,7 +113,7 @@ impl AppWindow {
             settings: settings_to_remember(scene),
             progress: scene.session.progress.clone(),
             window: self.geometry,
-            selection: argument.is_some().then_some(scene.session.selection),
+            selection: argument.is_some().then_some(scene.session.shown.selection),
             recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             renderer: self.renderer.clone(),
             address: self.address.clone(),
@@ -151,11 +151,11 @@ impl AppWindow {
 
 /// Returns the settings without the changes that lessons and presenter mode made.
 fn settings_to_remember(scene: &OpenScene) -> Settings {
-    let mut settings = scene.session.settings;
+    let Settings { mut setup, preferences } = scene.session.settings();
     if let Some(presenting) = &scene.session.presenting {
-        settings.layout = presenting.before(settings.layout);
+        setup.layout = presenting.before(setup.layout);
     }
-    scene.lessons.settings_without(settings)
+    Settings { setup: scene.lessons.setup_without(setup), preferences }
 }
 
 /// Writes a message to standard error. Ignores a failure, because there is nowhere to report it.

@@ -11,7 +11,7 @@ use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
 use crate::model::NumberStyle;
-use crate::model::session::Settings;
+use crate::model::session::{Preferences, Session, Settings};
 use crate::model::symbols::{SymbolKind, meaning, typeset_message};
 use crate::ui::widgets::{NumberField, ResponseExt as _, vector_color, vector_row};
 use crate::view::typesetting::theme::error_color;
@@ -22,33 +22,36 @@ const HEADING_DIGITS: usize = 3;
 /// Shows the fields that edit the camera. The setting `keep_pixel_shape` locks the aspect ratio of the
 /// pixels: the viewport's width / height, divided by the image's W / H. The setting `keep_picture` locks the
 /// ratios of the viewport's distance, width and height.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
-    let style = NumberStyle::new(settings).at_most(HEADING_DIGITS);
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, session: &mut Session) {
+    let style = NumberStyle::new(&session.shown.setup).at_most(HEADING_DIGITS);
     let eye = format!("eye {}", style.vector(camera.eye));
-    let mut unfolded = settings.unfolded.camera || camera.basis().is_err();
+    let mut unfolded = session.preferences.unfolded.camera || camera.basis().is_err();
     let header = section(ui, "Camera", &eye, &mut unfolded, |ui| {
         given_by(ui, camera);
         Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
-        teaching::ui(ui, camera, settings);
+        teaching::ui(ui, camera, session);
     });
     if unfolded {
         canonical(ui, header.rect, camera);
     }
-    settings.unfolded.camera = unfolded;
+    session.preferences.unfolded.camera = unfolded;
     ui.separator();
     let Viewport { width, height, distance } = camera.viewport;
     let [width, height, distance] = [width, height, distance].map(|x| style.number(x));
     let [columns, rows] = [camera.image.width(), camera.image.height()];
     let values = format!("{width} × {height} at {distance}, {columns} × {rows}");
-    let mut unfolded = settings.unfolded.viewport || camera.viewport.check().is_err();
+    let mut unfolded = session.preferences.unfolded.viewport || camera.viewport.check().is_err();
     section(ui, "Viewport and image", &values, &mut unfolded, |ui| {
-        Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
+        Grid::new("viewport")
+            .num_columns(4)
+            .show(ui, |ui| viewport(ui, camera, &session.settings()));
         let hint = "W and H change together, and so do width and height; 640 x 360 in the field of W or \
                     H sets both";
-        ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
+        ui.checkbox(&mut session.preferences.keep_pixel_shape, "Keep the pixels' shape")
+            .on_hover_text(hint);
         pixel_shape(ui, camera);
     });
-    settings.unfolded.viewport = unfolded;
+    session.preferences.unfolded.viewport = unfolded;
 }
 
 /// Shows the button for the canonical camera, at the right end of the section's heading.
@@ -152,7 +155,7 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     NumberField::new("height", &mut camera.viewport.height).show(ui);
     pixels(ui, "H", &mut columns_and_rows[1], &pair);
     let start = at_start_of_drag(ui, &before);
-    let is_of_image = resize(camera, &start, columns_and_rows, pair.get(), settings);
+    let is_of_image = resize(camera, &start, columns_and_rows, pair.get(), &settings.preferences);
     let before = if is_of_image { start } else { before };
     named(ui, "distance");
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
@@ -160,15 +163,15 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     keep(ui.ctx(), &before, camera, settings);
     // While the picture is locked, the field of view cannot be edited, because that would change the
     // picture.
-    field_of_view(ui, camera, !settings.keep_picture);
+    field_of_view(ui, camera, !settings.setup.keep_picture);
 }
 
 /// After an edit of the viewport or the image, restores the picture or the aspect ratio of the pixels,
 /// whichever the settings lock.
 pub(crate) fn keep(ctx: &Context, before: &Camera, camera: &mut Camera, settings: &Settings) {
-    if settings.keep_picture && camera.viewport != before.viewport {
+    if settings.setup.keep_picture && camera.viewport != before.viewport {
         teaching::keep_picture(ctx, before, camera);
-    } else if settings.keep_pixel_shape {
+    } else if settings.preferences.keep_pixel_shape {
         keep_pixels_shape(before, camera);
     }
 }
@@ -191,7 +194,7 @@ fn resize(
     start: &Camera,
     [columns, rows]: [u32; 2],
     pair: Option<[f64; 2]>,
-    settings: &Settings,
+    preferences: &Preferences,
 ) -> bool {
     let before = camera.image;
     let following = |edited: u32, was: u32, other: u32| {
@@ -201,7 +204,7 @@ fn resize(
     let (width, height) = (start.image.width(), start.image.height());
     let [columns, rows] = match pair {
         Some(pair) => pair.map(|count| count as u32),
-        None if !settings.keep_pixel_shape => [columns, rows],
+        None if !preferences.keep_pixel_shape => [columns, rows],
         None if columns != before.width() => [columns, following(columns, width, height)],
         None if rows != before.height() => [following(rows, height, width), rows],
         None => [columns, rows],

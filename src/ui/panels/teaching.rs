@@ -5,21 +5,21 @@ use egui::{CollapsingHeader, Context, Id, RichText, Slider, Ui};
 use pinhole_core::{Camera, UpAngle};
 use pinhole_lecture::numbers::written;
 
-use crate::model::session::Settings;
+use crate::model::Session;
 use crate::ui::widgets::{NumberField, ResponseExt as _};
 
 /// Shows the experiments, folded unless the settings say otherwise.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
-    let header = CollapsingHeader::new("Experiments").open(Some(settings.teaching));
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, session: &mut Session) {
+    let header = CollapsingHeader::new("Experiments").open(Some(session.shown.setup.teaching));
     let response = header.show(ui, |ui| {
         let text = "Keep the picture: scale distance, width and height together";
         let hint = "The picture stays: d is scaled, and t is divided by the same factor";
-        ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
+        ui.checkbox(&mut session.shown.setup.keep_picture, text).on_hover_text(hint);
         // A basis set by hand has no up.
         if camera.orientation.has_up() {
             let hint = "On: up stays fixed while eye or at is dragged, so the view can become parallel to it. \
                         Off: up turns with the camera when the view comes close to it";
-            ui.checkbox(&mut settings.keep_up, "Keep up").on_hover_text(hint);
+            ui.checkbox(&mut session.preferences.keep_up, "Keep up").on_hover_text(hint);
             tilt(ui, camera);
             if let Ok(UpAngle { conditioning, .. }) = camera.up_angle() {
                 sensitivity(ui, conditioning);
@@ -27,7 +27,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
         }
     });
     if response.header_response.clicked() {
-        settings.teaching = !settings.teaching;
+        session.shown.setup.teaching ^= true;
     }
 }
 

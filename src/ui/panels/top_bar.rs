@@ -92,7 +92,7 @@ const TITLE: f32 = 64.0;
 /// Shows the four workspaces side by side or, if they do not fit, in a menu. A lesson's stage has lines of the
 /// derivation beside its figure; there, the whole derivation replaces the figure, and the other way round.
 fn workspaces(ui: &mut Ui, there: Available<'_>) {
-    let layout = there.session.settings.layout;
+    let layout = there.session.shown.setup.layout;
     let open = layout.workspace();
     let width: f32 = Workspace::ALL.iter().map(|one| button_width(ui, one.label())).sum();
     let choices = |ui: &mut Ui| {
@@ -118,7 +118,7 @@ fn workspaces(ui: &mut Ui, there: Available<'_>) {
 /// Shows the pages of the open workspace or, while a tool is open, the tools. If they do not fit side by
 /// side, they are in a menu.
 fn pages(ui: &mut Ui, there: Available<'_>) {
-    let layout = there.session.settings.layout;
+    let layout = there.session.shown.setup.layout;
     let pages = match layout.workspace() {
         Some(Workspace::Scene) => return ghost(ui, there),
         Some(workspace) => workspace.pages(),
@@ -152,7 +152,7 @@ fn ghost(ui: &mut Ui, there: Available<'_>) {
     if ui.selectable_label(is_on, "Ghost").on_hover_text(hint).clicked() {
         let layout = if is_on { ViewLayout::Both } else { ViewLayout::Compare };
         request(ui.ctx(), LookAction::Layout(layout));
-        if !is_on && there.session.ghost.is_none() {
+        if !is_on && there.session.shown.ghost.is_none() {
             request(ui.ctx(), GhostAction::Freeze);
         }
     }
@@ -256,7 +256,7 @@ fn view_menu(ui: &mut Ui, there: Available<'_>) {
 fn numbers_menu(ui: &mut Ui, there: Available<'_>) {
     ui.horizontal(|ui| {
         ui.label("Significant digits");
-        let mut digits = there.session.settings.digits;
+        let mut digits = there.session.shown.setup.digits;
         let field = egui::DragValue::new(&mut digits).range(DIGITS.0..=DIGITS.1).speed(0.05);
         if ui.add(field).named("significant digits").changed() {
             request(ui.ctx(), LookAction::Digits(digits));

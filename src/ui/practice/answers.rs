@@ -101,7 +101,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));
             }
-            Some(Ok(graded)) => found(ui, graded, &mut session.selection),
+            Some(Ok(graded)) => found(ui, graded, &mut session.shown.selection),
         }
     });
 }

@@ -142,8 +142,8 @@ pub(crate) fn ui(
     session: &mut Session,
     gallery: &mut Gallery,
 ) {
-    let style = NumberStyle::new(&session.settings);
-    let mistakes_view = &mut session.mistakes_view;
+    let style = NumberStyle::new(&session.shown.setup);
+    let mistakes_view = &mut session.shown.mistakes_view;
     let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
     let inputs = inputs.map(|(resolved, scene)| (&document.camera, resolved, scene));
     if mistakes_view.wants_vote
@@ -156,7 +156,7 @@ pub(crate) fn ui(
         return vote::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs.is_some());
     }
     if derived.fault.is_none() {
-        gallery.step(ui, document, session.settings.shade);
+        gallery.step(ui, document, session.shown.setup.shade);
     }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();

@@ -72,7 +72,7 @@ const COUNT: f32 = 26.0;
 
 /// Applies a key of the open vote.
 pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
-    let view = &mut session.mistakes_view;
+    let view = &mut session.shown.mistakes_view;
     let Some(open) = &mut view.open_vote else { return };
     match action {
         VoteAction::Choose(option) => open.choose(option),

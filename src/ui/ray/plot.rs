@@ -32,13 +32,13 @@ pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    let t = (!session.is_asking).then_some(&mut session.ray_point_t);
+    let t = (!session.shown.is_asking).then_some(&mut session.shown.ray_point_t);
     draw(ui, area.shrink(2.0), plot, first, t);
 }
 
 /// Shows the plot, and the text on its right or, in a narrow area, below it.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
-    let (ray_point_t, digits) = (&mut session.ray_point_t, session.settings.digits);
+    let (ray_point_t, digits) = (&mut session.shown.ray_point_t, session.shown.setup.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));

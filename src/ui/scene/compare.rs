@@ -61,7 +61,7 @@ fn share_that_differs(against: &AgainstGhost) -> String {
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
-    let (ghost, style) = (session.ghost.as_ref(), NumberStyle::new(&session.settings));
+    let (ghost, style) = (session.shown.ghost.as_ref(), NumberStyle::new(&session.shown.setup));
     let is_stacked = ui.available_width() < STACKED;
     let size = TEXT[usize::from(is_stacked)];
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));

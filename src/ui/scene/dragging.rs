@@ -74,7 +74,7 @@ impl WorldArea<'_> {
     /// Returns all handles with their positions.
     pub(super) fn placed(&self, document: &Document, session: &Session) -> Vec<PlacedHandle> {
         let resolved = document.camera.resolve().ok();
-        let (selection, items) = (session.selection, session.settings.items);
+        let (selection, items) = (session.shown.selection, session.shown.setup.items);
         let WorldArea { observer, scale, .. } = *self;
         let resolved = resolved.as_ref();
         let inputs = HandleInputs { document, resolved, selection, items, observer, scale };
@@ -92,7 +92,7 @@ impl WorldArea<'_> {
         settings: &'a Settings,
     ) -> HandleDrag<'a> {
         let modifiers = ctx.input(|i| i.modifiers);
-        let keeps = settings.eye_keeps;
+        let keeps = settings.preferences.eye_keeps;
         let eye_keeps = if modifiers.alt { keeps.other() } else { keeps };
         let (observer, scale, snaps) = (self.observer, self.scale, modifiers.command);
         HandleDrag { handle, drag, observer, scale, settings, eye_keeps, snaps }
@@ -196,7 +196,7 @@ impl Dragging {
         let all = view.placed(document, session);
         if !ctx.input(|i| i.pointer.any_down()) {
             let pointer = response.hover_pos().filter(|_| response.hovered());
-            let t = session.ray_point_t;
+            let t = session.shown.ray_point_t;
             let found = pointer.and_then(|at| view.hit(&all, at, t, shown, HANDLE_REACH));
             let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
             let over = found.or_else(focused).map(|one| one.handle);
@@ -220,7 +220,7 @@ impl Dragging {
         let clicked_at = response.interact_pointer_pos().filter(|_| response.clicked());
         let Some(at) = pressed_at.or(clicked_at) else { return };
         let reach = if ctx.input(|i| i.any_touches()) { FINGER_REACH } else { HANDLE_REACH };
-        let t = session.ray_point_t;
+        let t = session.shown.ray_point_t;
         let Some(found) = view.hit(&all, at, t, shown, reach) else {
             let is_on_viewport = |at| {
                 let (camera, frame) = (shown.resolved.as_ref(), shown.world_frame.as_ref());
@@ -239,7 +239,7 @@ impl Dragging {
         }
         self.pressed_at = pressed_at;
         session.handles.over = Some(found.handle);
-        session.handles.drag = Some(found.taken(document, session.selection, view.uv(at)));
+        session.handles.drag = Some(found.taken(document, session.shown.selection, view.uv(at)));
     }
 
     /// Starts a drag in the camera view if a button that looks around or orbits was pressed there in this
@@ -258,7 +258,7 @@ impl Dragging {
         let (Some(grabbed), Some(at), Ok(_), true) = (grabbed, origin, camera, is_down) else {
             return;
         };
-        let before = HandleValues::read(document, session.selection, None);
+        let before = HandleValues::read(document, session.shown.selection, None);
         let begun_at = self.camera_uv(&before.camera, at);
         let (at, length, toward) = (before.camera.eye, 1.0, DVec3::X);
         session.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
@@ -284,7 +284,7 @@ impl Dragging {
             Grabbed::Look | Grabbed::Orbit => i.pointer.any_down(),
         });
         if is_escape_pressed(ctx) {
-            drag.before.put(document, &mut session.selection);
+            drag.before.put(document, &mut session.shown.selection);
             self.given_back = is_down;
             self.let_go(session);
             return;
@@ -294,10 +294,10 @@ impl Dragging {
             if self.pressed_at.is_none() {
                 let outcome = match (drag.grabbed, world) {
                     (Grabbed::Handle(handle), Some(view)) => {
-                        let settings = session.settings;
+                        let settings = session.settings();
                         let dragged = view.handle_drag(ctx, handle, &drag, &settings);
                         dragged.to(view.uv(at)).map(|dragged| {
-                            dragged.values.put(document, &mut session.selection);
+                            dragged.values.put(document, &mut session.shown.selection);
                             drag.toward = dragged.toward;
                             self.up_went_along = dragged.up_went_along;
                         })

@@ -15,7 +15,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
-use crate::model::session::{LOUPE_PIXELS, Session, Settings};
+use crate::model::session::{LOUPE_PIXELS, Session};
 use crate::model::{HoverSource, Hovered, Item};
 use crate::ui::action::{CameraMove, Steer};
 use crate::ui::scene::views::{CAMERA, WORLD};
@@ -52,14 +52,15 @@ impl WorldArea<'_> {
         let Some(found) = all.find(|one| self.has_focus(ctx, one.handle)) else { return };
         if let Handle::Pixel = found.handle {
             if let Ok(resolved) = document.camera.resolve() {
-                let selection = session.selection.inside(resolved.image());
-                session.selection = selection.stepped(&resolved, -steps.y as i64, steps.x as i64);
+                let selection = session.shown.selection.inside(resolved.image());
+                session.shown.selection =
+                    selection.stepped(&resolved, -steps.y as i64, steps.x as i64);
             }
             return;
         }
-        let drag = found.taken(document, session.selection, DVec2::ZERO);
+        let drag = found.taken(document, session.shown.selection, DVec2::ZERO);
         let Some(point) = self.target(found.handle, &drag, steps) else { return };
-        let settings = session.settings;
+        let settings = session.settings();
         let handle_drag = self.handle_drag(ctx, found.handle, &drag, &settings);
         // A step may be larger than the viewport.
         let is_valid = |dragged: &Dragged| {
@@ -68,7 +69,7 @@ impl WorldArea<'_> {
             viewports[1].is_ok() || viewports[0].is_err()
         };
         if let Some(dragged) = handle_drag.put(point).ok().filter(is_valid) {
-            dragged.values.put(document, &mut session.selection);
+            dragged.values.put(document, &mut session.shown.selection);
         }
     }
 
@@ -151,7 +152,7 @@ impl Dragging {
         self.scrolled += scroll;
         let notches = (self.scrolled / LOUPE_SCROLL).trunc();
         self.scrolled -= notches * LOUPE_SCROLL;
-        look_closer(&mut session.settings, notches as i32);
+        look_closer(session, notches as i32);
     }
 
     /// Moves the camera by a step for each key press.
@@ -194,19 +195,19 @@ impl RecentSteps {
 
 /// Applies notches of the wheel to the loupe, which magnifies the pixels around the selected point. Forward
 /// notches open it and then magnify more. Backward notches magnify less, and finally close it.
-fn look_closer(settings: &mut Settings, notches: i32) {
+fn look_closer(session: &mut Session, notches: i32) {
     let (least, most) = LOUPE_PIXELS;
     for _ in 0..notches.unsigned_abs() {
-        let is_open = settings.items.shows(Item::Loupe);
-        let pixels = settings.loupe_pixels;
+        let is_open = session.shown.setup.items.shows(Item::Loupe);
+        let pixels = session.preferences.loupe_pixels;
         let (opens, pixels) = match (notches > 0, is_open) {
             (true, true) => (true, pixels.saturating_sub(2).max(least)),
             (true, false) => (true, most),
             (false, true) => (pixels < most, (pixels + 2).min(most)),
             (false, false) => return,
         };
-        settings.items.set(Item::Loupe, opens);
-        settings.loupe_pixels = pixels;
+        session.shown.setup.items.set(Item::Loupe, opens);
+        session.preferences.loupe_pixels = pixels;
     }
 }
 
@@ -326,9 +327,9 @@ impl Dragging {
 
 /// Returns a handle's value, with at most `digits` digits.
 fn value_of(handle: Handle, digits: usize, document: &Document, session: &Session) -> String {
-    let values = HandleValues::read(document, session.selection, handle.object());
-    let settings = &session.settings;
-    value(handle, &values, settings.digits.min(digits), settings.count_from_one)
+    let values = HandleValues::read(document, session.shown.selection, handle.object());
+    let setup = &session.shown.setup;
+    value(handle, &values, setup.digits.min(digits), setup.count_from_one)
 }
 
 /// Shows lines of text next to a position, on the side to which `away` points; below them, the reason why the

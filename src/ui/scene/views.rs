@@ -20,8 +20,7 @@ use crate::model::readings::ReadingValue;
 use crate::model::session::presenting::{PEN_COLORS, Pen};
 use crate::model::symbols::typeset_message;
 use crate::model::{
-    Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, Settings, ViewLayout,
-    ViewSize,
+    Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, ViewLayout, ViewSize,
 };
 use crate::ui::action::{LookAction, Observe, Switch, request};
 use crate::ui::commands_table::{self, When, instruction};
@@ -112,7 +111,7 @@ pub(crate) fn inputs(
         let Some(rect) = rect else { continue };
         let response = view(ui, rect, name);
         // A double click may be on a handle.
-        if let (WORLD, Some(observer)) = (name, &session.observer) {
+        if let (WORLD, Some(observer)) = (name, &session.shown.observer) {
             frame_clicked(ui, &response, observer, shown);
         }
         match name {
@@ -207,18 +206,18 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
     let at = response.interact_pointer_pos().filter(|_| pressed);
     let selected = at.and_then(|at| pixel_under(ui, CAMERA, response.rect, at, shown));
-    session.selection = selected.unwrap_or(session.selection);
+    session.shown.selection = selected.unwrap_or(session.shown.selection);
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
     let at = response.interact_pointer_pos().filter(|_| response.clicked());
     let selected = at.and_then(|at| pixel_under(ui, WORLD, response.rect, at, shown));
-    session.selection = selected.unwrap_or(session.selection);
-    if let Some(t) = dragged_ray_point(ui, response, session.ray_point_t, shown) {
-        session.ray_point_t = Some(t);
+    session.shown.selection = selected.unwrap_or(session.shown.selection);
+    if let Some(t) = dragged_ray_point(ui, response, session.shown.ray_point_t, shown) {
+        session.shown.ray_point_t = Some(t);
         return;
     }
-    if let Some(observer) = &mut session.observer {
+    if let Some(observer) = &mut session.shown.observer {
         move_observer(ui, response, observer);
         zoom(ui, response, observer, shown);
     }
@@ -359,7 +358,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
     if !may_explain(ui.ctx()) {
         return;
     }
-    let style = NumberStyle::new(&session.settings);
+    let style = NumberStyle::new(&session.shown.setup);
     let words = match (session.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (
@@ -384,16 +383,16 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
 const NARROW: f32 = 310.0;
 
 /// Shows the titles above the views, each with a button that maximises the view.
-pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &Settings, image: ImageSize) {
+pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, session: &Session, image: ImageSize) {
     let title = |ui: &mut Ui, rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip(ui, rect, |ui| {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let alone = settings.layout == own;
+                let alone = session.shown.setup.layout == own;
                 let (label, to) =
                     if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
                 ui.small_button(label).asks(LookAction::Layout(to));
                 if own == ViewLayout::World && rect.width() >= NARROW {
-                    eye_keeps(ui, settings.eye_keeps);
+                    eye_keeps(ui, session.preferences.eye_keeps);
                 }
                 // The title gets the width that the buttons leave.
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
@@ -409,9 +408,9 @@ pub(crate) fn strips(ui: &mut Ui, rects: &ViewRects, settings: &Settings, image:
                     handle to move it.";
         title(ui, rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
-    if let (Some(world), ViewLayout::Both) = (rects.world, settings.layout) {
+    if let (Some(world), ViewLayout::Both) = (rects.world, session.shown.setup.layout) {
         let foot = world.with_min_y(world.bottom() - STRIP);
-        let shows_all = settings.items.shows(Item::ViewAndUp);
+        let shows_all = session.shown.setup.items.shows(Item::ViewAndUp);
         let dragged = if shows_all { "eye, at or up" } else { "eye" };
         let hint = instruction(ui.ctx(), &format!("Drag {dragged}. Click a pixel."));
         let label = Label::new(RichText::new(hint).weak()).selectable(false);

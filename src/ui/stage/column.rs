@@ -99,7 +99,7 @@ fn size_that_fits(
     card: Option<Rect>,
 ) -> f32 {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
-    let written = (&context.session.formulas, context.style.digits);
+    let written = (&context.session.shown.formulas, context.style.digits);
     let step = Id::unique((paragraphs(open, context.session), width, height, written));
     let slot = Id::unique("size of the column's text");
     let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
@@ -173,7 +173,7 @@ fn title_size(size: f32) -> f32 {
 
 /// Shows the title, the text, the question, and the answer in its room.
 fn words(ui: &mut Ui, open: Option<&OpenLesson>, session: &Session, size: f32) {
-    let is_asking = session.is_asking;
+    let is_asking = session.shown.is_asking;
     ui.spacing_mut().item_spacing.y = GAP;
     if let Some(open) = open {
         let small = FontId::proportional(title_size(size));
@@ -205,7 +205,7 @@ fn has_card(layout: ViewLayout) -> bool {
 
 /// Returns what the step's card is about.
 fn about(session: &Session) -> &[Concept] {
-    session.formulas.as_ref().map_or(&[], Formulas::concepts)
+    session.shown.formulas.as_ref().map_or(&[], Formulas::concepts)
 }
 
 /// Returns the height of the card.
@@ -213,7 +213,7 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
     if context.session.shows_exercise() {
         return exercises::height(ui, context.session, context.derived, [width, size]);
     }
-    match (context.session.settings.layout, &context.derived.derivation) {
+    match (context.session.shown.setup.layout, &context.derived.derivation) {
         (ViewLayout::Lines, _) => exercises::SUBSTITUTION * marked_text::row_height(ui, size),
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
             let rows = mistakes::card_rows(wrong, about(context.session)) as f32;
@@ -233,11 +233,11 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bo
         return exercises::ui(ui, context, size, is_lesson);
     }
     let PageContext { session, derived, open, style, tools, .. } = context;
-    let is_asking = session.is_asking;
-    match (session.settings.layout, &derived.derivation) {
+    let is_asking = session.shown.is_asking;
+    match (session.shown.setup.layout, &derived.derivation) {
         (ViewLayout::Lines, _) if !is_asking => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
-            substitution(ui, &session.lines, style.digits);
+            substitution(ui, &session.shown.lines, style.digits);
         }
         (ViewLayout::Mistakes, _) if !is_asking => {
             if let Some(wrong) = &derived.wrong_camera {
@@ -259,7 +259,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
             if let Some([number, all]) = step.and_then(|step| step.open.number_of_all()) {
                 let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
                 let rect = ui.label(text).rect;
-                if context.session.is_asking {
+                if context.session.shown.is_asking {
                     dot(ui, rect);
                 }
             }
@@ -272,7 +272,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
     }
     let Some(step) = step else { return };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        navigation::buttons(ui, step, context.session.is_asking);
+        navigation::buttons(ui, step, context.session.shown.is_asking);
     });
 }
 

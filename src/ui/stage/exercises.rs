@@ -310,7 +310,7 @@ pub(crate) fn plane(ui: &mut Ui, session: &Session) {
     let Some(lab) = lab(&session.exercises) else { return };
     let rect = ui.available_rect_before_wrap();
     let typed = session.exercises.points_in_plane();
-    let seen = (session.exercises.shows_all(), session.settings.digits);
+    let seen = (session.exercises.shows_all(), session.shown.setup.digits);
     let _ = views::view(ui, rect, PLANE);
     draw_exercise(ui, rect, &lab, &typed, seen);
     let names: Vec<&str> = typed.iter().map(|(name, _)| name.as_str()).collect();

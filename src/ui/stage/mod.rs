@@ -118,16 +118,16 @@ impl Stage {
         step: Option<&OpenStep<'_>>,
         context: &mut PageContext<'_>,
     ) {
-        let (layout, is_asking) = (self.layout, context.session.is_asking);
+        let (layout, is_asking) = (self.layout, context.session.shown.is_asking);
         let is_composed = self.areas(context.open.document.camera.image).is_some();
         clipped(ui, rest, |ui| match layout {
             ViewLayout::Plot => plot::graph(ui, context.session, context.derived),
             ViewLayout::Lines if context.session.shows_exercise() => {
                 exercises::plane(ui, context.session);
             }
-            ViewLayout::Lines if is_asking => lines::asked(ui, &context.session.lines),
+            ViewLayout::Lines if is_asking => lines::asked(ui, &context.session.shown.lines),
             ViewLayout::Lines => {
-                lines::figure(ui, &mut context.session.lines, context.style.digits)
+                lines::figure(ui, &mut context.session.shown.lines, context.style.digits)
             }
             ViewLayout::Mistakes | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}

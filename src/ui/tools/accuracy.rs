@@ -17,7 +17,7 @@ use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::{grouped, short, written_whole};
 
-use crate::model::session::{Session, Settings};
+use crate::model::session::Session;
 use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
 use crate::report::plot::marker::marker_of;
 use crate::report::plot::panels;
@@ -47,10 +47,9 @@ fn hint(method: Method) -> String {
 
 /// Shows a line above the error map: the title, and a drop-down list of the methods. The map shows the errors
 /// of the method that the user chooses there.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, chosen: &mut Method) {
     strip_above(ui, area, |ui| {
         ui.label(SecondPicture::ErrorMap.name());
-        let chosen = &mut settings.compared;
         combo(ui, "error map of", 150.0, chosen.name(), |ui| {
             for method in Method::of_frames() {
                 let choice = ui.selectable_value(chosen, method, method.name());
@@ -137,7 +136,7 @@ pub(crate) fn ui(
     inside(ui, left, |ui| plot(ui, case));
     inside(ui, right, |ui| {
         ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-            table(ui, case, &mut session.settings.compared);
+            table(ui, case, &mut session.preferences.compared);
         });
     });
 }
@@ -171,10 +170,10 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
         return None;
     }
     let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
-    let pixel = session.selection.pixel(resolved)?;
-    let from = u32::from(session.settings.count_from_one);
+    let pixel = session.shown.selection.pixel(resolved)?;
+    let from = u32::from(session.shown.setup.count_from_one);
     let position = format!("row {}, column {}", pixel.row + from, pixel.column + from);
-    let method = session.settings.compared;
+    let method = session.preferences.compared;
     let raster = Raster::part(pixel.row..pixel.row + 1, pixel.column..pixel.column + 1);
     let truth = trace(scene, resolved, &raster, Outputs::default());
     let traced = trace_by(method, scene, resolved, &raster);

@@ -38,10 +38,10 @@ const ABOUT: f32 = 118.0;
 
 /// Shows the translator.
 pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
-    let (choice, digits) = (&mut session.translator, session.settings.digits);
+    let (choice, digits) = (&mut session.translator, session.shown.setup.digits);
     ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let resolved = document.camera.resolve().ok();
-    let pixel = resolved.and_then(|resolved| session.selection.pixel(&resolved));
+    let pixel = resolved.and_then(|resolved| session.shown.selection.pixel(&resolved));
     let pixel = pixel.unwrap_or(Pixel { row: 0, column: 0 });
     targets(ui, choice);
     // If the objects are not written, it does not matter whether they are valid.

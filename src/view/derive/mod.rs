@@ -144,7 +144,7 @@ fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlight
     Some(Highlighted {
         concept: session.highlighted()?.in_views(),
         camera: document.camera,
-        digits: session.settings.digits,
+        digits: session.shown.setup.digits,
         dims: session.dims(),
     })
 }

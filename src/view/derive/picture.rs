@@ -140,21 +140,21 @@ impl Pictures {
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
         let trace_key = (resolved, world.generation, subsampling.raster(resolved.image(), size));
-        let settings = &session.settings;
+        let (setup, pixels) = (&session.shown.setup, session.preferences.loupe_pixels);
         // The limit applies to the full picture: a method that is too slow for it is not used during a drag
         // either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
         let compared = self.compared(inputs, &trace_key, world, all);
         // A picture for the viewport in the world view is opaque, since it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (trace_key, settings.shade, world.palette, clear);
+        let key = (trace_key, setup.shade, world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, watch);
-        let position = inspection.image_position.filter(|_| settings.items.shows(Item::Loupe));
+        let position = inspection.image_position.filter(|_| setup.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
-            let [rows, columns] = loupe_window(&position, resolved.image(), settings.loupe_pixels);
+            let [rows, columns] = loupe_window(&position, resolved.image(), pixels);
             let ((resolved, generation, _), mode, palette, _) = key;
             let key = ((resolved, generation, Raster::part(rows, columns)), mode, palette, false);
-            let key = (key, (settings.loupe_pixels, settings.count_from_one));
+            let key = (key, (pixels, setup.count_from_one));
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.scanned_pixels {
                 None => loupe,
@@ -190,7 +190,7 @@ impl Pictures {
             self.traced += 1;
             trace_truth(&world.scene, resolved, raster, watch)
         });
-        let key = (session.settings.compared, trace_key.clone());
+        let key = (session.preferences.compared, trace_key.clone());
         Some(Ok(self.compared.get(key, |(method, (resolved, _, raster))| {
             watched(watch, WorkKind::Trace, || {
                 let traced = trace_by(*method, &world.scene, resolved, raster);

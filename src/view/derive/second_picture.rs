@@ -102,7 +102,7 @@ impl SecondPictures {
     ) {
         let Inputs { session, sizes, watch, .. } = inputs;
         let Some((kind, size)) = sizes.second else { return };
-        let items = session.settings.items;
+        let items = session.shown.setup.items;
         let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
         let picture = match kind {
             SecondPicture::ErrorMap => {
@@ -156,9 +156,9 @@ impl SecondPictures {
         world: Option<&GoodWorld>,
     ) -> Option<Arc<Picture>> {
         let Inputs { document: Document { camera, .. }, session, watch, .. } = inputs;
-        let mistakes_view = &session.mistakes_view;
+        let mistakes_view = &session.shown.mistakes_view;
         let mistake = mistakes_view.shown();
-        let shade = session.settings.shade;
+        let shade = session.shown.setup.shade;
         let make = |world: &GoodWorld, raster: &Raster| {
             let color_of = |i: u32| world.colors[i as usize];
             let paint = Paint { shade, color_of, to_pixel: opaque };
@@ -184,7 +184,7 @@ impl SecondPictures {
             }
         };
         // The mark would give away the answer to a step's question or an open vote.
-        let is_secret = session.is_asking || !mistakes_view.is_revealed();
+        let is_secret = session.shown.is_asking || !mistakes_view.is_revealed();
         if let (Some(world), Ok(camera), false) = (world, &wrong.camera, is_secret) {
             let marks = of_mistake(camera, &world.scene, session.shown_selection());
             derived.answer_marks = marks.into();
@@ -203,11 +203,11 @@ impl SecondPictures {
         view: &mut CameraView,
     ) -> Option<Arc<Picture>> {
         let Inputs { document, session, watch, .. } = inputs;
-        let ghost = session.ghost.as_ref()?;
+        let ghost = session.shown.ghost.as_ref()?;
         let (cameras, numbers) =
             ([document.camera, ghost.camera], [world.generation, world.palette]);
-        let (raster, shade) = (raster(inputs, good), session.settings.shade);
-        let key = (cameras, numbers, raster, shade, session.selection);
+        let (raster, shade) = (raster(inputs, good), session.shown.setup.shade);
+        let key = (cameras, numbers, raster, shade, session.shown.selection);
         let (against, [picture, differences]) = self.ghost.get(key, |key| {
             self.count += 1;
             ghost_picture(key, &good.resolved, world, watch)
@@ -334,14 +334,14 @@ pub(super) fn ghost_camera(
     if session.shows_exercise() {
         return session.exercises.ghost().as_ref().map(GhostCamera::of_answer);
     }
-    if session.settings.layout == ViewLayout::Mistakes {
+    if session.shown.setup.layout == ViewLayout::Mistakes {
         // Before the reveal, the wrong camera would give away the answer to the class.
-        let is_secret = session.is_asking || !session.mistakes_view.is_revealed();
+        let is_secret = session.shown.is_asking || !session.shown.mistakes_view.is_revealed();
         let is_shown = !is_secret && derived.fault.is_none();
         let wrong = derived.wrong_camera.as_ref().filter(|_| is_shown)?;
         return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
     }
-    let ghost = session.ghost.as_ref()?;
+    let ghost = session.shown.ghost.as_ref()?;
     resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
 }
 

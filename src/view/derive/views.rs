@@ -56,7 +56,7 @@ impl WorldViews {
     ) -> Option<(Arc<WorldPicture>, Shown)> {
         let Inputs { session, sizes, watch, .. } = inputs;
         let (size, good) = (sizes.world?, objects.good()?.clone());
-        let observer_camera = session.observer?.camera(size[0], size[1]).resolve().ok()?;
+        let observer_camera = session.shown.observer?.camera(size[0], size[1]).resolve().ok()?;
         let WorldViews { pictures, view, buffers } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
         let shown = described(derived, inputs, &good, &world, last_good)?;
@@ -83,13 +83,13 @@ fn described(
     last_good: Option<&GoodPicture>,
 ) -> Option<WorldView> {
     let Inputs { document, session, sizes, .. } = inputs;
-    let observer = session.observer?;
+    let observer = session.shown.observer?;
     let is_highlighted = |concept| session.highlighted() == Some(concept);
     let placing = HandleInputs {
         document,
         resolved: derived.resolved.as_ref(),
         selection: session.shown_selection(),
-        items: session.settings.items,
+        items: session.shown.setup.items,
         observer: world.frame.camera(),
         scale: sizes.scale,
     };
@@ -104,19 +104,20 @@ fn described(
         enclosing: Arc::clone(&world.enclosing),
         observer,
         frame: Same(Arc::clone(&world.frame)),
-        items: session.settings.items,
-        first_number: u32::from(session.settings.count_from_one),
+        items: session.shown.setup.items,
+        first_number: u32::from(session.shown.setup.count_from_one),
         scale: sizes.scale,
         style: sizes.style,
-        ray_point_t: session.ray_point_t,
+        ray_point_t: session.shown.ray_point_t,
         ghost: ghost_camera(inputs, derived),
         answer_marks: Arc::clone(&derived.answer_marks),
         highlighted: highlighted(inputs),
         handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
         is_clear: sizes.purpose.is_clear(),
-        names_all: session.spoken.is_some() || without_marks,
+        names_all: session.shown.spoken.is_some() || without_marks,
         shows_normal: is_highlighted(Concept::Normal)
             || session
+                .shown
                 .spoken
                 .as_ref()
                 .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
@@ -169,8 +170,8 @@ pub(super) fn camera_view(
         picture: Same(Arc::clone(&good.picture)),
         inspection: Some(Same(Arc::clone(&good.inspection))),
         size: size.map(|n| n as usize),
-        items: session.settings.items,
-        first_number: u32::from(session.settings.count_from_one),
+        items: session.shown.setup.items,
+        first_number: u32::from(session.shown.setup.count_from_one),
         scale: sizes.scale,
         style: sizes.style,
         highlighted: None,
@@ -359,20 +360,22 @@ impl Derivations {
         Inputs { document, session, .. }: Inputs<'_>,
         derived: &Derived,
     ) -> Option<Arc<Derivation>> {
-        let only = session.formulas.clone();
-        if !session.settings.layout.shows_derivation() && only.is_none() {
+        let only = session.shown.formulas.clone();
+        if !session.shown.setup.layout.shows_derivation() && only.is_none() {
             return None;
         }
         let settings = DerivationSettings {
             selection: session.shown_selection(),
-            sections: only.as_ref().map_or(session.sections, |_| DerivationSections::default()),
+            sections: only
+                .as_ref()
+                .map_or(session.shown.sections, |_| DerivationSections::default()),
             numbers: NumberFormat {
                 rounding: match session.presenting {
                     Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
-                    None => Rounding::Significant(session.settings.digits),
+                    None => Rounding::Significant(session.shown.setup.digits),
                 },
-                exact: session.settings.exact_forms,
-                from_one: session.settings.count_from_one,
+                exact: session.preferences.exact_forms,
+                from_one: session.shown.setup.count_from_one,
             },
             fault: derived.fault,
             t: match session.exercises.question().given {
@@ -428,7 +431,7 @@ impl Plots {
         derived: &Derived,
         generation: u64,
     ) -> Option<Plot> {
-        if session.settings.layout != ViewLayout::Plot {
+        if session.shown.setup.layout != ViewLayout::Plot {
             return None;
         }
         let scheme = sizes.style.scheme();
@@ -447,12 +450,12 @@ impl Plots {
             self.made += 1;
             Arc::new(curves(scene, &ray, named))
         });
-        let range = range(&curves, session.ray_point_t);
+        let range = range(&curves, session.shown.ray_point_t);
         let ends = [*range.start(), *range.end()];
         let samples = self
             .samples
             .get((self.made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
-        let ray_point_t = session.ray_point_t.map(|t| {
+        let ray_point_t = session.shown.ray_point_t.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
             (t, self.ray_point_t.get((self.made, t), make))
         });

@@ -14,9 +14,8 @@ use egui::{
 use pinhole_core::Rgb;
 use pinhole_exchange::document::Document;
 
-use crate::model::session::Scheme;
-use crate::model::session::Settings;
 use crate::model::session::presenting::WRITTEN;
+use crate::model::session::{Preferences, Scheme, Settings};
 use crate::view::overlay::Style;
 
 /// The settings that determine the window's look.
@@ -43,7 +42,8 @@ impl Default for Look {
 impl Look {
     /// Creates the look that the settings ask for.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
-        let Settings { scheme, reduced_motion, digits, .. } = *settings;
+        let Preferences { scheme, reduced_motion, .. } = settings.preferences;
+        let digits = settings.setup.digits;
         Look { scheme, presenting, by_touch: false, reduced_motion, digits }
     }
 }

@@ -111,7 +111,7 @@ pub(super) fn buttons_over_it(seen: &Seen<'_>) -> Vec<String> {
     }
     let rects = pictures(seen.window, seen.layout).into_iter().flatten();
     let right = rects.map(|rect| rect.right()).fold(0.0, f32::max);
-    let next = if seen.app().session().is_asking { "Show the answer" } else { "Next" };
+    let next = if seen.app().session().shown.is_asking { "Show the answer" } else { "Next" };
     let names = ["Contents", "Previous", next, "Back to the step", "Close the lesson"];
     let left = |name| seen.window.get_by_role_and_label(Role::Button, name).rect().left();
     let over = names.into_iter().filter(|name| left(name) < right);

@@ -29,7 +29,7 @@ fn points(mark: &Mark) -> Vec<Pos2> {
 /// Whether a mark may leave the picture: planes, floor and frustum have no end, nor has a ray that hits nothing
 /// that is drawn. That of a wrong camera is an answer, and ends on what the wrong camera sees.
 fn is_endless(app: &App, mark: &Mark) -> bool {
-    let items = app.session().settings.items;
+    let items = app.session().shown.setup.items;
     let shows_planes = items.shows(Item::Planes) || items.shows(Item::Hit);
     let hit = app.derived().inspection.as_ref().and_then(|ray| ray.first_hit().copied());
     let has_end =

@@ -10,7 +10,7 @@ use egui::{Key, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
@@ -80,7 +80,10 @@ struct Walk {
 impl Walk {
     fn in_window(size: Vec2) -> Walk {
         // A glide takes frames.
-        let settings = Settings { reduced_motion: true, ..Settings::default() };
+        let settings = Settings {
+            preferences: Preferences { reduced_motion: true, ..Preferences::default() },
+            ..Settings::default()
+        };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);
         window.set_size(size);

@@ -37,9 +37,9 @@ fn a_window_that_is_killed_has_stored_its_settings() {
     let (_folder, store) = store();
     let mut window = opened(&store);
     command(&mut window, "Count from 1");
-    wait(&mut window, &store, |state| state.settings.count_from_one);
+    wait(&mut window, &store, |state| state.settings.setup.count_from_one);
     show(&mut window, ViewLayout::Plot);
-    wait(&mut window, &store, |state| state.settings.layout == ViewLayout::Plot);
+    wait(&mut window, &store, |state| state.settings.setup.layout == ViewLayout::Plot);
     // Nothing is written, and no frame asked for, while nothing changes.
     let stamp = || std::fs::metadata(store.unsaved().with_file_name("state.json")).unwrap();
     let before = stamp().modified().unwrap();
@@ -51,7 +51,7 @@ fn a_window_that_is_killed_has_stored_its_settings() {
     );
     // A killed one calls nothing.
     std::mem::forget(window);
-    assert!(opened(&store).state().session().settings.count_from_one);
+    assert!(opened(&store).state().session().shown.setup.count_from_one);
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn a_window_that_is_hidden_stores_its_settings_at_once() {
     command(&mut window, "Count from 1");
     window.state_mut().rest();
     drop(window);
-    assert!(store.load().settings.count_from_one);
+    assert!(store.load().settings.setup.count_from_one);
 }
 
 #[test]
@@ -73,5 +73,5 @@ fn the_window_that_ends_last_keeps_what_the_others_have_changed() {
     show(&mut second, ViewLayout::Plot);
     second.state_mut().on_exit();
     let settings = store.load().settings;
-    assert_eq!((settings.count_from_one, settings.layout), (true, ViewLayout::Plot));
+    assert_eq!((settings.setup.count_from_one, settings.setup.layout), (true, ViewLayout::Plot));
 }

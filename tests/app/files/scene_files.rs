@@ -162,8 +162,8 @@ fn settings_scene_and_ray_are_remembered() {
     let remembered = store.load();
     assert_eq!(remembered.last.as_deref(), Some(std::path::Path::new("forty-five")));
     let again = window_with("forty-five", remembered, Some(store));
-    assert_eq!(again.state().session().settings, window.state().session().settings);
-    assert_eq!(again.state().session().selection, window.state().session().selection);
+    assert_eq!(again.state().session().settings(), window.state().session().settings());
+    assert_eq!(again.state().session().shown.selection, window.state().session().shown.selection);
 }
 
 #[cfg(unix)]
@@ -180,7 +180,7 @@ fn a_file_name_that_is_no_text_costs_no_settings() {
     let mut window = window_with(&path, remembered, Some(store.clone()));
     command(&mut window, "shading normals");
     window.state_mut().on_exit();
-    assert_eq!(store.load().settings, window.state().session().settings);
+    assert_eq!(store.load().settings, window.state().session().settings());
     assert_eq!(store.load().recent, [folder.path().join("other.toml")]);
 }
 
@@ -197,15 +197,15 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("state.json");
     let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
-    right.settings.digits = 9;
-    right.settings.scheme = pinhole::model::session::Scheme::Grey;
-    right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
+    right.settings.setup.digits = 9;
+    right.settings.preferences.scheme = pinhole::model::session::Scheme::Grey;
+    right.settings.setup.items.set(pinhole::model::overlay_items::Item::Labels, false);
     right.selection =
         Some(pinhole_core::Selection::Pixel(pinhole_core::Pixel { row: 3, column: 4 }));
     Store::at(&path).save(&Remembered::default(), &right).unwrap();
     let text = fs::read_to_string(&path).unwrap();
     let wrong = [
-        ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.digits),
+        ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.setup.digits),
         ("\"Grey\"", "\"Purple\"", 9),
         ("\"zoom\": 1.0", "\"zoom\": null", 9),
     ];
@@ -214,9 +214,9 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
         fs::write(&path, text.replace(value, by)).unwrap();
         let read = Store::at(&path).load();
         let mut expected = right.clone();
-        expected.settings.digits = digits;
+        expected.settings.setup.digits = digits;
         if value == "\"Grey\"" {
-            expected.settings.scheme = pinhole::model::session::Scheme::Standard;
+            expected.settings.preferences.scheme = pinhole::model::session::Scheme::Standard;
         }
         assert_eq!(read, expected, "{by}");
     }
@@ -245,9 +245,13 @@ fn a_small_or_much_enlarged_window_still_has_its_views_afterwards() {
         window.set_size(size.into());
         window.run();
     }
-    let settings = window.state().session().settings;
+    let settings = window.state().session().settings();
     assert!(
-        [Split::Views, Split::Readouts].into_iter().all(|s| settings.splits.get(s).is_finite())
+        [Split::Views, Split::Readouts].into_iter().all(|s| settings
+            .preferences
+            .splits
+            .get(s)
+            .is_finite())
     );
     for view in ["World view", "Camera view"] {
         let rect = window.get_by_role_and_label(Role::Image, view).rect();
@@ -261,9 +265,9 @@ fn settings_out_of_range_are_brought_back() {
     let path = folder.path().join("state.json");
     fs::write(&path, r#"{"settings": {"digits": 70000, "splits": {"views": -3}}}"#).unwrap();
     let window = window_with("canonical", Store::at(&path).load(), None);
-    let settings = window.state().session().settings;
-    assert_eq!(settings.digits, 17);
-    assert!((0.0..=1.0).contains(&settings.splits.get(Split::Views)));
+    let settings = window.state().session().settings();
+    assert_eq!(settings.setup.digits, 17);
+    assert!((0.0..=1.0).contains(&settings.preferences.splits.get(Split::Views)));
 }
 
 #[test]

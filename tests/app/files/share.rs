@@ -63,9 +63,9 @@ fn a_copied_link_opens_the_same_scene_ray_and_page() {
     let mut to = window("look-at");
     paste(&mut to, &format!("\n{link} "));
     assert_eq!(to.state().document(), from.state().document());
-    assert_eq!(to.state().session().selection, from.state().session().selection);
-    assert_eq!(to.state().session().selection, Selection::Uv(DVec2::new(0.125, -0.1)));
-    assert_eq!(to.state().session().settings.layout, ViewLayout::Plot);
+    assert_eq!(to.state().session().shown.selection, from.state().session().shown.selection);
+    assert_eq!(to.state().session().shown.selection, Selection::Uv(DVec2::new(0.125, -0.1)));
+    assert_eq!(to.state().session().shown.setup.layout, ViewLayout::Plot);
     assert_says(&to, "Scene of a link");
 }
 
@@ -204,10 +204,11 @@ fn while_presenting_the_code_fills_the_figure_and_the_step_goes_on() {
         assert!(!says(&window, "QR code"));
     }
     press(&mut window, Key::Q);
-    let was_asking = window.state().session().is_asking;
+    let was_asking = window.state().session().shown.is_asking;
     press(&mut window, Key::PageDown);
     assert!(says(&window, "QR code"));
-    let went_on = step(&window) != Some(STEP) || was_asking != window.state().session().is_asking;
+    let went_on =
+        step(&window) != Some(STEP) || was_asking != window.state().session().shown.is_asking;
     assert!(went_on);
     press(&mut window, Key::Escape);
     assert!(!says(&window, "QR code"));

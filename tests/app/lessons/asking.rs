@@ -28,7 +28,7 @@ fn asking(folder: &std::path::Path) -> Window {
 }
 
 fn shows_basis(window: &Window) -> bool {
-    window.state().session().settings.items.shows(Item::Basis)
+    window.state().session().shown.setup.items.shows(Item::Basis)
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn numbers_and_what_gives_the_answer_away_come_with_the_answer() {
     key(&mut window, Key::PageDown);
     assert_says(&window, "Backwards: (0, 0, 1).");
     assert_says(&window, "Where does w point?");
-    assert!(shows_basis(&window) && !window.state().session().is_asking);
+    assert!(shows_basis(&window) && !window.state().session().shown.is_asking);
     key(&mut window, Key::F5);
     assert!(window.query_by_role_and_label(Role::SpinButton, "uv u").is_some());
 }
@@ -106,15 +106,15 @@ fn the_answer_is_no_change_of_the_step_and_stays() {
     let answered = window.state().session().clone();
     type_into(&mut window, "eye x", "0.25");
     key(&mut window, Key::R);
-    assert_eq!(window.state().session().settings, answered.settings);
-    assert!(!window.state().session().is_asking, "R asks nothing again");
+    assert_eq!(window.state().session().settings(), answered.settings());
+    assert!(!window.state().session().shown.is_asking, "R asks nothing again");
     key(&mut window, Key::PageDown);
     assert_says(&window, "Go on.");
     key(&mut window, Key::PageUp);
     assert_says(&window, "Backwards: (0, 0, 1).");
     assert!(shows_basis(&window), "who goes back has heard the answer");
     press(&mut window, "Close the lesson");
-    assert!(!window.state().session().is_asking);
+    assert!(!window.state().session().shown.is_asking);
 }
 
 #[test]
@@ -144,10 +144,10 @@ fn what_end_has_shown_stays_shown_in_the_next_step() {
     let mut window = at_step(6, 3);
     key(&mut window, Key::F5);
     key(&mut window, Key::End);
-    assert_eq!(window.state().session().revealed_lines, None);
+    assert_eq!(window.state().session().shown.revealed_lines, None);
     key(&mut window, Key::PageDown);
     assert_says(&window, "Lesson 6 · 4 of 6 · Where is the distance?");
-    assert_eq!(window.state().session().revealed_lines, None, "the same derivation, whole");
+    assert_eq!(window.state().session().shown.revealed_lines, None, "the same derivation, whole");
 }
 
 #[test]

@@ -46,12 +46,12 @@ fn one_key_brings_the_step_back_after_dragging() {
 #[test]
 fn r_puts_back_what_was_dragged_in_the_lines_lab() {
     let mut window = at_step(11, 2);
-    let before = window.state().session().lines.clone();
+    let before = window.state().session().shown.lines.clone();
     let handle = window.get_by_label("move p").rect().center();
     drag_from(&mut window, handle, egui::vec2(60.0, 30.0));
-    assert_ne!(window.state().session().lines, before);
+    assert_ne!(window.state().session().shown.lines, before);
     key(&mut window, Key::R);
-    assert_eq!(window.state().session().lines, before);
+    assert_eq!(window.state().session().shown.lines, before);
 }
 
 const KEEP_PICTURE: &str = "Keep the picture: scale distance, width and height together";

@@ -6,7 +6,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
@@ -16,19 +16,22 @@ use crate::harness::{assert_says, open_scene, type_into, unfolded, window, windo
 
 #[test]
 fn lessons_open_from_the_bar_and_close_without_a_trace() {
-    let settings = Settings { layout: ViewLayout::Camera, digits: 9, ..unfolded() };
+    let settings = Settings {
+        setup: Setup { layout: ViewLayout::Camera, digits: 9, ..Setup::default() },
+        ..unfolded()
+    };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut window = window_with("planet", remembered, None);
-    let before = window.state().session().settings;
+    let before = window.state().session().settings();
     window.get_by_label("Lessons").click();
     window.run();
     window.get_by_label("Lesson 9: When it breaks").click();
     window.run();
     assert_eq!(shown_step(&window), (9, 1));
-    assert_ne!(window.state().session().settings, before);
+    assert_ne!(window.state().session().settings(), before);
     press(&mut window, "Close the lesson");
     assert!(window.state().lesson().is_none());
-    assert_eq!(window.state().session().settings, before);
+    assert_eq!(window.state().session().settings(), before);
     assert_says(&window, "Unnamed scene");
     type_into(&mut window, "eye x", "1");
     assert_says(&window, "Unnamed scene*");

@@ -26,17 +26,19 @@ fn assert_plays(path: &Path, from: &Window) {
     (1..load(path).unwrap().steps.len()).for_each(|_| key(&mut window, Key::PageDown));
     let [a, b] = [&window, from].map(|window| {
         let (document, session) = (window.state().document(), window.state().session());
-        let (settings, lines) = (session.settings, &session.lines);
+        let (setup, lines) = (session.shown.setup, &session.shown.lines);
         (
             (document.camera, document.spheres.clone(), document.planes.clone()),
-            (session.observer.unwrap().stored(), session.selection, session.ray_point_t),
-            (session.formulas.clone(), session.sections, session.highlighted),
-            (settings.layout, settings.items, settings.shade, settings.digits),
-            settings.count_from_one,
-            (settings.keep_picture, settings.teaching),
-            (settings.layout == ViewLayout::Lines)
+            (
+                session.shown.observer.unwrap().stored(),
+                session.shown.selection,
+                session.shown.ray_point_t,
+            ),
+            (session.shown.formulas.clone(), session.shown.sections, session.shown.highlighted),
+            setup,
+            (setup.layout == ViewLayout::Lines)
                 .then(|| (lines.line(), lines.ray, lines.t, lines.shown, lines.trail)),
-            (settings.layout == ViewLayout::Mistakes).then_some(session.mistakes_view.chosen),
+            (setup.layout == ViewLayout::Mistakes).then_some(session.shown.mistakes_view.chosen),
         )
     });
     assert_eq!(a, b);

@@ -29,7 +29,7 @@ fn keys_go_through_the_lessons_unless_a_view_wants_them() {
     key(&mut window, Key::ArrowRight);
     assert_eq!(shown_step(&window), (1, 4));
     let pixel = Pixel { row: 99, column: 300 };
-    assert_eq!(window.state().session().selection, Selection::Pixel(pixel));
+    assert_eq!(window.state().session().shown.selection, Selection::Pixel(pixel));
     key(&mut window, Key::PageDown);
     assert_eq!(shown_step(&window), (2, 1), "a remote control works wherever the focus is");
     answer(&mut window);

@@ -30,7 +30,7 @@ fn direction(observer: &Observer) -> DVec3 {
 fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
     assert_eq!(*app.document(), step.document, "{now:?}");
     let session = app.session();
-    assert_eq!(session.selection, step.selection, "{now:?}");
+    assert_eq!(session.shown.selection, step.selection, "{now:?}");
     let StepView {
         observer,
         keep_observer,
@@ -51,33 +51,33 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         lines,
         exercise,
     } = step.view.clone();
-    let settings = &session.settings;
+    let setup = &session.shown.setup;
     let all_as_said = [
         (
             "observer",
             observer.is_none_or(|said| {
                 // How far off it stands, and around what it turns, is for the view's size to say.
-                session.observer.is_some_and(|observer| {
+                session.shown.observer.is_some_and(|observer| {
                     direction(&observer).abs_diff_eq(direction(&said), 1e-12)
                 })
             }),
         ),
-        ("keep_observer", keep_observer != Some(true) || session.observer == observer),
-        ("layout", layout.is_none_or(|said| settings.layout == said)),
-        ("formulas", session.formulas == formulas),
-        ("items", items.is_none_or(|said| own_items(settings.items) == own_items(said))),
-        ("shade", shade.is_none_or(|said| settings.shade == said)),
-        ("count_from_one", count_from_one.is_none_or(|said| settings.count_from_one == said)),
-        ("digits", digits.is_none_or(|said| settings.digits == said)),
-        ("keep_picture", keep_picture.is_none_or(|said| settings.keep_picture == said)),
-        ("teaching", teaching.is_none_or(|said| settings.teaching == said)),
-        ("derivation", derivation.is_none_or(|said| session.sections == said)),
-        ("highlight", highlighted.is_none_or(|said| session.highlighted == said)),
-        ("mistake", mistake.is_none_or(|said| session.mistakes_view.shown() == said)),
-        ("t", session.ray_point_t == t),
-        ("ghost", session.ghost == ghost),
+        ("keep_observer", keep_observer != Some(true) || session.shown.observer == observer),
+        ("layout", layout.is_none_or(|said| setup.layout == said)),
+        ("formulas", session.shown.formulas == formulas),
+        ("items", items.is_none_or(|said| own_items(setup.items) == own_items(said))),
+        ("shade", shade.is_none_or(|said| setup.shade == said)),
+        ("count_from_one", count_from_one.is_none_or(|said| setup.count_from_one == said)),
+        ("digits", digits.is_none_or(|said| setup.digits == said)),
+        ("keep_picture", keep_picture.is_none_or(|said| setup.keep_picture == said)),
+        ("teaching", teaching.is_none_or(|said| setup.teaching == said)),
+        ("derivation", derivation.is_none_or(|said| session.shown.sections == said)),
+        ("highlight", highlighted.is_none_or(|said| session.shown.highlighted == said)),
+        ("mistake", mistake.is_none_or(|said| session.shown.mistakes_view.shown() == said)),
+        ("t", session.shown.ray_point_t == t),
+        ("ghost", session.shown.ghost == ghost),
         ("play", app.player().map(|player| player.kind) == play),
-        ("lines", lines.is_none_or(|said| session.lines == said)),
+        ("lines", lines.is_none_or(|said| session.shown.lines == said)),
         (
             "exercise",
             exercise
@@ -145,7 +145,7 @@ fn after_dragging_in_any_step_r_brings_back_all_of_it() {
             let before = window.state().session().clone();
             disturb(&mut window);
             assert_ne!(*window.state().document(), step.document, "{now:?}");
-            assert_ne!(window.state().session().observer, before.observer, "{now:?}");
+            assert_ne!(window.state().session().shown.observer, before.shown.observer, "{now:?}");
             key(&mut window, Key::R);
             assert_is_as_said(window.state(), step, now);
             assert_eq!(*window.state().session(), before, "{now:?}");
@@ -164,8 +164,11 @@ fn a_step_is_the_same_however_it_is_reached() {
             answer(&mut walked);
         }
         assert_eq!(direct.state().document(), walked.state().document());
-        assert_eq!(direct.state().session().selection, walked.state().session().selection);
-        assert_eq!(direct.state().session().settings, walked.state().session().settings);
+        assert_eq!(
+            direct.state().session().shown.selection,
+            walked.state().session().shown.selection
+        );
+        assert_eq!(direct.state().session().settings(), walked.state().session().settings());
     }
 }
 
@@ -202,7 +205,7 @@ fn the_ray_of_2_1_does_not_end_at_a_wall_that_is_not_drawn() {
     let mut window = at_step(2, 1);
     answer(&mut window);
     let app = window.state();
-    assert!(!app.session().settings.items.shows(Item::Planes));
+    assert!(!app.session().shown.setup.items.shows(Item::Planes));
     let (shown, frame) = (app.derived().world_view.clone().unwrap(), &app.derived().world_frame);
     let hit = app.derived().inspection.as_ref().unwrap().first_hit().unwrap().point;
     let seen = frame.as_ref().unwrap().camera();

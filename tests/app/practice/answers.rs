@@ -73,7 +73,7 @@ fn showing(sphere: &str) -> (tempfile::TempDir, Harness<'static, App>) {
 fn dropped_hits_are_graded_and_the_worst_is_selected() {
     let (folder, mut window) = alone();
     drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Answers);
+    assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Answers);
     assert_says(&window, "mine.csv");
     assert_says(&window, "0 of 800 hits agree, within 0.00001 of their distance");
     assert_says(&window, "Mistake: far-root");
@@ -86,7 +86,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     let worst = texts_with(&window, "right is t = ");
     assert!(worst[0].starts_with("Worst: row 199, column 199 is t = 5.99"), "{worst:?}");
     click(&mut window, "Select the worst pixel");
-    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    let Selection::Pixel(pixel) = window.state().session().shown.selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
     // The map shows the image as the camera view does, and is clicked likewise.
     let rect = window.get_by_role_and_label(Role::Image, "Answers").rect();
@@ -97,7 +97,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
         / image.pixels.len() as f32;
     assert!((0.5 * 0.005..=1.1 * 0.005).contains(&share), "{share}");
     click_at(&mut window, rect.min + egui::vec2(71.3, 211.3));
-    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    let Selection::Pixel(pixel) = window.state().session().shown.selection else { panic!() };
     let [rows, columns] = [rect.height(), rect.width()].map(|dots| dots.round() as u32);
     let shown = (423 * 400 / (2 * rows), 143 * 400 / (2 * columns));
     assert_eq!((pixel.row, pixel.column), shown, "what the dots 211 and 71 show");
@@ -135,13 +135,13 @@ fn the_grade_follows_the_camera() {
     click(&mut window, "Answers");
     assert_says(&window, "Mistake: w-as-printed");
     click(&mut window, "Show me: 𝐰 without the minus");
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Mistakes);
     let world = window.state().derived().world_view.as_ref().unwrap();
     let labels: Vec<&str> = world.labels.iter().map(|label| &*label.text).collect();
     assert!(["wrong camera", "u′", "w′"].iter().all(|ghost| labels.contains(ghost)), "{labels:?}");
     click(&mut window, "Answers");
     click(&mut window, "Close the answers");
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Both);
+    assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Both);
     assert!(!says(&window, "Answers"));
 }
 
@@ -155,7 +155,7 @@ fn answers_that_count_from_one_are_read_again_as_such() {
     assert_says(&window, "Mistake: far-root");
     assert!(texts_with(&window, "right is t = ")[0].starts_with("Worst: row 200, column 200 is"));
     click(&mut window, "Select the worst pixel");
-    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    let Selection::Pixel(pixel) = window.state().session().shown.selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
     fs::write(folder.path().join("mine.csv"), "row,column,t\n1,1,\n").unwrap();
     click(&mut window, "Read again");

@@ -47,7 +47,7 @@ fn copied_codes_are_pasted_and_counted() {
     let mut lecturer = window("canonical");
     lecturer.event(Event::Paste(format!("Anna: {right}\nBert: {far}")));
     lecturer.run();
-    assert_eq!(lecturer.state().session().settings.layout, ViewLayout::Class);
+    assert_eq!(lecturer.state().session().shown.setup.layout, ViewLayout::Class);
     assert_says(&lecturer, "A ray and a sphere: 2 answers, 1 after a look at the solution");
     assert_says(&lecturer, "right: 1");
     assert_says(&lecturer, "far-root: 1");

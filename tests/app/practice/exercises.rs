@@ -399,7 +399,7 @@ fn what_is_typed_is_drawn_and_what_is_right_only_once_it_was_found_or_shown() {
 #[test]
 fn the_questions_scene_can_be_orbited_and_leaves_the_open_one_alone() {
     let mut window = open(Exercise::EyeAtUp);
-    let before = window.state().session().observer;
+    let before = window.state().session().shown.observer;
     let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
     let picture = |window: &mut Harness<'_, App>| window.render().unwrap();
     let (first, document) = (picture(&mut window), window.state().document().clone());
@@ -407,7 +407,7 @@ fn the_questions_scene_can_be_orbited_and_leaves_the_open_one_alone() {
     window.hover_at(egui::pos2(5.0, 5.0));
     window.run();
     assert_ne!(picture(&mut window), first);
-    assert_eq!(window.state().session().observer, before);
+    assert_eq!(window.state().session().shown.observer, before);
     assert_eq!(*window.state().document(), document);
 }
 

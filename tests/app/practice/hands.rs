@@ -24,7 +24,7 @@ fn press(window: &mut Harness<'_, App>, key: Key) {
 }
 
 fn open(window: &Harness<'_, App>) -> OpenVote {
-    window.state().session().mistakes_view.open_vote.clone().unwrap()
+    window.state().session().shown.mistakes_view.open_vote.clone().unwrap()
 }
 
 /// Raises hands with the keyboard alone.

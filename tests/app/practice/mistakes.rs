@@ -161,7 +161,7 @@ fn thumbnails_are_chosen_by_keys_in_every_window() {
         assert!(window.ctx.content_rect().contains_rect(thumbnail.rect()), "{size:?}");
         window.key_press(egui::Key::Enter);
         window.run();
-        assert_eq!(window.state().session().mistakes_view.chosen, chosen);
+        assert_eq!(window.state().session().shown.mistakes_view.chosen, chosen);
     }
 }
 
@@ -224,7 +224,7 @@ fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let rect = window.get_by_role_and_label(Role::Image, "Wrong camera").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
     click_at(&mut window, at);
-    let pinhole_core::Selection::Pixel(pixel) = window.state().session().selection else {
+    let pinhole_core::Selection::Pixel(pixel) = window.state().session().shown.selection else {
         panic!("no pixel is selected")
     };
     assert!(pixel.row.abs_diff(300) <= 1 && pixel.column.abs_diff(100) <= 1, "{pixel:?}");
@@ -263,7 +263,7 @@ fn a_mistakes_camera_stands_in_the_world_view_as_a_ghost() {
     assert!(!shown.contains(&"u′".to_owned()), "it is right: {shown:?}");
     assert!(window.state().derived().answer_marks.iter().any(|twin| twin.label == "ray′"));
     // The wrong camera is no ghost of the user's.
-    assert_eq!(window.state().session().ghost, None);
+    assert_eq!(window.state().session().shown.ghost, None);
     click(&mut window, "Guess which");
     let shown = labels(&window);
     assert!(shown.iter().all(|label| !label.contains('′')), "that would tell: {shown:?}");
@@ -293,7 +293,7 @@ fn the_pixels_that_differ_are_a_map_beside_the_right_picture() {
 }
 
 fn open_vote(window: &Harness<'_, App>) -> OpenVote {
-    window.state().session().mistakes_view.open_vote.clone().unwrap()
+    window.state().session().shown.mistakes_view.open_vote.clone().unwrap()
 }
 
 fn option(open: &OpenVote, index: usize) -> String {
@@ -340,7 +340,7 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     assert!(next.answer.is_none() && !next.is_revealed);
     click(&mut window, "Reveal");
     click(&mut window, "All mistakes");
-    assert_eq!(window.state().session().mistakes_view.open_vote, None);
+    assert_eq!(window.state().session().shown.mistakes_view.open_vote, None);
     assert_says(&window, &format!("Wrong camera: {}", next.vote.mistake().name()));
 }
 
@@ -352,7 +352,7 @@ fn a_key_reveals_before_a_lesson_goes_on() {
     window.key_press(egui::Key::PageDown);
     window.run();
     show(&mut window, ViewLayout::Mistakes);
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Mistakes);
     let step = |window: &Harness<'_, App>| window.state().lesson().unwrap().id();
     command(&mut window, "Guess which");
     let before = step(&window);
@@ -447,7 +447,7 @@ fn another_step_ends_a_vote() {
     command(&mut window, "Guess which");
     assert!(!open_vote(&window).is_revealed);
     command(&mut window, "From view and up, 4. Up in the picture: v");
-    assert_eq!(window.state().session().mistakes_view.open_vote, None);
+    assert_eq!(window.state().session().shown.mistakes_view.open_vote, None);
 }
 
 #[test]
@@ -476,7 +476,7 @@ fn the_palette_opens_a_vote_from_any_window() {
         window.set_size(size.into());
         window.run();
         command(&mut window, "Guess which");
-        assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+        assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Mistakes);
         assert_eq!(open_vote(&window).vote.options.len(), 4);
         assert_says(&window, "Which mistake made the wrong picture?");
     }
@@ -534,6 +534,6 @@ fn the_vote_is_in_a_menu() {
     window.run();
     window.get_by_label_contains("Vote: guess which mistake").click();
     window.run();
-    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Mistakes);
     assert!(!open_vote(&window).is_revealed);
 }

@@ -5,7 +5,7 @@ use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_lecture::exercises::Exercise;
@@ -163,7 +163,8 @@ fn what_is_done_is_kept_until_it_is_started_over() {
     drop(window);
     assert_says(&start(), "0 of 11 done");
     // What cannot be read is ignored, and nothing else is lost.
-    let settings = Settings { digits: 7, ..Settings::default() };
+    let settings =
+        Settings { setup: Setup { digits: 7, ..Setup::default() }, ..Settings::default() };
     let state = Remembered { settings, ..Remembered::default() };
     for (foreign, count) in [
         (serde_json::json!(["sphere", 7, "of-tomorrow", null, "sphere"]), 1),

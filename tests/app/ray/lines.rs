@@ -19,7 +19,7 @@ fn open() -> Harness<'static, App> {
 }
 
 fn lab<'a>(window: &'a Harness<'_, App>) -> &'a LinesLab {
-    &window.state().session().lines
+    &window.state().session().shown.lines
 }
 
 /// Drags a handle by so many points.

@@ -107,7 +107,7 @@ fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
     assert_eq!(t_in_the_world_view(&window), None);
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
-    assert_eq!(window.state().session().ray_point_t, Some(2.0));
+    assert_eq!(window.state().session().shown.ray_point_t, Some(2.0));
     assert_says(&window, "outside all objects");
     type_into(&mut window, "walked t", "4.5");
     assert_eq!(t_in_the_world_view(&window).as_deref(), Some("t = 4.5"));
@@ -134,12 +134,12 @@ fn dragging_in_the_plot_walks_there() {
     window.run();
     window.drag_at(at(0.5));
     window.run();
-    let middle = window.state().session().ray_point_t;
+    let middle = window.state().session().shown.ray_point_t;
     window.hover_at(at(0.8));
     window.run();
     window.drop_at(at(0.8));
     window.run();
-    let walked = window.state().session().ray_point_t.unwrap();
+    let walked = window.state().session().shown.ray_point_t.unwrap();
     assert!(middle.is_none_or(|middle| middle < walked), "{middle:?} {walked}");
     let said = window.get_by_label("Plot of f(p + t d)").accesskit_node().description();
     assert_eq!(said.as_deref(), Some(format!("point marked at t = {walked}").as_str()));
@@ -175,7 +175,7 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
         let frame = derived.world_frame.clone().unwrap();
         rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
     };
-    let observer = window.state().session().observer;
+    let observer = window.state().session().shown.observer;
     let (from, to) = (to_screen(&window, 3.0), to_screen(&window, 4.5));
     window.hover_at(from);
     window.run();
@@ -185,9 +185,9 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
     window.run();
     window.drop_at(to);
     window.run();
-    let walked = window.state().session().ray_point_t.unwrap();
+    let walked = window.state().session().shown.ray_point_t.unwrap();
     assert!((walked - 4.5).abs() < 0.05, "{walked}");
-    assert_eq!(window.state().session().observer, observer, "the observer stays");
+    assert_eq!(window.state().session().shown.observer, observer, "the observer stays");
 }
 
 /// A window of this size on a step of lesson 12, counted from 1, with its question answered.
@@ -202,7 +202,7 @@ pub(super) fn answered((lesson, step): (usize, usize), size: egui::Vec2) -> Harn
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     window.state_mut().open_lesson(id, None);
     window.run();
-    if window.state().session().is_asking {
+    if window.state().session().shown.is_asking {
         window.key_press(Key::PageDown);
         window.run();
     }

@@ -47,7 +47,7 @@ fn command(harness: &mut Harness<'_, App>, text: &str) {
 fn keys_steer_the_camera_in_its_view_and_say_what_they_do() {
     let mut harness = window("look-at");
     let before = camera(&harness);
-    let selected = harness.state().session().selection;
+    let selected = harness.state().session().shown.selection;
     let basis = before.basis().unwrap();
     focus(&mut harness, Role::Image, "Camera view");
     let press = press_at_once;
@@ -81,7 +81,7 @@ fn keys_steer_the_camera_in_its_view_and_say_what_they_do() {
     press(&mut harness, Modifiers::NONE, Key::Minus);
     assert!(camera(&harness).viewport.width > before.viewport.width);
     press(&mut harness, Modifiers::NONE, Key::Escape);
-    assert_eq!((camera(&harness), harness.state().session().selection), (before, selected));
+    assert_eq!((camera(&harness), harness.state().session().shown.selection), (before, selected));
 }
 
 #[test]
@@ -97,12 +97,12 @@ fn the_same_keys_move_the_observer_in_the_world_view() {
         (Modifiers::NONE, Key::Plus, Key::Minus),
     ];
     for (modifiers, there, back) in keys {
-        let observer = harness.state().session().observer.unwrap();
+        let observer = harness.state().session().shown.observer.unwrap();
         press(&mut harness, modifiers, there);
-        let moved = harness.state().session().observer.unwrap();
+        let moved = harness.state().session().shown.observer.unwrap();
         assert_ne!(moved, observer, "{there:?}");
         press(&mut harness, modifiers, back);
-        let returned = harness.state().session().observer.unwrap();
+        let returned = harness.state().session().shown.observer.unwrap();
         let far = returned.target().distance(observer.target());
         assert!(far < 1e-9 && (returned.distance() - observer.distance()).abs() < 1e-9);
     }
@@ -176,9 +176,9 @@ fn objects_are_added_and_deleted() {
 fn what_is_kept_is_switched() {
     let mut harness = window("canonical");
     command(&mut harness, "eye travels");
-    assert_eq!(harness.state().session().settings.eye_keeps, Keep::View);
+    assert_eq!(harness.state().session().preferences.eye_keeps, Keep::View);
     command(&mut harness, "eye travels");
-    assert_eq!(harness.state().session().settings.eye_keeps, Keep::At);
+    assert_eq!(harness.state().session().preferences.eye_keeps, Keep::At);
 }
 
 #[test]

@@ -43,15 +43,15 @@ fn a_ghost_is_frozen_and_dropped_by_key() {
     let mut harness = window("canonical");
     let document = harness.state().document().clone();
     press(&mut harness, Modifiers::NONE, Key::G);
-    assert_eq!(harness.state().session().ghost.unwrap().camera, document.camera);
+    assert_eq!(harness.state().session().shown.ghost.unwrap().camera, document.camera);
     type_into(&mut harness, "eye x", "1");
-    assert_eq!(harness.state().session().ghost.unwrap().camera, document.camera);
+    assert_eq!(harness.state().session().shown.ghost.unwrap().camera, document.camera);
     let names_with = names(&harness);
     for name in ["eye′", "u′", "v′", "w′", "eye", "u", "v", "w"] {
         assert!(names_with.iter().any(|label| label == name), "no {name} in {names_with:?}");
     }
     press(&mut harness, Modifiers::SHIFT, Key::G);
-    assert!(harness.state().session().ghost.is_none());
+    assert!(harness.state().session().shown.ghost.is_none());
     assert!(names(&harness).iter().all(|label| !label.contains('′')));
 }
 
@@ -156,7 +156,7 @@ fn without_a_ghost_the_layout_says_how_to_get_one() {
 fn a_removed_ghost_leaves_no_empty_half() {
     let mut harness = comparing("canonical");
     press(&mut harness, Modifiers::SHIFT, Key::G);
-    assert_eq!(harness.state().session().settings.layout, ViewLayout::Both);
+    assert_eq!(harness.state().session().shown.setup.layout, ViewLayout::Both);
     assert!(harness.query_by_role_and_label(Role::Image, "Ghost").is_none());
 }
 
@@ -164,5 +164,5 @@ fn a_removed_ghost_leaves_no_empty_half() {
 fn another_scene_has_no_ghost() {
     let mut harness = comparing("canonical");
     open_scene(&mut harness, "look-at");
-    assert!(harness.state().session().ghost.is_none());
+    assert!(harness.state().session().shown.ghost.is_none());
 }

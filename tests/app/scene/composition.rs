@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 
@@ -71,7 +71,10 @@ fn the_world_view_is_the_main_figure_and_nothing_is_cropped() {
 #[test]
 fn a_number_stays_where_it_is_while_numbers_change() {
     for layout in [ViewLayout::Both, ViewLayout::World] {
-        let mut harness = sized(vec2(1280.0, 800.0), Settings { layout, ..Settings::default() });
+        let mut harness = sized(
+            vec2(1280.0, 800.0),
+            Settings { setup: Setup { layout, ..Setup::default() }, ..Settings::default() },
+        );
         let picture = (layout == ViewLayout::Both).then(|| view(&harness, "Camera view"));
         let t_before = number(&harness, "t = 6").left_top();
         type_into(&mut harness, "eye x", "-1/3");
@@ -88,7 +91,7 @@ fn a_number_stays_where_it_is_while_numbers_change() {
 #[test]
 fn a_folded_section_says_its_values() {
     let mut settings = Settings::default();
-    settings.unfolded.camera = false;
+    settings.preferences.unfolded.camera = false;
     let mut harness = sized(vec2(1280.0, 800.0), settings);
     let values = |harness: &Harness<'_, App>, title: &str| {
         harness.get_by_label(title).accesskit_node().description().unwrap_or_default()
@@ -137,7 +140,8 @@ fn on_a_phone_the_fields_are_below_the_views_and_every_menu_is_whole() {
 #[test]
 fn the_numbers_at_the_foot_of_a_large_view_are_whole() {
     for layout in [ViewLayout::World, ViewLayout::Camera] {
-        let settings = Settings { layout, ..Settings::default() };
+        let settings =
+            Settings { setup: Setup { layout, ..Setup::default() }, ..Settings::default() };
         let harness = sized(vec2(1280.0, 800.0), settings);
         let number = number(&harness, "hit = plane 2 “back wall”");
         assert!(number.bottom() <= 800.0, "{layout:?}: {number}");

@@ -20,7 +20,7 @@ use crate::harness::{click_at, command, show, type_into, window_with};
 const SIZES: [egui::Vec2; 3] = [vec2(1920.0, 1080.0), vec2(900.0, 1000.0), vec2(1024.0, 768.0)];
 
 fn observer(harness: &Harness<'_, App>) -> Observer {
-    harness.state().session().observer.unwrap()
+    harness.state().session().shown.observer.unwrap()
 }
 
 /// Fails unless the tips of u, v, w and up are in the world view.
@@ -135,10 +135,10 @@ fn a_lesson_that_is_closed_at_an_exercise_leaves_scene_and_view_as_they_should_b
         harness.run();
         harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(lesson), step }, None);
         harness.run();
-        assert_eq!(harness.state().session().settings.layout, ViewLayout::Exercises);
+        assert_eq!(harness.state().session().shown.setup.layout, ViewLayout::Exercises);
         harness.get_by_role_and_label(Role::Button, "Close the lesson").click();
         harness.run();
-        assert_eq!(harness.state().session().settings.layout, ViewLayout::Both);
+        assert_eq!(harness.state().session().shown.setup.layout, ViewLayout::Both);
         assert!(is_in_sight(&harness, camera(&harness).eye), "{lesson}.{step}");
         assert_tips_in_sight(&harness, &format!("after {}.{}", lesson + 1, step + 1));
     }
@@ -171,7 +171,7 @@ pub(in crate::app) fn misframed(harness: &Harness<'_, App>) -> Option<String> {
     let camera = camera(harness);
     let frame = harness.state().derived().world_frame.clone()?;
     let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point());
-    let items = harness.state().session().settings.items;
+    let items = harness.state().session().shown.setup.items;
     let mut points = vec![camera.eye];
     if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
         points.push(camera.eye + UP_LENGTH * length * camera.up().normalize());
@@ -213,7 +213,7 @@ fn present(harness: &mut Harness<'_, App>, lesson: usize, step: usize) {
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     harness.state_mut().open_lesson(id, None);
     harness.run_steps(3);
-    if harness.state().session().is_asking {
+    if harness.state().session().shown.is_asking {
         harness.key_press(Key::PageDown);
         harness.run_steps(3);
     }
@@ -263,7 +263,7 @@ fn items_that_a_hand_switches_move_nothing() {
     let before = observer(&harness);
     for item in [Item::Basis, Item::ViewAndUp, Item::Axes] {
         command(&mut harness, &format!("Overlay: {}", item.label()));
-        assert!(harness.state().session().settings.items.shows(item));
+        assert!(harness.state().session().shown.setup.items.shows(item));
         assert_eq!(observer(&harness), before, "{item:?}");
     }
     harness.set_size(vec2(900.0, 700.0));
@@ -284,7 +284,7 @@ fn a_step_is_seen_alike_from_whichever_it_is_opened() {
                 harness.state_mut().open_lesson(id, None);
                 harness.run_steps(3);
             }
-            harness.state().session().observer
+            harness.state().session().shown.observer
         };
         for step in 1..steps.steps.len() {
             let next = seen(&[(lesson, step - 1), (lesson, step)]);
@@ -311,10 +311,10 @@ fn the_first_scene_is_seen_from_the_side_and_above_with_at_on_the_ball() {
 #[test]
 fn readouts_are_as_high_as_before_once_a_small_window_is_large_again() {
     let mut settings = pinhole::model::session::Settings::default();
-    settings.unfolded.numbers = true;
+    settings.preferences.unfolded.numbers = true;
     let mut harness =
         window_with("canonical", Remembered { settings, ..Remembered::default() }, None);
-    let before = harness.state().session().settings.splits;
+    let before = harness.state().session().preferences.splits;
     let view = |harness: &Harness<'_, App>| {
         harness.get_by_role_and_label(Role::Image, "World view").rect()
     };
@@ -323,7 +323,7 @@ fn readouts_are_as_high_as_before_once_a_small_window_is_large_again() {
     harness.run();
     harness.set_size(crate::harness::SIZE);
     harness.run();
-    assert_eq!(harness.state().session().settings.splits, before);
+    assert_eq!(harness.state().session().preferences.splits, before);
     assert_eq!(view(&harness), large);
 }
 

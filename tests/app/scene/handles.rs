@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::fault::Fault;
 use pinhole::model::overlay_items::Item;
-use pinhole::model::session::Settings;
+use pinhole::model::session::{Preferences, Settings, Setup};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{BasisError, Camera, CameraError, DVec3, Selection};
@@ -100,7 +100,10 @@ fn choose(harness: &mut Harness<'_, App>, handle: &str) {
 #[test]
 fn every_free_handle_stays_under_the_pointer_and_is_undone_in_one_step() {
     for (scene, handle, name) in FREE {
-        let settings = Settings { keep_pixel_shape: false, ..unfolded() };
+        let settings = Settings {
+            preferences: Preferences { keep_pixel_shape: false, ..unfolded().preferences },
+            ..unfolded()
+        };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut harness = window_with(scene, remembered, None);
         choose(&mut harness, handle);
@@ -141,11 +144,11 @@ fn there_and_back_is_no_change_and_escape_gives_back() {
         harness.run();
         assert_eq!(document(&harness), before, "{handle}");
         // The button is still down: it drags nothing any more.
-        let observer = harness.state().session().observer;
+        let observer = harness.state().session().shown.observer;
         pull(&mut harness, from + vec2(40.0, 5.0));
         drop_it(&mut harness, from + vec2(40.0, 5.0));
         assert_eq!(document(&harness), before, "{handle}");
-        assert_eq!(harness.state().session().observer, observer);
+        assert_eq!(harness.state().session().shown.observer, observer);
         harness.get_by_label("Edit").click();
         harness.run();
         assert!(says(&harness, "Undo Ctrl+Z"), "{handle}: a drag that was given back is no step");
@@ -225,7 +228,8 @@ fn corners_keep_the_pixels_shape_and_distance_the_picture_on_wish() {
     assert_eq!((viewport.width, viewport.height), (1.0, 1.0));
     undo(&mut harness);
 
-    let settings = Settings { keep_picture: true, ..unfolded() };
+    let settings =
+        Settings { setup: Setup { keep_picture: true, ..Setup::default() }, ..unfolded() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut harness = window_with("canonical", remembered, None);
     for handle in ["viewport's distance handle", "viewport, top left corner handle"] {
@@ -245,14 +249,14 @@ fn the_selected_pixel_is_dragged_over_the_viewport_and_changes_no_document() {
     let before = document(&harness);
     let handle = "selected pixel handle";
     let from = take(&mut harness, handle);
-    let selected = harness.state().session().selection;
+    let selected = harness.state().session().shown.selection;
     pull(&mut harness, from + vec2(-12.0, -8.0));
-    let moved = harness.state().session().selection;
+    let moved = harness.state().session().shown.selection;
     assert!(matches!(moved, Selection::Pixel(_)) && moved != selected);
     assert_near(node_at(&harness, handle), from + vec2(-12.0, -8.0));
     harness.key_press(Key::Escape);
     harness.run();
-    assert_eq!(harness.state().session().selection, selected);
+    assert_eq!(harness.state().session().shown.selection, selected);
     drop_it(&mut harness, from);
     assert_eq!(document(&harness), before);
 }
@@ -292,12 +296,12 @@ fn a_handle_with_the_focus_is_moved_by_keys() {
     let mut harness = window("canonical");
     harness.get_by_role_and_label(Role::Slider, "eye handle").focus();
     harness.run();
-    let selected = harness.state().session().selection;
+    let selected = harness.state().session().shown.selection;
     harness.key_press(Key::ArrowUp);
     harness.step();
     let eye = camera(&harness).eye;
     assert!(eye.y > 0.0 && eye.x == 0.0 && eye.z == 0.0, "{eye:?}");
-    assert_eq!(harness.state().session().selection, selected);
+    assert_eq!(harness.state().session().shown.selection, selected);
     harness.key_press(Key::ArrowUp);
     harness.step();
     assert_eq!(camera(&harness).eye.y, 2.0 * eye.y);
@@ -335,15 +339,15 @@ fn every_handle_is_moved_by_keys() {
 #[test]
 fn handles_that_are_switched_off_are_not_there() {
     let mut settings = Settings::default();
-    settings.items.set(pinhole::model::overlay_items::Item::Handles, false);
+    settings.setup.items.set(pinhole::model::overlay_items::Item::Handles, false);
     let remembered = Remembered { settings, ..Remembered::default() };
     let at = node_at(&window("canonical"), "eye handle");
     let mut harness = window_with("canonical", remembered, None);
     assert!(harness.query_by_role_and_label(Role::Slider, "eye handle").is_none());
-    let (before, observer) = (document(&harness), harness.state().session().observer);
+    let (before, observer) = (document(&harness), harness.state().session().shown.observer);
     crate::harness::drag_from(&mut harness, at, vec2(20.0, 20.0));
     assert_eq!(document(&harness), before);
-    assert_ne!(harness.state().session().observer, observer);
+    assert_ne!(harness.state().session().shown.observer, observer);
 }
 
 #[test]
@@ -387,7 +391,7 @@ fn turn(
 fn the_camera_view_looks_round_and_orbits() {
     let mut harness = window("look-at");
     let before = camera(&harness);
-    let selected = harness.state().session().selection;
+    let selected = harness.state().session().shown.selection;
     let looked = turn(&mut harness, PointerButton::Secondary, Modifiers::NONE, vec2(40.0, 10.0));
     assert_eq!((looked.eye, looked.up()), (before.eye, before.up()));
     assert_ne!(at_of(&looked), at_of(&before));
@@ -406,7 +410,7 @@ fn the_camera_view_looks_round_and_orbits() {
         undo(&mut harness);
         assert_eq!(camera(&harness), before);
     }
-    assert_eq!(harness.state().session().selection, selected);
+    assert_eq!(harness.state().session().shown.selection, selected);
 }
 
 #[test]
@@ -457,8 +461,8 @@ fn the_wheel_looks_at_pixels_more_closely_and_changes_no_camera() {
     let mut harness = window("look-at");
     let before = camera(&harness);
     let loupe = |harness: &Harness<'_, App>| {
-        let settings = &harness.state().session().settings;
-        settings.items.shows(Item::Loupe).then_some(settings.loupe_pixels)
+        let settings = &harness.state().session().settings();
+        settings.setup.items.shows(Item::Loupe).then_some(settings.preferences.loupe_pixels)
     };
     assert_eq!(loupe(&harness), None);
     wheel(&mut harness, 1.0, Modifiers::NONE);
@@ -566,7 +570,7 @@ fn near_up_the_camera_takes_up_along_unless_up_is_kept() {
     assert_eq!(document(&harness), before);
 
     command(&mut harness, "Keep up");
-    assert!(harness.state().session().settings.keep_up);
+    assert!(harness.state().session().preferences.keep_up);
     let (up, said) = pulled(&mut harness);
     assert!(!said);
     assert_eq!(up, before.camera.up());

@@ -55,7 +55,7 @@ fn turn_wheel(harness: &mut Harness<'_, App>, at: Pos2, notches: u32, lines: f32
 fn the_wheel_zooms_to_what_is_under_the_pointer_and_back() {
     for (scene, ball) in [("canonical", 0), ("look-at", 1), ("planet", 1)] {
         let mut harness = window(scene);
-        let framed = harness.state().session().observer;
+        let framed = harness.state().session().shown.observer;
         let (at, before) = seen(&harness, ball);
         assert_eq!(object_at(&harness, at), ball);
         turn_wheel(&mut harness, at, 12, 1.0);
@@ -68,7 +68,7 @@ fn the_wheel_zooms_to_what_is_under_the_pointer_and_back() {
         assert!(sees, "{scene}: and one on the way back");
         harness.key_press(Key::F);
         harness.run();
-        assert_eq!(harness.state().session().observer, framed);
+        assert_eq!(harness.state().session().shown.observer, framed);
     }
 }
 
@@ -98,7 +98,7 @@ fn the_wheel_goes_near_the_ground_that_a_planet_is_and_to_a_tiny_ball() {
     let at = view.center_bottom() - vec2(0.0, 60.0);
     assert_eq!(object_at(&harness, at), 0, "the planet");
     let distance =
-        |harness: &Harness<'_, App>| harness.state().session().observer.unwrap().distance();
+        |harness: &Harness<'_, App>| harness.state().session().shown.observer.unwrap().distance();
     let before = distance(&harness);
     turn_wheel(&mut harness, at, 6, 1.0);
     assert!(distance(&harness) < 0.7 * before, "{} of {before}", distance(&harness));
@@ -115,7 +115,7 @@ fn the_wheel_goes_near_the_ground_that_a_planet_is_and_to_a_tiny_ball() {
 #[test]
 fn a_double_click_frames_what_is_there() {
     let mut harness = window("look-at");
-    let framed = harness.state().session().observer;
+    let framed = harness.state().session().shown.observer;
     let (at, _) = seen(&harness, 0);
     let double_click = |harness: &mut Harness<'_, App>, at: Pos2| {
         harness.hover_at(at);
@@ -140,7 +140,7 @@ fn a_double_click_frames_what_is_there() {
     let empty = view.left_bottom() + vec2(30.0, -60.0);
     assert_eq!(object_at(&harness, empty), NO_OBJECT);
     double_click(&mut harness, empty);
-    assert_eq!(harness.state().session().observer, framed, "beside it, everything is framed");
+    assert_eq!(harness.state().session().shown.observer, framed, "beside it, everything is framed");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::session::{Settings, Split, Splits, ViewLayout};
+use pinhole::model::session::{Preferences, Settings, Setup, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::MOST_QUESTIONS;
@@ -98,7 +98,7 @@ fn the_map_is_of_the_chosen_method_and_says_how_many_pixels_are_wrong() {
     let text = map_says(&window);
     assert!(text.starts_with("ladder: 0 of ") && text.ends_with("up to 0 ulps"), "{text}");
     choose(&mut window, "error map of", "lagrange-f64");
-    assert_eq!(window.state().session().settings.compared, named("lagrange-f64"));
+    assert_eq!(window.state().session().preferences.compared, named("lagrange-f64"));
     assert!(map_says(&window).starts_with("lagrange-f64: "));
     let map = window.state().derived().second_view.as_ref().unwrap().clone();
     assert_eq!(map.image.size, window.state().derived().camera_view.clone().unwrap().image.size);
@@ -149,7 +149,7 @@ fn a_click_in_the_map_selects_the_pixel_and_says_what_both_make_of_it() {
     window.run_steps(2);
     window.drop_at(at);
     window.run_steps(2);
-    let Selection::Pixel(Pixel { row, column }) = window.state().session().selection else {
+    let Selection::Pixel(Pixel { row, column }) = window.state().session().shown.selection else {
         panic!("no pixel is selected")
     };
     assert!(row.abs_diff(300) <= 1 && column.abs_diff(100) <= 1, "{row}, {column}");
@@ -234,10 +234,12 @@ fn what_was_chosen_is_remembered() {
     let mut splits = Splits::default();
     splits.set(Split::Accuracy, 250.0);
     let settings = Settings {
-        layout: ViewLayout::Accuracy,
-        compared: named("half-b-f32"),
-        splits,
-        ..unfolded()
+        setup: Setup { layout: ViewLayout::Accuracy, ..Setup::default() },
+        preferences: Preferences {
+            compared: named("half-b-f32"),
+            splits,
+            ..unfolded().preferences
+        },
     };
     let text = serde_json::to_string(&settings).unwrap();
     assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);

@@ -6,11 +6,11 @@ use egui::Color32;
 use pinhole_core::{Camera, DVec2, PixelOfUv, Raster, Scene};
 
 use super::*;
-use crate::model::{Concept, Settings};
+use crate::model::{Concept, Preferences};
 
 /// Number of pixels that the loupe shows across and down.
 fn shown() -> u32 {
-    Settings::default().loupe_pixels
+    Preferences::default().loupe_pixels
 }
 
 /// Returns the drawing of the loupe alone over a canonical camera of `pixels` x `pixels`.
