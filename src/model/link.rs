@@ -52,7 +52,7 @@ pub fn to_window(document: &Document, session: &Session, lesson: Option<&OpenLes
     let layout = session.shown.setup.layout;
     let layout = session.presenting.map_or(layout, |presenting| presenting.before(layout));
     let (shown, ray, usual) = match step {
-        Some((shown, step)) => (shown, step.selection, step.view.layout.unwrap_or(layout)),
+        Some((shown, step)) => (shown, step.shown.selection, step.layout().unwrap_or(layout)),
         None => (Linked::scene(document), Selection::default(), ViewLayout::Both),
     };
     let ray = Some(session.shown.selection).filter(|selected| *selected != ray);

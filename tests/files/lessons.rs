@@ -23,19 +23,10 @@ fn every_lesson_is_read_and_says_how_it_begins() {
         let lesson = parse(text, Path::new(name), None).unwrap_or_else(|error| panic!("{error}"));
         assert!((1..=9).contains(&lesson.steps.len()), "{name}");
         // Whatever was shown before, a lesson begins in the same way.
-        let looks = &lesson.steps[0].view;
-        assert!(
-            looks.layout.is_some()
-                && looks.items.is_some()
-                && looks.shade.is_some()
-                && looks.count_from_one.is_some()
-                && looks.keep_picture.is_some()
-                && looks.teaching.is_some()
-                && looks.derivation.is_some()
-                && looks.highlighted.is_some()
-                && looks.observer.is_some(),
-            "{name}"
-        );
+        let first = &lesson.steps[0];
+        let keys = "layout show shade count_from_one keep_picture teaching derivation highlight";
+        assert!(keys.split(' ').all(|key| first.says(key)), "{name}");
+        assert!(first.shown.observer.is_some(), "{name}");
         for step in &lesson.steps {
             let sentences = step.text.matches(['.', '?']).count();
             assert!(sentences >= 1 && step.text.chars().count() < 260, "{}", step.text);
@@ -58,12 +49,13 @@ fn assert_asks(step: &Step) {
     for marked in [ask, answer] {
         assert_eq!(marked.matches('*').count() % 2, 0, "{marked}");
     }
-    let shown = step.view.items.unwrap();
+    assert!(step.says("show"), "{ask}");
+    let shown = step.shown.setup.items;
     for item in Item::ALL.into_iter().filter(|item| question.hidden.shows(*item)) {
         assert!(shown.shows(item), "{} is hidden but never shown: {ask}", item.name());
     }
-    assert_ne!(step.view.layout, Some(ViewLayout::Exercises), "an exercise asks by itself: {ask}");
-    assert_eq!(step.view.play, None, "an animation is to be watched: {ask}");
+    assert_ne!(step.layout(), Some(ViewLayout::Exercises), "an exercise asks by itself: {ask}");
+    assert_eq!(step.play, None, "an animation is to be watched: {ask}");
 }
 
 #[test]
@@ -71,9 +63,8 @@ fn lessons_ask_before_they_tell() {
     for lesson in builtin::all() {
         lesson.steps.iter().for_each(assert_asks);
         let asks = lesson.steps.iter().any(|step| step.question.is_some());
-        let is_other = |step: &Step| {
-            step.view.layout == Some(ViewLayout::Exercises) || step.view.play.is_some()
-        };
+        let is_other =
+            |step: &Step| step.layout() == Some(ViewLayout::Exercises) || step.play.is_some();
         assert!(asks || lesson.steps.iter().all(is_other), "{}", lesson.title);
     }
 }
@@ -129,33 +120,37 @@ exercise = "lines"
     let lesson = parse(&text, Path::new("mine.toml"), None).unwrap();
     let [a, c, d] = &lesson.steps[..] else { panic!("{}", lesson.steps.len()) };
     assert_eq!(a.document.camera.viewport.distance, 2.0);
-    assert_eq!(a.selection, Selection::Uv(DVec2::new(0.5, 0.0)));
-    assert_eq!(a.view.layout, Some(ViewLayout::Derivation));
+    assert_eq!(a.shown.selection, Selection::Uv(DVec2::new(0.5, 0.0)));
+    assert_eq!(a.layout(), Some(ViewLayout::Derivation));
     let shown = OverlayItems::NONE.with(Item::Eye, true).with(Item::ViewAndUp, true);
-    assert_eq!(a.view.items, Some(shown));
-    let observer = a.view.observer.unwrap();
+    assert_eq!(a.shown.setup.items, shown);
+    let observer = a.shown.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
-    assert_eq!(a.view.lines.as_ref().unwrap().ray.d, DVec2::ONE);
+    assert_eq!(a.shown.lines.ray.d, DVec2::ONE);
     let asked = |exercise, seed| Some(AskedExercise { exercise, seed });
-    assert_eq!(a.view.exercise, asked(Exercise::EyeAtUp, Some(3)));
-    assert_eq!(c.view.exercise, a.view.exercise);
-    assert_eq!(d.view.exercise, asked(Exercise::Lines, None), "the seed was another question's");
-    assert_eq!((a.view.shade, a.view.digits), (None, None), "left alone");
+    assert_eq!(a.exercise, asked(Exercise::EyeAtUp, Some(3)));
+    assert_eq!(c.exercise, a.exercise);
+    assert_eq!(d.exercise, asked(Exercise::Lines, None), "the seed was another question's");
+    assert!(!a.says("shade") && !a.says("digits"), "left alone");
     assert_eq!(c.text, "Two lines.");
-    assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
-    assert_eq!(c.view.layout, Some(ViewLayout::World));
+    assert_eq!(c.shown.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
+    assert_eq!(c.layout(), Some(ViewLayout::World));
     assert_eq!(
-        (&c.view.derivation, c.view.t, c.view.observer),
-        (&a.view.derivation, Some(2.0), a.view.observer)
+        (c.shown.sections, c.shown.ray_point_t, c.shown.observer),
+        (a.shown.sections, Some(2.0), a.shown.observer)
     );
     assert_eq!(c.document.camera, a.document.camera);
     let sphere = Sphere { center: DVec3::new(0.0, 0.0, -9.0), radius: 2.0 };
     assert_eq!(c.document.spheres.iter().map(|item| item.shape).collect::<Vec<_>>(), [sphere]);
     assert_eq!(c.document.planes, a.document.planes);
     assert_eq!((a.scene_from, c.scene_from, d.scene_from), (0, 0, 2));
-    assert_eq!(d.selection, Selection::Uv(DVec2::new(0.2, -0.1)), "another scene begins afresh");
-    assert_eq!((d.view.observer, d.view.t), (None, None));
-    assert_eq!(d.view.layout, Some(ViewLayout::World), "how it is looked at goes on");
+    assert_eq!(
+        d.shown.selection,
+        Selection::Uv(DVec2::new(0.2, -0.1)),
+        "another scene begins afresh"
+    );
+    assert_eq!((d.shown.observer, d.shown.ray_point_t), (None, None));
+    assert_eq!(d.layout(), Some(ViewLayout::World), "how it is looked at goes on");
 }
 
 #[test]
@@ -164,9 +159,9 @@ fn a_highlighted_object_goes_with_its_scene() {
                 [[step]]\ntitle = \"B\"\ntext = \"C.\"\nhighlight = \"root 4 0\"\n\
                 [[step]]\ntitle = \"C\"\ntext = \"D.\"\nscene = \"canonical\"\n";
     let lesson = parse(&format!("{HEAD}{more}"), Path::new("lesson.toml"), None).unwrap();
-    let highlighted: Vec<_> = lesson.steps.iter().map(|step| step.view.highlighted).collect();
+    let highlighted: Vec<_> = lesson.steps.iter().map(|step| step.shown.highlighted).collect();
     let root = Concept::Root { object: 4, number: 0 };
-    assert_eq!(highlighted, [Some(Some(Concept::Object(4))), Some(Some(root)), Some(None)]);
+    assert_eq!(highlighted, [Some(Concept::Object(4)), Some(root), None]);
 }
 
 #[test]
@@ -174,7 +169,7 @@ fn the_areas_of_both_products_have_a_name_together() {
     let text = format!("{HEAD}scene = \"canonical\"\nshow = [\"areas\"]\n");
     let lesson = parse(&text, Path::new("lesson.toml"), None).unwrap();
     let both = OverlayItems::NONE.with(Item::UpCrossW, true).with(Item::WCrossU, true);
-    assert_eq!(lesson.steps[0].view.items, Some(both));
+    assert_eq!(lesson.steps[0].shown.setup.items, both);
 }
 
 #[test]
@@ -285,10 +280,10 @@ fn a_lesson_may_have_its_own_scene_or_name_a_file_beside_it() {
     fs::write(folder.path().join("room.toml"), scene).unwrap();
     fs::write(&path, format!("{HEAD}scene = \"room.toml\"\n")).unwrap();
     let step = load(&path).unwrap().steps.remove(0);
-    assert_eq!((step.document.camera.eye.x, step.view.observer), (7.0, None));
+    assert_eq!((step.document.camera.eye.x, step.shown.observer), (7.0, None));
     let observer = "[observer]\ntarget = [1, 2, 3]\nazimuth = 40\nelevation = 20\ndistance = 12\n";
     fs::write(folder.path().join("room.toml"), format!("{scene}{observer}")).unwrap();
-    let observer = load(&path).unwrap().steps[0].view.observer.unwrap();
+    let observer = load(&path).unwrap().steps[0].shown.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(1.0, 2.0, 3.0), 12.0));
     fs::write(folder.path().join("room.toml"), "pinhole = 1\n").unwrap();
     let error = load(&path).unwrap_err().to_string();

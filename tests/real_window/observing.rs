@@ -67,10 +67,10 @@ pub(crate) fn zoom_turn_save_and_play() {
     (0..12).for_each(|_| heard.window.scroll(at, true));
     assert_shows_ball(&heard, at);
     let near = saved_step(&heard, &lesson, 1);
-    let size = |step: &Step| ball.radius / step.view.observer.unwrap().distance();
+    let size = |step: &Step| ball.radius / step.shown.observer.unwrap().distance();
     heard.click(BUTTON, "Look along y, from above");
     let above = saved_step(&heard, &lesson, 2);
-    let view = above.view.observer.unwrap().camera(4, 3).view().normalize();
+    let view = above.shown.observer.unwrap().camera(4, 3).view().normalize();
     assert!(view.dot(DVec3::NEG_Y) > 0.999, "{view}");
     assert!(size(&near) > 0.05 && size(&near) == size(&above), "{}", size(&near));
     heard.window.quit();
@@ -79,9 +79,9 @@ pub(crate) fn zoom_turn_save_and_play() {
     let mut heard = Heard::open(&screen, &arguments, folder.path());
     heard.wait_for_text("lesson · 1 of 2 · Step 1");
     let again = saved_step(&heard, &lesson, 3);
-    assert_eq!((again.view, again.selection), (near.view, near.selection));
+    assert_eq!(again.shown, near.shown);
     heard.key("Next");
     heard.wait_for_text("lesson · 2 of 3 · Step 2");
-    assert_eq!(saved_step(&heard, &lesson, 4).view, above.view);
+    assert_eq!(saved_step(&heard, &lesson, 4).shown, above.shown);
     heard.window.quit();
 }

@@ -1,88 +1,84 @@
-//! Applies a lesson's step to the document and the session. This is the only place where the fields of a
-//! step change the window's state.
+//! Applies a lesson's step to what is shown. This is the only place where a step changes the window's state.
 
 use pinhole_exchange::document::Document;
 
+use super::keys::KEYS;
 use super::lesson::Step;
-use crate::model::{Concept, Item, MistakesView, Observer, OverlayItems, Session};
+use crate::model::{Exercises, Item, Observer, OverlayItems, Session, Shown};
 
-/// Sets everything in the session that the step specifies. Everything else stays unchanged, including the answers
-/// typed for its question.
+/// Shows the step. What it does not say stays unchanged, including the answers typed for its question.
+pub fn apply(step: &Step, session: &mut Session) {
+    session.shown.is_asking = step.question.is_some();
+    session.shown = over(step, None, &session.shown);
+    if let Some(asked) = step.exercise {
+        session.exercises.show(asked.exercise, asked.seed);
+    }
+}
+
+/// Returns what is shown when the step is shown after `before`.
 ///
 /// `seen_from` is the step's observer as it was fitted to the view when the step was first shown; `None` if
 /// the step has not been shown yet.
-pub fn apply(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
-    session.shown.is_asking = step.question.is_some();
-    set_view(step, seen_from, session);
-}
-
-/// Shows the answer to the step's question, and the overlay items that were hidden while it was open.
-pub fn answer(step: &Step, session: &mut Session) {
-    session.shown.setup.items = items_to_frame(step, session);
-    session.shown.is_asking = false;
-}
-
-/// Returns the items that will be drawn once the step's question is answered. The observer is placed so
-/// that all of them are in sight from the start, so it need not move when the answer is shown.
-pub fn items_to_frame(step: &Step, session: &Session) -> OverlayItems {
-    let mut shown = session.shown.setup.items;
-    if let (true, Some(question), Some(items)) =
-        (session.shown.is_asking, &step.question, step.view.items)
-    {
-        for item in Item::ALL {
-            if question.hidden.shows(item) && items.shows(item) {
-                shown.set(item, true);
-            }
-        }
+fn over(step: &Step, seen_from: Option<Observer>, before: &Shown) -> Shown {
+    let own = &step.shown;
+    let mut shown = Shown {
+        selection: own.selection,
+        ray_point_t: own.ray_point_t,
+        ghost: own.ghost,
+        formulas: own.formulas.clone(),
+        before_recap: None,
+        spoken: own.spoken.clone(),
+        ..before.clone()
+    };
+    let said = KEYS.iter().filter(|key| step.says(key.name));
+    said.for_each(|key| (key.set)(&mut shown, own));
+    shown.observer = seen_from.or(own.observer).or(before.observer);
+    // An open vote (on the mistake in a picture) refers to the previous step's picture, and would cover
+    // this step's text.
+    if shown.mistakes_view.open_vote.is_some() {
+        shown.mistakes_view.close_vote();
+    }
+    // Handles can be dragged in the picture of any step, so a step never hides them.
+    let items = &mut shown.setup.items;
+    items.set(
+        Item::Handles,
+        [*items, before.setup.items].iter().any(|items| items.shows(Item::Handles)),
+    );
+    if before.is_asking {
+        *items = items.without(hidden(step));
     }
     shown
 }
 
-/// Clears the user's answers to the step's exercise.
-pub fn clear_answers(step: &Step, session: &mut Session) {
-    if let Some(asked) = step.view.exercise {
-        session.exercises.show(asked.exercise, asked.seed);
-        session.exercises.clear();
-    }
+/// Returns the items that are hidden while the step's question is open.
+fn hidden(step: &Step) -> OverlayItems {
+    let question = step.question.as_ref().filter(|_| step.says("show"));
+    question.map_or(OverlayItems::NONE, |question| question.hidden)
 }
 
-/// Sets the step's selection, observer and settings.
-fn set_view(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
-    session.shown.selection = step.selection;
-    let view = &step.view;
-    session.shown.observer = seen_from.or(view.observer).or(session.shown.observer);
-    set(&mut session.shown.sections, view.derivation);
-    (session.shown.formulas, session.shown.before_recap) = (view.formulas.clone(), None);
-    set(&mut session.shown.highlighted, view.highlighted);
-    (session.shown.ray_point_t, session.shown.ghost) = (view.t, view.ghost);
-    session.shown.spoken = Some(spoken_of(step));
-    set(&mut session.shown.lines, view.lines.clone());
-    if let Some(chosen) = view.mistake {
-        session.shown.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
+/// Shows the answer to the step's question, and the overlay items that were hidden while it was open.
+pub fn answer(step: &Step, shown: &mut Shown) {
+    shown.setup.items = items_to_frame(step, shown);
+    shown.is_asking = false;
+}
+
+/// Returns the items that will be drawn once the step's question is answered. The observer is placed so
+/// that all of them are in sight from the start, so it need not move when the answer is shown.
+pub fn items_to_frame(step: &Step, shown: &Shown) -> OverlayItems {
+    let (mut items, hidden) = (shown.setup.items, hidden(step));
+    let comes = |item: &Item| hidden.shows(*item) && step.shown.setup.items.shows(*item);
+    if shown.is_asking {
+        Item::ALL.into_iter().filter(comes).for_each(|item| items.set(item, true));
     }
-    // An open vote (on the mistake in a picture) refers to the previous step's picture, and would cover
-    // this step's text.
-    if session.shown.mistakes_view.open_vote.is_some() {
-        session.shown.mistakes_view.close_vote();
+    items
+}
+
+/// Clears the user's answers to the step's exercise.
+pub fn clear_answers(step: &Step, exercises: &mut Exercises) {
+    if let Some(asked) = step.exercise {
+        exercises.show(asked.exercise, asked.seed);
+        exercises.clear();
     }
-    if let Some(asked) = view.exercise {
-        session.exercises.show(asked.exercise, asked.seed);
-    }
-    let settings = &mut session.shown.setup;
-    set(&mut settings.layout, view.layout);
-    if let Some(items) = view.items {
-        // Handles can be dragged in the picture of any step, so a step never hides them.
-        let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
-        settings.items = items.with(Item::Handles, handles);
-        if let Some(question) = step.question.as_ref().filter(|_| session.shown.is_asking) {
-            settings.items = settings.items.without(question.hidden);
-        }
-    }
-    set(&mut settings.shade, view.shade);
-    set(&mut settings.count_from_one, view.count_from_one);
-    set(&mut settings.digits, view.digits);
-    set(&mut settings.keep_picture, view.keep_picture);
-    set(&mut settings.teaching, view.teaching);
 }
 
 /// Returns true if the document or the session differs from what the step specifies.
@@ -92,31 +88,9 @@ pub fn differs(
     document: &Document,
     session: &Session,
 ) -> bool {
-    let mut as_step = session.clone();
-    set_view(step, seen_from, &mut as_step);
-    clear_answers(step, &mut as_step);
     // A camera that is frozen for comparison changes nothing of the step.
-    as_step.shown.ghost = session.shown.ghost;
-    step.document != *document || as_step != *session
-}
-
-/// Returns which of the viewport's concepts (such as the distance) and the normal the step's title or text
-/// names.
-fn spoken_of(step: &Step) -> Vec<Concept> {
-    const NAMES: [(&str, Concept); 5] = [
-        ("width", Concept::Viewport),
-        ("height", Concept::Viewport),
-        ("distance", Concept::Distance),
-        ("the normal", Concept::Normal),
-        ("**n**", Concept::Normal),
-    ];
-    let text = format!("{} {}", step.title, step.text).to_lowercase();
-    let named = NAMES.into_iter().filter(|(name, _)| text.contains(name));
-    named.map(|(_, concept)| concept).collect()
-}
-
-fn set<T>(value: &mut T, chosen: Option<T>) {
-    if let Some(chosen) = chosen {
-        *value = chosen;
-    }
+    let shown = Shown { ghost: session.shown.ghost, ..over(step, seen_from, &session.shown) };
+    let mut exercises = session.exercises.clone();
+    clear_answers(step, &mut exercises);
+    step.document != *document || shown != session.shown || exercises != session.exercises
 }

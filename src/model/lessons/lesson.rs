@@ -1,17 +1,15 @@
 //! The contents of a lesson file, the user's place in a lesson, and the argument of `--lesson`.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use pinhole_core::{Selection, Shade};
 use pinhole_exchange::{Document, FileError};
-use pinhole_lecture::{Exercise, Mistake};
+use pinhole_lecture::Exercise;
 
 use crate::model::lessons::{builtin, read};
 use crate::model::play::Kind;
-use crate::model::{
-    Concept, DerivationSections, Formulas, Ghost, LinesLab, Observer, OverlayItems, ViewLayout,
-};
+use crate::model::{OverlayItems, Shown, ViewLayout};
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +36,29 @@ pub struct Step {
     /// Index of the step that set the scene. Steps with the same scene also share the world view's
     /// observer, unless they specify another one.
     pub scene_from: usize,
-    /// The selected ray.
-    pub selection: Selection,
-    /// The other parts of the window's state that the step sets.
-    pub view: StepView,
+    /// What the step shows, of which its keys and those of the steps before it say a part. The rest is left as the
+    /// lecturer has it.
+    pub shown: Shown,
+    /// The keys that it or a step before it says.
+    pub(super) said: BTreeSet<&'static str>,
+    /// True if the observer is not fitted to the view.
+    pub keep_observer: bool,
+    /// The animation to open, at its start.
+    pub play: Option<Kind>,
+    /// The question of the exercises layout; `None` leaves it as it is.
+    pub exercise: Option<AskedExercise>,
+}
+
+impl Step {
+    /// Returns true if the step or one before it says this key, which sets a part of what is shown.
+    pub fn says(&self, key: &str) -> bool {
+        self.said.contains(key)
+    }
+
+    /// Returns the layout of the views that the step sets.
+    pub fn layout(&self) -> Option<ViewLayout> {
+        self.says("layout").then_some(self.shown.setup.layout)
+    }
 }
 
 /// A question to the class and its answer. Symbols are marked as in a step's text: `*u*` and `**u**`.
@@ -63,48 +80,6 @@ pub struct AskedExercise {
     pub exercise: Exercise,
     /// The seed of the question's random numbers; `None` for the lecture's own numbers.
     pub seed: Option<u64>,
-}
-
-/// The view that a step sets. A field that is `None` leaves its part of the window unchanged, except `t`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct StepView {
-    /// The observer of the world view.
-    pub observer: Option<Observer>,
-    /// True if the observer is not fitted to the view.
-    pub keep_observer: Option<bool>,
-    /// The layout of the views.
-    pub layout: Option<ViewLayout>,
-    /// The items of the overlay.
-    pub items: Option<OverlayItems>,
-    /// The shading of the pictures.
-    pub shade: Option<Shade>,
-    /// True if rows and columns are counted from 1.
-    pub count_from_one: Option<bool>,
-    /// Number of significant digits.
-    pub digits: Option<usize>,
-    /// True if distance, width and height change together.
-    pub keep_picture: Option<bool>,
-    /// True if the teaching part of the camera panel is unfolded.
-    pub teaching: Option<bool>,
-    /// The lines of the derivation on the step's card of formulas.
-    pub formulas: Option<Formulas>,
-    /// The sections of the derivation that are shown.
-    pub derivation: Option<DerivationSections>,
-    /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
-    /// nothing.
-    pub highlighted: Option<Option<Concept>>,
-    /// The mistake that is shown: the camera with this mistake is compared with the right one.
-    pub mistake: Option<Mistake>,
-    /// The parameter t of the point to mark on the selected ray; `None` marks no point.
-    pub t: Option<f64>,
-    /// The camera that the world view compares with the step's own; `None` draws no other camera.
-    pub ghost: Option<Ghost>,
-    /// The animation to open, at its start.
-    pub play: Option<Kind>,
-    /// The state of the page *Lines*.
-    pub lines: Option<LinesLab>,
-    /// The question of the exercises layout.
-    pub exercise: Option<AskedExercise>,
 }
 
 /// Identifies a lesson.

@@ -3,21 +3,17 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use pinhole_core::{DVec2, ImageSize, Pixel, Selection, Shade};
+use pinhole_core::{DVec2, ImageSize, Pixel, Selection};
 use pinhole_exchange::fields::{Section, TomlField, TomlSource};
-use pinhole_exchange::scene_file::{TABLES, observer, tables, toml};
+use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
-use pinhole_lecture::{Exercise, ImplicitLine, Mistake, ParametricLine};
+use pinhole_lecture::Exercise;
 
-use super::lesson::{AskedExercise, Lesson, Step, StepQuestion, StepView};
-use crate::model::lines::{ShownLines, Trail};
+use super::keys::{KEYS, choice, is_in_scene, items};
+use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};
 use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
-use crate::model::session::{DIGITS, ViewLayout};
-use crate::model::{
-    Concept, DerivationSection, DerivationSections, Formulas, Ghost, Item, LinesLab, Observer,
-    OverlayItems,
-};
+use crate::model::{Concept, Ghost, Observer, OverlayItems};
 
 /// The version of the lesson format that this program reads.
 pub const VERSION: i64 = 1;
@@ -25,10 +21,9 @@ pub const VERSION: i64 = 1;
 /// The keys at the top of a file.
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
-/// The keys that a step may have in addition to the tables of a scene.
-const STEP: &str = "title text ask answer hide scene pixel uv observer keep_observer layout show \
-                    shade count_from_one digits keep_picture teaching derivation formulas highlight mistake t \
-                    play ghost lines exercise seed";
+/// The keys that a step may have in addition to those of [`KEYS`] and the tables of a scene.
+const STEP: &str =
+    "title text ask answer hide scene pixel uv keep_observer play ghost exercise seed";
 
 /// Reads a lesson file.
 ///
@@ -101,7 +96,8 @@ fn step(
     base: Option<&Path>,
     known: &mut Known,
 ) -> Result<Step, FileError> {
-    let fields: Vec<&str> = STEP.split(' ').chain(TABLES).collect();
+    let own = KEYS.iter().map(|key| key.name);
+    let fields: Vec<&str> = STEP.split(' ').chain(own).chain(TABLES).collect();
     section.only(&fields, &TOP[..1])?;
     let title = section.need("title", "title = \"What the step is about\"")?;
     let title = line(&title, LONGEST_TITLE)?;
@@ -123,28 +119,63 @@ fn step(
     // The step's own text replaces the scene's note.
     document.note.clear();
     tables(section, &mut document)?;
-    let mut view = last.map(|step| step.view.clone()).unwrap_or_default();
+    let mut shown = last.map(|step| step.shown.clone()).unwrap_or_default();
     if is_new {
-        // The observer and t belonged to the previous scene.
-        let observer = document.observer.map(Observer::from);
-        (view.observer, view.t, view.formulas) = (observer, None, None);
+        // These belonged to the previous scene.
+        shown.observer = document.observer.map(Observer::from);
+        (shown.ray_point_t, shown.formulas) = (None, None);
+        shown.selection = Selection::default();
     }
-    let selection = match last.filter(|_| !is_new) {
-        Some(step) => step.selection,
-        None => Selection::default(),
-    };
     let image = document.camera.image;
-    let selection = selected(section, image)?.unwrap_or(selection.inside(image));
-    let objects = document.object_count();
-    if !is_in_scene(view.highlighted.flatten(), objects) {
+    shown.selection = selected(section, image)?.unwrap_or(shown.selection.inside(image));
+    if !is_in_scene(shown.highlighted, document.object_count()) {
         // The highlighted concept belonged to an object of the previous step's scene.
-        view.highlighted = Some(None);
+        shown.highlighted = None;
     }
-    read_view(section, &mut view, objects)?;
+    shown.spoken = Some(spoken_of(&title, &text));
+    let mut step = Step {
+        title,
+        text,
+        question,
+        document,
+        scene_from: last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from),
+        shown,
+        said: last.map(|step| step.said.clone()).unwrap_or_default(),
+        keep_observer: last.is_some_and(|step| step.keep_observer),
+        // The camera may have changed, so the previous step's animation is not inherited.
+        play: None,
+        exercise: exercise(section)?.or(last.and_then(|step| step.exercise)),
+    };
+    for key in KEYS {
+        if let Some(field) = section.get(key.name) {
+            (key.read)(&field, &mut step)?;
+            step.said.insert(key.name);
+        }
+    }
+    if let Some(field) = section.get("keep_observer") {
+        step.keep_observer = field.boolean()?;
+    }
+    if let Some(field) = section.get("play") {
+        step.play = Some(choice(&field, Kind::ALL.map(|one| (one.name(), one)))?);
+    }
     let other = section.get("ghost").map(|field| scene(&field, base, known)).transpose()?;
-    view.ghost = other.map(|other| Ghost { camera: other.camera, shows_differences: false });
-    let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
-    Ok(Step { title, text, question, document, scene_from, selection, view })
+    step.shown.ghost = other.map(|other| Ghost { camera: other.camera, shows_differences: false });
+    Ok(step)
+}
+
+/// Returns which of the viewport's concepts (such as the distance) and the normal a step's title or text
+/// names.
+fn spoken_of(title: &str, text: &str) -> Vec<Concept> {
+    const NAMES: [(&str, Concept); 5] = [
+        ("width", Concept::Viewport),
+        ("height", Concept::Viewport),
+        ("distance", Concept::Distance),
+        ("the normal", Concept::Normal),
+        ("**n**", Concept::Normal),
+    ];
+    let text = format!("{title} {text}").to_lowercase();
+    let named = NAMES.into_iter().filter(|(name, _)| text.contains(name));
+    named.map(|(_, concept)| concept).collect()
 }
 
 /// Reads the question to the class. Unlike other fields, it is not inherited by the next step.
@@ -217,61 +248,6 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
     Ok(Some(Selection::Pixel(Pixel { row: row as u32, column: column as u32 })))
 }
 
-fn read_view(section: &Section, view: &mut StepView, objects: usize) -> Result<(), FileError> {
-    /// Replaces the inherited value if the field is present.
-    fn say<'a, T>(
-        section: &Section<'a>,
-        key: &str,
-        said: &mut Option<T>,
-        read: impl Fn(&TomlField<'a>) -> Result<T, FileError>,
-    ) -> Result<(), FileError> {
-        if let Some(field) = section.get(key) {
-            *said = Some(read(&field)?);
-        }
-        Ok(())
-    }
-    say(section, "observer", &mut view.observer, |field| observer(field).map(Observer::from))?;
-    say(section, "keep_observer", &mut view.keep_observer, TomlField::boolean)?;
-    say(section, "layout", &mut view.layout, |field| {
-        let layouts = ViewLayout::LISTED.into_iter().filter_map(|one| Some((one.name()?, one)));
-        choice(field, layouts)
-    })?;
-    say(section, "show", &mut view.items, items)?;
-    say(section, "shade", &mut view.shade, |field| {
-        choice(field, Shade::ALL.map(|one| (one.name(), one)))
-    })?;
-    say(section, "count_from_one", &mut view.count_from_one, TomlField::boolean)?;
-    say(section, "digits", &mut view.digits, |field| {
-        let range = DIGITS.0 as i64..=DIGITS.1 as i64;
-        Ok(field.whole(range, "a number of significant digits")? as usize)
-    })?;
-    say(section, "keep_picture", &mut view.keep_picture, TomlField::boolean)?;
-    say(section, "teaching", &mut view.teaching, TomlField::boolean)?;
-    say(section, "derivation", &mut view.derivation, derivation)?;
-    say(section, "formulas", &mut view.formulas, |field| {
-        if field.text() == Ok("recap") {
-            return Ok(Formulas::Recap);
-        }
-        let concepts = elements(field, "[\"view\", \"w\"], or \"recap\"")?;
-        Ok(Formulas::About(
-            concepts.iter().map(|one| concept(one, objects)).collect::<Result<_, _>>()?,
-        ))
-    })?;
-    say(section, "highlight", &mut view.highlighted, |field| highlighted(field, objects))?;
-    say(section, "mistake", &mut view.mistake, |field| {
-        choice(field, Mistake::GALLERY.iter().map(|one| (one.id(), *one)))
-    })?;
-    say(section, "t", &mut view.t, TomlField::number)?;
-    // The camera may have changed, so the previous step's animation is not inherited.
-    view.play = None;
-    say(section, "play", &mut view.play, |field| {
-        choice(field, Kind::ALL.map(|one| (one.name(), one)))
-    })?;
-    say(section, "lines", &mut view.lines, |field| lines(&field.section()?))?;
-    view.exercise = exercise(section)?.or(view.exercise);
-    Ok(())
-}
-
 /// Reads the step's exercise. A seed requires the kind of question in the same step, because another
 /// kind of question would get different numbers from the seed.
 fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
@@ -286,134 +262,4 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);
     let seed = seed.map(|seed| seed.whole(0..=largest, "a whole number")).transpose()?;
     Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))
-}
-
-/// Reads a name and returns the value that `known` lists with it.
-fn choice<T>(
-    field: &TomlField,
-    known: impl IntoIterator<Item = (&'static str, T)>,
-) -> Result<T, FileError> {
-    let (names, mut values): (Vec<&str>, Vec<T>) = known.into_iter().unzip();
-    let name = field.one_of(&names)?;
-    let index = names.iter().position(|known| *known == name);
-    index.map(|k| values.swap_remove(k)).ok_or_else(|| field.error("it has no such value"))
-}
-
-fn items(field: &TomlField) -> Result<OverlayItems, FileError> {
-    let elements = elements(field, "[\"eye\", \"basis\", \"ray\"]")?;
-    elements.iter().try_fold(OverlayItems::NONE, |shown, element| {
-        // Both areas had one name once.
-        let areas: &[Item] = &[Item::UpCrossW, Item::WCrossU];
-        let items = Item::ALL.iter().map(|item| (item.name(), std::slice::from_ref(item)));
-        let chosen = choice(element, items.chain([("areas", areas)]))?;
-        Ok(chosen.iter().fold(shown, |shown, item| shown.with(*item, true)))
-    })
-}
-
-fn elements<'a>(field: &TomlField<'a>, such_as: &str) -> Result<Vec<TomlField<'a>>, FileError> {
-    field.elements().ok_or_else(|| field.error(&format!("it must be a list, such as {such_as}")))
-}
-
-fn derivation(field: &TomlField) -> Result<DerivationSections, FileError> {
-    let known = DerivationSection::ALL.map(|section| (section.name(), section));
-    let mut shown = DerivationSections([false; 3]);
-    for element in elements(field, "[\"basis\"]")? {
-        shown.set(choice(&element, known)?, true);
-    }
-    Ok(shown)
-}
-
-/// Returns true if the concept exists in a scene with `objects` objects.
-pub(super) fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
-    match concept {
-        Some(
-            Concept::Object(object)
-            | Concept::Root { object, .. }
-            | Concept::Equation { object, .. },
-        ) => (object as usize) < objects,
-        _ => true,
-    }
-}
-
-/// Reads the name of a concept in a scene with `objects` objects, or the word `nothing` for no concept.
-fn highlighted(field: &TomlField, objects: usize) -> Result<Option<Concept>, FileError> {
-    match field.text() {
-        Ok(NOTHING) => Ok(None),
-        _ => concept(field, objects).map(Some),
-    }
-}
-
-/// Reads the name of a concept in a scene with `objects` objects.
-fn concept(field: &TomlField, objects: usize) -> Result<Concept, FileError> {
-    let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
-    match numbered {
-        Some(concept) if is_in_scene(numbered, objects) => return Ok(concept),
-        Some(_) if objects == 0 => return Err(field.error("the scene has no objects")),
-        Some(_) => {
-            let right = format!("the scene's objects are 0 to {}", objects - 1);
-            return Err(field.error(&right));
-        }
-        None => {}
-    }
-    let numbered = [
-        "object 0",
-        "root 0 1",
-        "substitution 0",
-        "coefficients 0",
-        "solution 0",
-        "discriminant 0",
-    ];
-    let known: Vec<&str> = [NOTHING].into_iter().chain(Concept::names()).chain(numbered).collect();
-    Concept::from_name(field.one_of(&known)?).ok_or_else(|| field.error("it must be a concept"))
-}
-
-/// The name that stands for no highlighted concept.
-pub(super) const NOTHING: &str = "nothing";
-
-/// Reads the lines lab's two lines, or one of them; then only that one is drawn.
-fn lines(section: &Section) -> Result<LinesLab, FileError> {
-    section.only(&["implicit", "p", "d", "t", "trail"], &[])?;
-    let pair = |field: &TomlField| -> Result<DVec2, FileError> {
-        Ok(DVec2::from_array(field.numbers("two numbers, such as [1.0, 1.0]")?))
-    };
-    let (implicit, example) = (section.get("implicit"), LinesLab::default());
-    let has_ray = ["p", "d"].into_iter().any(|key| section.get(key).is_some());
-    let line = if implicit.is_some() || !has_ray {
-        let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;
-        let [a, b, c] = field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?;
-        let line = ImplicitLine { a, b, c };
-        line.check().map_err(|error| field.fault(error))?;
-        line
-    } else {
-        example.line()
-    };
-    let ray = if has_ray {
-        let p = pair(&section.need("p", "p = [0.0, 0.0]")?)?;
-        let field = section.need("d", "d = [1.0, 1.0]")?;
-        let ray = ParametricLine { p, d: pair(&field)? };
-        ray.check().map_err(|error| field.fault(error))?;
-        ray
-    } else {
-        example.ray
-    };
-    if let Some(field) =
-        ["t", "trail"].into_iter().find_map(|key| section.get(key)).filter(|_| !has_ray)
-    {
-        return Err(field.error("it needs p and d beside it"));
-    }
-    let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
-    let mut lab = LinesLab::new(line, ray, t);
-    if !has_ray {
-        lab.shown = ShownLines::Implicit;
-    } else if implicit.is_none() {
-        lab.shown = ShownLines::Parametric;
-    }
-    if let Some(trail) = section.get("trail") {
-        let [first, last] = pair(&trail)?.to_array();
-        if first > last {
-            return Err(trail.error("its first t must not be above its last, as in [-1.0, 3.0]"));
-        }
-        lab.trail = Trail { step: 1.0, first, last };
-    }
-    Ok(lab)
 }

@@ -3,16 +3,15 @@
 use std::path::Path;
 
 use pinhole_core::Selection;
-use pinhole_exchange::scene_file::{TABLES, observer_fields, path_from, to_text, with_table};
+use pinhole_exchange::scene_file::{TABLES, path_from, to_text, with_table};
 use pinhole_exchange::{BuiltinScene, Document, SceneSource};
-use pinhole_lecture::ImplicitLine;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item as TomlItem, Table, Value, value};
 
+use super::keys::{KEYS, Key, is_in_scene};
 use super::lesson::Lesson;
-use super::read::{NOTHING, VERSION, is_in_scene, parse};
+use super::read::{VERSION, parse};
 use crate::model::files::{OpenDocument, Origin};
-use crate::model::lines::{LinesLab, ShownLines};
-use crate::model::{Concept, DerivationSection, Formulas, Item, Session, ViewLayout};
+use crate::model::{Concept, Shown, ViewLayout};
 
 /// Returns the text of a lesson file to whose end a step is added that shows what the window shows, and the
 /// lesson that it is read as. The `text` of the file so far is kept as it is; `None` begins a lesson.
@@ -23,9 +22,10 @@ pub fn with_step(
     text: Option<&str>,
     path: &Path,
     open: &OpenDocument,
-    session: &Session,
+    shown: &Shown,
 ) -> Result<(String, Lesson), String> {
-    if layout_of_step(session).name().is_none() {
+    let shown = of_step(&open.document, shown);
+    if shown.setup.layout.name().is_none() {
         return Err("A step cannot show this page: open another one first.".to_owned());
     }
     let read = |text: &str| parse(text, path, path.parent());
@@ -35,8 +35,8 @@ pub fn with_step(
     // A step that goes on with a scene cannot take back what the step before it says of t and the formulas.
     let goes_on = steps.last().is_some_and(|last| {
         plain(&last.document) == plain(&open.document)
-            && (last.view.t.is_none() || session.shown.ray_point_t.is_some())
-            && (last.view.formulas.is_none() || session.shown.formulas.is_some())
+            && (last.shown.ray_point_t.is_none() || shown.ray_point_t.is_some())
+            && (last.shown.formulas.is_none() || shown.formulas.is_some())
     });
     let title = Value::from(&*path.file_stem().unwrap_or_default().to_string_lossy());
     let begun = format!("pinhole_lesson = {VERSION}\ntitle = {title}\n");
@@ -52,7 +52,7 @@ pub fn with_step(
     let step = format!(
         "[[step]]\ntitle = \"Step {}\"\ntext = \"Write here what to look at, or what to drag.\"\n{scene}{}{tables}",
         steps.len() + 1,
-        view(&open.document, session)
+        view(&shown)
     );
     let whole = format!("{text}{missing}{end}{}", step.replace('\n', end));
     let lesson =
@@ -80,69 +80,35 @@ fn scene_of(open: &OpenDocument, folder: &Path) -> (String, Document) {
     named.unwrap_or_else(|| (first.name.to_owned(), first.load().unwrap_or_default()))
 }
 
-/// Returns the layout with which a step shows what is shown now.
-fn layout_of_step(session: &Session) -> ViewLayout {
-    match session.shown.setup.layout {
+/// Returns what a step shows of what is shown now.
+fn of_step(document: &Document, shown: &Shown) -> Shown {
+    let mut of_step = shown.clone();
+    let is_there = |one: &Concept| is_in_scene(Some(*one), document.object_count());
+    of_step.highlighted = shown.highlighted.filter(is_there);
+    of_step.selection = shown.selection.inside(document.camera.image);
+    of_step.setup.layout = match shown.setup.layout {
         ViewLayout::DerivationAlone => ViewLayout::Derivation,
         // A step's ghost is a scene.
         ViewLayout::Compare => ViewLayout::Both,
         other => other,
-    }
+    };
+    of_step
 }
 
-/// Returns the keys of a step that set the view, a line each.
-fn view(document: &Document, session: &Session) -> String {
-    let settings = &session.shown.setup;
-    let layout = layout_of_step(session);
-    let key = |name: &str, value: Option<String>| {
-        value.map_or(String::new(), |value| format!("{name} = {value}\n"))
-    };
-    let ray = match session.shown.selection.inside(document.camera.image) {
+/// Returns the keys of a step that set what is shown, a line each.
+fn view(shown: &Shown) -> String {
+    let ray = match shown.selection {
         Selection::Pixel(pixel) => format!("pixel = [{}, {}]", pixel.row, pixel.column),
         Selection::Uv(uv) => format!("uv = {:?}", uv.to_array()),
     };
-    let observer =
-        session.shown.observer.map(|observer| observer_fields(&observer.stored()).join(", "));
-    let items = Item::ALL.into_iter().filter(|item| settings.items.shows(*item));
-    let sections =
-        DerivationSection::ALL.into_iter().filter(|one| session.shown.sections.shows(*one));
-    let is_there = |one: &Concept| is_in_scene(Some(*one), document.object_count());
-    let highlighted =
-        session.shown.highlighted.filter(is_there).map_or(NOTHING.into(), Concept::name);
-    let formulas = session.shown.formulas.as_ref().map(|formulas| match formulas {
-        Formulas::Recap => "\"recap\"".to_owned(),
-        some => format!("{:?}", Vec::from_iter(some.concepts().iter().map(|one| one.name()))),
-    });
-    let lines = (layout == ViewLayout::Lines).then(|| {
-        let LinesLab { ray, t, trail, shown, .. } = &session.shown.lines;
-        let ImplicitLine { a, b, c } = session.shown.lines.line();
-        let implicit = format!("implicit = [{a:?}, {b:?}, {c:?}]");
-        let [p, d] = [ray.p, ray.d].map(|pair| pair.to_array());
-        let parametric = format!("p = {p:?}, d = {d:?}, t = {t:?}");
-        let trail_text = format!(", trail = [{:?}, {:?}]", trail.first, trail.last);
-        let trail = if trail.first < trail.last { trail_text } else { String::new() };
-        match shown {
-            ShownLines::Both => format!("{{ {implicit}, {parametric}{trail} }}"),
-            ShownLines::Implicit => format!("{{ {implicit} }}"),
-            ShownLines::Parametric => format!("{{ {parametric}{trail} }}"),
-        }
-    });
-    let mistake = (layout == ViewLayout::Mistakes).then_some(session.shown.mistakes_view.chosen);
-    [
-        ray + "\n",
-        key("observer", observer.map(|fields| format!("{{ {fields} }}"))),
-        format!("keep_observer = true\nlayout = {:?}\n", layout.name().unwrap_or_default()),
-        format!("show = {:?}\n", Vec::from_iter(items.map(Item::name))),
-        format!("derivation = {:?}\n", Vec::from_iter(sections.map(DerivationSection::name))),
-        key("formulas", formulas),
-        format!("highlight = {highlighted:?}\nshade = {:?}\n", settings.shade.name()),
-        format!("count_from_one = {}\ndigits = {}\n", settings.count_from_one, settings.digits),
-        format!("keep_picture = {}\nteaching = {}\n", settings.keep_picture, settings.teaching),
-        key("t", session.shown.ray_point_t.map(|t| format!("{t:?}"))),
-        key("mistake", mistake.map(|mistake| format!("{:?}", mistake.id()))),
-        key("lines", lines),
-    ]
-    .concat()
+    let is_of_page = |key: &&Key| match key.name {
+        "lines" => shown.setup.layout == ViewLayout::Lines,
+        "mistake" => shown.setup.layout == ViewLayout::Mistakes,
+        _ => true,
+    };
+    let line = |key: &Key| Some(format!("{} = {}\n", key.name, (key.write)(shown)?));
+    let keys: String = KEYS.iter().filter(is_of_page).filter_map(line).collect();
+    format!("{ray}\nkeep_observer = true\n{keys}")
 }
 
 /// Returns the tables of a scene that differ from those of another one, as they stand in a step.

@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::model::practice::class::ClassCodes;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 use crate::model::{
-    Concept, Exercises, HandleState, HoverSource, Hovered, Observer, Progress, StudentAnswers,
-    Translator,
+    Concept, Exercises, HandleState, HoverSource, Hovered, Progress, StudentAnswers, Translator,
 };
 
 pub use shown::{Setup, Shown};
@@ -192,12 +191,6 @@ impl Session {
         Settings { setup: self.shown.setup, preferences: self.preferences }
     }
 
-    /// Returns the session as another observer sees the world view.
-    pub fn seen_from(&self, observer: Option<Observer>) -> Session {
-        let shown = Shown { observer, ..self.shown.clone() };
-        Session { shown, ..self.clone() }
-    }
-
     /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
         self.hovered.map(|hovered| hovered.concept).or(self.shown.highlighted)
@@ -246,10 +239,10 @@ impl Session {
 
     /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
-        self.shown.selection = self.shown.selection.in_another_image(before.image, now.image);
+        let selection = &mut self.shown.selection;
+        *selection = selection.in_another_image(before.image, now.image);
         if self.shown.setup.keep_picture {
-            self.shown.selection =
-                self.shown.selection.in_another_viewport(before.viewport, now.viewport);
+            *selection = selection.in_another_viewport(before.viewport, now.viewport);
         }
     }
 }

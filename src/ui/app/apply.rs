@@ -524,10 +524,8 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
         ThemeName::Light => ThemePreference::Light,
     });
     let presenting = session.presenting.is_some();
-    theme::install(
-        ctx,
-        Look { by_touch: is_by_touch(ctx), ..Look::new(&session.settings(), presenting) },
-    );
+    let look = Look::new(&session.settings(), presenting);
+    theme::install(ctx, Look { by_touch: is_by_touch(ctx), ..look });
     let usual = egui::style::Interaction::default().tooltip_delay;
     let delay = if may_explain(ctx) { usual } else { NEVER };
     if ctx.global_style().interaction.tooltip_delay != delay {

@@ -268,24 +268,20 @@ impl App {
         camera::ui(ui, &mut document.camera, &mut scene.session);
         scene.session.follow_camera(&before, &document.camera);
         let Session { shown, preferences: settings, .. } = &mut scene.session;
+        let Shown { selection, setup, is_asking, .. } = shown;
         ui.separator();
         let resolved = document.camera.resolve().ok();
         // The ray's numbers may be the answer to the question.
-        if !shown.is_asking {
-            let uv = resolved.as_ref().map(|resolved| shown.selection.uv(resolved));
-            let uv = uv.map(|uv| NumberStyle::new(&shown.setup).uv(uv));
+        if !*is_asking {
+            let uv = resolved.as_ref().map(|resolved| selection.uv(resolved));
+            let uv = uv.map(|uv| NumberStyle::new(setup).uv(uv));
             section(
                 ui,
                 "Selected ray",
                 &uv.unwrap_or_default(),
                 &mut settings.unfolded.ray,
                 |ui| {
-                    camera::selected_ray(
-                        ui,
-                        &mut shown.selection,
-                        resolved.as_ref(),
-                        shown.setup.count_from_one,
-                    );
+                    camera::selected_ray(ui, selection, resolved.as_ref(), setup.count_from_one);
                 },
             );
             ui.separator();

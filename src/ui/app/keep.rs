@@ -47,8 +47,7 @@ impl App {
     pub(super) fn save_step(&mut self, path: &Path) -> Option<Dialog> {
         let lesson = self.write_step(path);
         let count = lesson.as_ref().map_or(0, |lesson| lesson.steps.len());
-        let ghost =
-            if self.scene.session.shown.ghost.is_some() { ", without the ghost," } else { "" };
+        let ghost = self.scene.session.shown.ghost.map_or("", |_| ", without the ghost,");
         let verb = format!("Saved step {count}{ghost} to");
         let written = lesson.map(|lesson| {
             self.scene.lessons.is_longer(lesson);
@@ -65,7 +64,7 @@ impl App {
         open.check_output(path)?;
         let text = host().stamp(path).map(|_| limits::read_text(path)).transpose();
         let text = text.map_err(|error| error.to_string())?;
-        let (text, lesson) = with_step(text.as_deref(), path, open, session)?;
+        let (text, lesson) = with_step(text.as_deref(), path, open, &session.shown)?;
         host().write(path, text.as_bytes()).map_err(|error| error.to_string())?;
         Ok(lesson)
     }

@@ -11,7 +11,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
-use crate::model::{Observer, Session, Setup, Shown, ViewLayout, Workspace};
+use crate::model::{Observer, Session, Shown, ViewLayout, Workspace};
 use crate::ui::dialogs::Question;
 use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
@@ -25,7 +25,7 @@ pub(super) struct Lessons {
     /// The observer (the world view's camera) with which the step began, fitted to the world view.
     seen_from: Option<Observer>,
     /// The session before the first step.
-    before: Option<Session>,
+    pub(super) before: Option<Session>,
     /// The command-line argument that opens the scene from before the first step.
     pub(super) scene_before: Option<PathBuf>,
 }
@@ -54,11 +54,6 @@ impl Lessons {
     pub(super) fn step(&self, is_changed: bool) -> Option<OpenStep<'_>> {
         let (open, file) = (self.open.as_ref()?, self.file.as_deref());
         Some(OpenStep { open, file, is_changed })
-    }
-
-    /// Returns how documents are shown without a lesson; `now` is how they are shown now.
-    pub(super) fn setup_without(&self, now: Setup) -> Setup {
-        self.before.as_ref().map_or(now, |before| before.shown.setup)
     }
 
     /// Returns the numbers of the open lesson and its step, counted from 1, if the lesson is built in.
@@ -101,16 +96,16 @@ impl OpenScene {
         }
         let title = format!("{}, step {}", next.short_title(), id.step + 1);
         self.open = OpenDocument::of_step(document, title);
-        apply::apply(next.step(), None, &mut self.session);
+        apply::apply(next.step(), &mut self.session);
         lessons.seen_from = self.session.shown.observer;
-        if next.step().view.observer.is_some() {
+        if next.step().shown.observer.is_some() {
             self.framed = None;
         }
         // The pen's strokes belong to the previous step.
         if let Some(pen) = &mut self.session.pen {
             *pen = Pen::default();
         }
-        let play = next.step().view.play;
+        let play = next.step().play;
         lessons.open = Some(next);
         Ok(Opened { is_another: !same_scene, play })
     }
@@ -139,21 +134,17 @@ impl OpenScene {
     /// many as before if the derivation stays the same, otherwise none. Returns `None` if lines are not
     /// revealed one by one.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
-        let session = &self.session;
-        session.presenting?;
-        let layout = step.view.layout.unwrap_or(session.shown.setup.layout);
+        let shown = &self.session.shown;
+        self.session.presenting?;
+        let layout = step.layout().unwrap_or(shown.setup.layout);
         if layout.workspace() != Some(Workspace::Derivation) {
             return None;
         }
         let is_same = self.open.document == step.document
-            && session.shown.selection == step.selection
-            && step.view.derivation.is_none_or(|sections| sections == session.shown.sections);
-        let was_derived = session.shown.setup.layout.workspace() == Some(Workspace::Derivation);
-        if is_same && was_derived && !session.shown.is_asking {
-            session.shown.revealed_lines
-        } else {
-            Some(0)
-        }
+            && shown.selection == step.shown.selection
+            && (!step.says("derivation") || step.shown.sections == shown.sections);
+        let was_derived = shown.setup.layout.workspace() == Some(Workspace::Derivation);
+        if is_same && was_derived && !shown.is_asking { shown.revealed_lines } else { Some(0) }
     }
 
     /// Shows the step's answer and all lines of its derivation.
@@ -165,7 +156,7 @@ impl OpenScene {
     /// Shows the answer to the step's question.
     pub(super) fn answer(&mut self) {
         if let Some(open) = &self.lessons.open {
-            apply::answer(open.step(), &mut self.session);
+            apply::answer(open.step(), &mut self.session.shown);
         }
     }
 
@@ -176,13 +167,13 @@ impl OpenScene {
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.shown.is_asking);
         let revealed_lines = self.session.shown.revealed_lines;
         let opened = self.open_lesson(open.id(), None)?;
-        apply::clear_answers(open.step(), &mut self.session);
+        apply::clear_answers(open.step(), &mut self.session.exercises);
         self.session.shown.revealed_lines = revealed_lines;
         if !is_asking {
             self.answer();
         }
         // The step's own observer is fitted again the next time the world view is shown.
-        let observer = open.step().view.observer.or(seen_from);
+        let observer = open.step().shown.observer.or(seen_from);
         (self.session.shown.observer, self.lessons.seen_from) = (observer, observer);
         Ok(opened)
     }
@@ -190,14 +181,13 @@ impl OpenScene {
     /// Closes the lesson; its scene stays open as an ordinary scene. An observer that the user has moved
     /// stays; otherwise the observer is fitted to the layout from before the lesson.
     pub(super) fn close_lesson(&mut self) {
-        if self.lessons.open.take().is_some()
-            && self.session.shown.observer == self.lessons.seen_from
-        {
-            self.session.shown.observer = None;
+        let (shown, lessons) = (&mut self.session.shown, &mut self.lessons);
+        if lessons.open.take().is_some() && shown.observer == lessons.seen_from {
+            shown.observer = None;
         }
-        if let Some(before) = self.lessons.before.take() {
-            let Shown { selection, observer, .. } = self.session.shown;
-            self.session.shown = Shown { selection, observer, ..before.shown };
+        if let Some(before) = lessons.before.take() {
+            let Shown { selection, observer, .. } = *shown;
+            *shown = Shown { selection, observer, ..before.shown };
             // The answers typed in a step's exercise are kept.
             let exercises = &before.exercises;
             self.session.exercises.show(exercises.question().exercise, exercises.seed());

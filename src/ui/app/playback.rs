@@ -90,7 +90,7 @@ impl App {
         let (inspection, traced) = (derived.inspection.as_deref(), derived.scene.as_deref());
         let start = Start::new(&scene.open.document, &scene.session, inspection, traced);
         let mut player = Player::new(kind, start);
-        let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().view.play);
+        let of_step = scene.lessons.open.as_ref().and_then(|open| open.step().play);
         if let Some(before) = scene.session.shown.observer.filter(|_| of_step != Some(kind)) {
             let aspect = self.views.world_size().aspect();
             let after = before.following(&start.camera, &start.cameras(kind), aspect);

@@ -3,7 +3,6 @@
 use pinhole_core::Selection;
 
 use super::scene::OpenScene;
-use crate::model::lessons::StepView;
 use crate::model::{Formulas, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
@@ -14,11 +13,11 @@ pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
 impl OpenScene {
     /// Returns the lesson whose step asks the open exercise, be it with other numbers; `None` if no step does.
     pub(super) fn step_of_exercise(&self) -> Option<&OpenLesson> {
+        let shown = self.session.exercises.question().exercise;
         let is_of_step = |open: &&OpenLesson| {
-            let StepView { exercise, layout, .. } = &open.step().view;
-            *layout == Some(ViewLayout::Exercises)
-                && exercise
-                    .is_some_and(|own| own.exercise == self.session.exercises.question().exercise)
+            let step = open.step();
+            step.layout() == Some(ViewLayout::Exercises)
+                && step.exercise.is_some_and(|own| own.exercise == shown)
         };
         self.lessons.open.as_ref().filter(is_of_step)
     }
@@ -33,40 +32,40 @@ impl OpenScene {
         let (question, document) = (exercises.question(), exercises.document()?);
         // The observer of a lesson's step suits only the step's own numbers.
         let step = self.step_of_exercise().cloned().filter(|open| {
-            let StepView { exercise, observer, .. } = &open.step().view;
+            let step = open.step();
             let last = open.id().step.checked_sub(1).and_then(|k| open.lesson().steps.get(k));
-            let is_inherited = last.is_some_and(|last| last.view.observer == *observer);
-            exercise.is_some_and(|own| own.seed == exercises.seed()) && !is_inherited
+            let is_inherited = last.is_some_and(|last| last.shown.observer == step.shown.observer);
+            step.exercise.is_some_and(|own| own.seed == exercises.seed()) && !is_inherited
         });
         let is_same =
             |scene: &OpenScene| scene.open.document == document && scene.lessons.open == step;
         let mut scene = before.filter(is_same).unwrap_or_else(|| {
             let open = OpenDocument::made_up(document.clone(), String::new());
-            let observer = step.as_ref().and_then(|open| open.step().view.observer);
             let mut scene = OpenScene::new(open, Session::default());
-            scene.session.shown.observer = observer;
+            scene.session.shown.observer =
+                step.as_ref().and_then(|open| open.step().shown.observer);
             scene.lessons.open = step.clone();
             scene
         });
         let Session { shown: Shown { observer, .. }, hovered, .. } = scene.session;
         let concepts = exercises.concepts().into_iter().map(|(_, concept)| concept);
-        scene.session = Session {
-            shown: Shown {
-                selection: match question.pixel() {
-                    Some((pixel, _)) => Selection::Pixel(pixel),
-                    None => question.uv().map_or(Selection::default(), Selection::Uv),
-                },
-                observer,
-                formulas: Some(Formulas::Solution(concepts.collect())),
-                setup: Setup {
-                    items: exercises.items(setup.items),
-                    count_from_one: question.pixel().is_some_and(|(_, from_one)| from_one),
-                    ..*setup
-                },
-                // As in a lesson's step, everything that is drawn has its label.
-                spoken: Some(Vec::new()),
-                ..Shown::default()
+        let pixel = question.pixel();
+        let uv = || question.uv().map_or(Selection::default(), Selection::Uv);
+        let shown = Shown {
+            selection: pixel.map_or_else(uv, |(pixel, _)| Selection::Pixel(pixel)),
+            observer,
+            formulas: Some(Formulas::Solution(concepts.collect())),
+            setup: Setup {
+                items: exercises.items(setup.items),
+                count_from_one: pixel.is_some_and(|(_, from_one)| from_one),
+                ..*setup
             },
+            // As in a lesson's step, everything that is drawn has its label.
+            spoken: Some(Vec::new()),
+            ..Shown::default()
+        };
+        scene.session = Session {
+            shown,
             hovered,
             presenting: self.session.presenting,
             preferences: *preferences,

@@ -12,7 +12,7 @@ use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 use super::lessons::Lessons;
 use crate::model::given::{self, Given};
 use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
-use crate::model::lessons::{self, StepId, Which, apply};
+use crate::model::lessons::{self, OpenLesson, StepId, Which, apply};
 use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
@@ -120,9 +120,9 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
-        let step = self.lessons.open.as_ref().map(|open| &open.step().view);
-        let fitted = step.filter(|view| view.keep_observer != Some(true));
-        let of_step = fitted.and_then(|view| view.observer);
+        let step = self.lessons.open.as_ref().map(OpenLesson::step);
+        let fitted = step.filter(|step| !step.keep_observer);
+        let of_step = fitted.and_then(|step| step.shown.observer);
         let named = match (own, shown) {
             // If the camera is out of sight, the observer of the lesson's step no longer suits it.
             (Some(framed), _) => framed.named.filter(|_| !lost),
@@ -135,7 +135,7 @@ impl OpenScene {
         };
         // Overlay items that are switched on or off later must not move the observer.
         let mut items = match &self.lessons.open {
-            Some(open) => apply::items_to_frame(open.step(), &self.session),
+            Some(open) => apply::items_to_frame(open.step(), &self.session.shown),
             None => self.session.shown.setup.items,
         };
         if self.session.shows_exercise() {

@@ -41,11 +41,9 @@ impl App {
     /// contents of the page, a line each. While a question is open, nothing of the page is told, because it may
     /// answer the question.
     pub fn spoken(&self) -> String {
-        let session = &self.scene.session;
+        let shown = &self.scene.session.shown;
         let mut lines = self.words();
-        if !session.shown.is_asking
-            && session.shown.setup.layout.workspace() != Some(Workspace::Practice)
-        {
+        if !shown.is_asking && shown.setup.layout.workspace() != Some(Workspace::Practice) {
             self.numbers(&mut lines);
         }
         lines.join("\n")

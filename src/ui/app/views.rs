@@ -10,7 +10,7 @@ use super::glide::Glide;
 use super::question::in_views;
 use crate::model::practice::answer_marks;
 use crate::model::symbols::typeset_message;
-use crate::model::{Fault, ViewSize};
+use crate::model::{Fault, Session, Shown, ViewSize};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, gizmo, views};
 use crate::ui::widgets::ViewTexture;
@@ -73,7 +73,10 @@ impl App {
         let (step, is_still) =
             (self.scene.lessons.open.as_ref(), session.preferences.reduced_motion);
         let observer = views.glide.follow(ctx, step, session.shown.observer, is_still);
-        let gliding = (observer != session.shown.observer).then(|| session.seen_from(observer));
+        let gliding = (observer != session.shown.observer).then(|| {
+            let shown = Shown { observer, ..session.shown.clone() };
+            Session { shown, ..session.clone() }
+        });
         let session = gliding.as_ref().unwrap_or(session);
         views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);
         let times = stopwatch.stop();

@@ -155,7 +155,10 @@ fn settings_to_remember(scene: &OpenScene) -> Settings {
     if let Some(presenting) = &scene.session.presenting {
         setup.layout = presenting.before(setup.layout);
     }
-    Settings { setup: scene.lessons.setup_without(setup), preferences }
+    if let Some(before) = &scene.lessons.before {
+        setup = before.shown.setup;
+    }
+    Settings { setup, preferences }
 }
 
 /// Writes a message to standard error. Ignores a failure, because there is nowhere to report it.

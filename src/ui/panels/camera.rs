@@ -42,13 +42,12 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, session: &mut Session) {
     let values = format!("{width} × {height} at {distance}, {columns} × {rows}");
     let mut unfolded = session.preferences.unfolded.viewport || camera.viewport.check().is_err();
     section(ui, "Viewport and image", &values, &mut unfolded, |ui| {
-        Grid::new("viewport")
-            .num_columns(4)
-            .show(ui, |ui| viewport(ui, camera, &session.settings()));
+        let settings = session.settings();
+        Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, &settings));
         let hint = "W and H change together, and so do width and height; 640 x 360 in the field of W or \
                     H sets both";
-        ui.checkbox(&mut session.preferences.keep_pixel_shape, "Keep the pixels' shape")
-            .on_hover_text(hint);
+        let keeps = &mut session.preferences.keep_pixel_shape;
+        ui.checkbox(keeps, "Keep the pixels' shape").on_hover_text(hint);
         pixel_shape(ui, camera);
     });
     session.preferences.unfolded.viewport = unfolded;

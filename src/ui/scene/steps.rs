@@ -52,9 +52,9 @@ impl WorldArea<'_> {
         let Some(found) = all.find(|one| self.has_focus(ctx, one.handle)) else { return };
         if let Handle::Pixel = found.handle {
             if let Ok(resolved) = document.camera.resolve() {
-                let selection = session.shown.selection.inside(resolved.image());
-                session.shown.selection =
-                    selection.stepped(&resolved, -steps.y as i64, steps.x as i64);
+                let selected = &mut session.shown.selection;
+                let selection = selected.inside(resolved.image());
+                *selected = selection.stepped(&resolved, -steps.y as i64, steps.x as i64);
             }
             return;
         }

@@ -42,9 +42,8 @@ impl Default for Look {
 impl Look {
     /// Creates the look that the settings ask for.
     pub(crate) fn new(settings: &Settings, presenting: bool) -> Look {
-        let Preferences { scheme, reduced_motion, .. } = settings.preferences;
-        let digits = settings.setup.digits;
-        Look { scheme, presenting, by_touch: false, reduced_motion, digits }
+        let Settings { setup, preferences: Preferences { scheme, reduced_motion, .. } } = *settings;
+        Look { scheme, presenting, by_touch: false, reduced_motion, digits: setup.digits }
     }
 }
 

@@ -109,7 +109,7 @@ impl Walk {
                 let id = StepId { lesson: Which::Builtin(index), step: k };
                 self.window.state_mut().open_lesson(id, None);
                 self.window.run();
-                let layout = step.view.layout.unwrap_or(ViewLayout::Both);
+                let layout = step.layout().unwrap_or(ViewLayout::Both);
                 self.step(&format!("{}.{}", index + 1, k + 1), layout);
             }
         }

@@ -86,7 +86,7 @@ fn every_step_with_a_question_is_among_them() {
         .iter()
         .enumerate()
         .flat_map(|(lesson, l)| l.steps.iter().enumerate().map(move |(k, s)| (lesson, k, s)))
-        .filter(|(.., step)| step.view.layout == Some(ViewLayout::Exercises))
+        .filter(|(.., step)| step.layout() == Some(ViewLayout::Exercises))
         .map(|(lesson, k, _)| (lesson + 1, k + 1))
         .collect();
     assert_eq!(QUESTIONS.iter().map(|row| (row.0, row.1)).collect::<BTreeSet<_>>(), asking);

@@ -356,10 +356,10 @@ fn the_lesson_on_the_viewport_compares_like_with_like() {
         assert_eq!(document.spheres, lessons[2].steps[0].document.spheres, "{}", step.title);
         assert_eq!(document.planes, warm_up.planes, "{}", step.title);
         assert_eq!(document.camera.orientation, warm_up.camera.orientation, "{}", step.title);
-        assert_eq!(step.view.observer, lessons[2].steps[0].view.observer, "{}", step.title);
+        assert_eq!(step.shown.observer, lessons[2].steps[0].shown.observer, "{}", step.title);
     }
     assert_eq!(lessons[2].steps[1].document.camera.viewport.distance, 2.0);
-    assert_eq!(lessons[2].steps[1].selection, lessons[1].steps[0].selection);
+    assert_eq!(lessons[2].steps[1].shown.selection, lessons[1].steps[0].shown.selection);
 }
 
 #[test]
