@@ -4,6 +4,25 @@
 //! A document ([`pinhole_exchange::document::Document`]) holds the contents of a scene file; the
 //! [`session::Session`] holds the state of its views. Nothing here draws.
 
+/// Defines a struct whose fields stand with their default values.
+macro_rules! with_defaults {
+    (
+        $(#[$meta:meta])*
+        pub struct $name:ident { $($(#[$about:meta])* pub $field:ident: $type:ty = $value:expr,)* }
+    ) => {
+        $(#[$meta])*
+        pub struct $name {
+            $($(#[$about])* pub $field: $type,)*
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                $name { $($field: $value,)* }
+            }
+        }
+    };
+}
+
 pub mod concept;
 pub mod derivation_sections;
 pub mod digest;
@@ -48,7 +67,8 @@ pub use practice::{AnswersFile, MistakesView, StudentAnswers};
 pub use readings::NumberStyle;
 pub use session::handles::HandleState;
 pub use session::{
-    Ghost, Preferences, Scheme, Session, Settings, Setup, Shown, ThemeName, ViewLayout, Workspace,
+    Ghost, Live, Preferences, Scheme, Session, Settings, Setup, Shown, ThemeName, ViewLayout,
+    Workspace,
 };
 pub use store::{Remembered, Store, WindowGeometry};
 pub use translator::Translator;

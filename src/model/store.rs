@@ -202,23 +202,19 @@ impl Store {
     }
 }
 
-/// The position and size of the window.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(default)]
-pub struct WindowGeometry {
-    /// Size of the window's content, in points without zoom.
-    pub inner_size: [f32; 2],
-    /// Top left corner of the window's frame; `None` if the desktop is to choose it.
-    pub position: Option<[f32; 2]>,
-    /// True if the window is maximised.
-    pub maximized: bool,
-    /// Number of pixels per point of the screen that showed the window.
-    pub scale: f32,
-}
-
-impl Default for WindowGeometry {
-    fn default() -> Self {
-        Self { inner_size: [1280.0, 800.0], position: None, maximized: false, scale: 1.0 }
+with_defaults! {
+    /// The position and size of the window.
+    #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+    #[serde(default)]
+    pub struct WindowGeometry {
+        /// Size of the window's content, in points without zoom.
+        pub inner_size: [f32; 2] = [1280.0, 800.0],
+        /// Top left corner of the window's frame; `None` if the desktop is to choose it.
+        pub position: Option<[f32; 2]> = None,
+        /// True if the window is maximised.
+        pub maximized: bool = false,
+        /// Number of pixels per point of the screen that showed the window.
+        pub scale: f32 = 1.0,
     }
 }
 

@@ -496,7 +496,7 @@ impl Switch {
             Switch::EyeTravels => settings.eye_keeps == Keep::View,
             Switch::KeepUp => settings.keep_up,
             Switch::ReducedMotion => settings.reduced_motion,
-            Switch::Pen => session.pen.is_some(),
+            Switch::Pen => session.live.pen.is_some(),
             Switch::Panel => !settings.hides_panel,
             Switch::PresentedNumbers => settings.presents_numbers,
         }
@@ -513,7 +513,7 @@ impl Switch {
             Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
             Switch::KeepUp => settings.keep_up = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
-            Switch::Pen => session.pen = on.then(Pen::default),
+            Switch::Pen => session.live.pen = on.then(Pen::default),
             Switch::Panel => settings.hides_panel = !on,
             Switch::PresentedNumbers => settings.presents_numbers = on,
         }

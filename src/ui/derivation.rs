@@ -124,7 +124,7 @@ impl DerivationPanel {
     ) {
         // Scrolls only once to the line of a concept that is hovered in a view, and once to a newly revealed
         // line.
-        let by_view = session.hovered.filter(|hovered| hovered.by == HoverSource::View);
+        let by_view = session.live.hovered.filter(|hovered| hovered.by == HoverSource::View);
         let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
         self.scrolled_to = by_view.map(|hovered| hovered.concept);

@@ -23,7 +23,7 @@ fn derivation_window(scene: &str) -> Harness<'static, App> {
 }
 
 fn pointed(window: &Harness<'_, App>) -> Option<Hovered> {
-    window.state().session().hovered
+    window.state().session().live.hovered
 }
 
 /// Moves the mouse to where nothing can be pointed at.

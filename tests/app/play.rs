@@ -181,14 +181,14 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     let selection = harness.state().session().shown.selection;
     open(&mut harness, "Scan the pixels row by row");
     let opened = harness.state().session();
-    assert_eq!((opened.shown.selection, opened.scanned_pixels), (selection, Some(0)));
+    assert_eq!((opened.shown.selection, opened.live.scanned_pixels), (selection, Some(0)));
     for _ in 0..27 {
         press(&mut harness, Key::Period);
     }
     assert_says(&harness, "27 of 64 pixels");
     let session = harness.state().session();
     assert_eq!(session.shown.selection, Selection::Pixel(Pixel { row: 3, column: 2 }));
-    assert_eq!(session.scanned_pixels, Some(27));
+    assert_eq!(session.live.scanned_pixels, Some(27));
     let image = harness.state().derived().camera_view.clone().unwrap().image;
     // The middle of a pixel has no mark and no edge.
     let differs = |row: usize, column: usize| {

@@ -251,7 +251,7 @@ fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
         (harness.state().document().clone(), harness.state().session().shown.observer);
     let view = harness.get_by_label("World view").rect();
     drag_from(&mut harness, view.center(), vec2(60.0, 40.0));
-    let pen = harness.state().session().pen.clone().unwrap();
+    let pen = harness.state().session().live.pen.clone().unwrap();
     assert_eq!(pen.strokes.len(), 1);
     let drawn = |harness: &Harness<'_, App>| {
         let is_line = |shape: &Shape| matches!(shape, Shape::Path(path) if path.points.len() >= 2);
@@ -261,7 +261,7 @@ fn the_pen_draws_over_the_views_and_escape_wipes_it_off() {
     assert_eq!(*harness.state().document(), document, "nothing below it was dragged");
     assert_eq!(harness.state().session().shown.observer, observer);
     press(&mut harness, Key::Escape);
-    assert!(harness.state().session().pen.is_none() && drawn(&harness) == 0);
+    assert!(harness.state().session().live.pen.is_none() && drawn(&harness) == 0);
     assert!(harness.state().session().presenting.is_some(), "Escape put the pen away, no more");
     press(&mut harness, Key::Escape);
     assert!(harness.state().session().presenting.is_none());
@@ -347,7 +347,7 @@ fn the_pen_has_three_colours() {
     let mut harness = window("canonical");
     press(&mut harness, Key::F5);
     press(&mut harness, Key::P);
-    let pen = |harness: &Harness<'_, App>| harness.state().session().pen.clone().unwrap();
+    let pen = |harness: &Harness<'_, App>| harness.state().session().live.pen.clone().unwrap();
     for stroke in 0..4 {
         drag_from(&mut harness, pos2(300.0, 200.0 + 20.0 * stroke as f32), vec2(80.0, 0.0));
         press(&mut harness, Key::C);

@@ -192,12 +192,16 @@ fn pointing_at_a_number_shows_it_in_both_views_and_dims_nothing() {
                 continue;
             }
             let session = window.state().session();
-            assert_eq!(session.hovered.map(|hovered| hovered.concept), Some(concept), "{text}");
+            assert_eq!(
+                session.live.hovered.map(|hovered| hovered.concept),
+                Some(concept),
+                "{text}"
+            );
             assert!(!session.dims(), "{text}");
         }
         window.hover_at(egui::Pos2::ZERO);
         window.run();
-        assert_eq!(window.state().session().hovered, None);
+        assert_eq!(window.state().session().live.hovered, None);
     }
 }
 

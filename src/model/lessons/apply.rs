@@ -20,19 +20,11 @@ pub fn apply(step: &Step, session: &mut Session) {
 /// `seen_from` is the step's observer as it was fitted to the view when the step was first shown; `None` if
 /// the step has not been shown yet.
 fn over(step: &Step, seen_from: Option<Observer>, before: &Shown) -> Shown {
-    let own = &step.shown;
-    let mut shown = Shown {
-        selection: own.selection,
-        ray_point_t: own.ray_point_t,
-        ghost: own.ghost,
-        formulas: own.formulas.clone(),
-        before_recap: None,
-        spoken: own.spoken.clone(),
-        ..before.clone()
-    };
-    let said = KEYS.iter().filter(|key| step.says(key.name));
-    said.for_each(|key| (key.set)(&mut shown, own));
-    shown.observer = seen_from.or(own.observer).or(before.observer);
+    let (is_asking, revealed_lines) = (before.is_asking, before.revealed_lines);
+    let mut shown = Shown { is_asking, revealed_lines, ..step.shown.clone() };
+    let left_alone = KEYS.iter().filter(|key| !step.says(key.name));
+    left_alone.for_each(|key| (key.set)(&mut shown, before));
+    shown.observer = seen_from.or(step.shown.observer).or(before.observer);
     // An open vote (on the mistake in a picture) refers to the previous step's picture, and would cover
     // this step's text.
     if shown.mistakes_view.open_vote.is_some() {
@@ -40,10 +32,8 @@ fn over(step: &Step, seen_from: Option<Observer>, before: &Shown) -> Shown {
     }
     // Handles can be dragged in the picture of any step, so a step never hides them.
     let items = &mut shown.setup.items;
-    items.set(
-        Item::Handles,
-        [*items, before.setup.items].iter().any(|items| items.shows(Item::Handles)),
-    );
+    let handles = items.shows(Item::Handles) || before.setup.items.shows(Item::Handles);
+    items.set(Item::Handles, handles);
     if before.is_asking {
         *items = items.without(hidden(step));
     }

@@ -1,6 +1,6 @@
 //! Reads the text of a lesson file.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Selection};
@@ -13,7 +13,7 @@ use super::keys::{KEYS, choice, is_in_scene, items};
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};
 use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
-use crate::model::{Concept, Ghost, Observer, OverlayItems};
+use crate::model::{Concept, Ghost, Observer, OverlayItems, Shown};
 
 /// The version of the lesson format that this program reads.
 pub const VERSION: i64 = 1;
@@ -119,19 +119,8 @@ fn step(
     // The step's own text replaces the scene's note.
     document.note.clear();
     tables(section, &mut document)?;
-    let mut shown = last.map(|step| step.shown.clone()).unwrap_or_default();
-    if is_new {
-        // These belonged to the previous scene.
-        shown.observer = document.observer.map(Observer::from);
-        (shown.ray_point_t, shown.formulas) = (None, None);
-        shown.selection = Selection::default();
-    }
-    let image = document.camera.image;
-    shown.selection = selected(section, image)?.unwrap_or(shown.selection.inside(image));
-    if !is_in_scene(shown.highlighted, document.object_count()) {
-        // The highlighted concept belonged to an object of the previous step's scene.
-        shown.highlighted = None;
-    }
+    let mut shown = inherited(last, is_new, &document);
+    shown.selection = selected(section, document.camera.image)?.unwrap_or(shown.selection);
     shown.spoken = Some(spoken_of(&title, &text));
     let mut step = Step {
         title,
@@ -140,7 +129,8 @@ fn step(
         document,
         scene_from: last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from),
         shown,
-        said: last.map(|step| step.said.clone()).unwrap_or_default(),
+        // Without them there is no point on the ray, and no card of formulas.
+        said: last.map_or(BTreeSet::from(["t", "formulas"]), |step| step.said.clone()),
         keep_observer: last.is_some_and(|step| step.keep_observer),
         // The camera may have changed, so the previous step's animation is not inherited.
         play: None,
@@ -161,6 +151,23 @@ fn step(
     let other = section.get("ghost").map(|field| scene(&field, base, known)).transpose()?;
     step.shown.ghost = other.map(|other| Ghost { camera: other.camera, shows_differences: false });
     Ok(step)
+}
+
+/// Returns what the step after `last` shows unless it says otherwise. `is_new` is true if its scene is another one.
+fn inherited(last: Option<&Step>, is_new: bool, document: &Document) -> Shown {
+    let mut shown = last.map(|step| step.shown.clone()).unwrap_or_default();
+    if is_new {
+        // These belonged to the previous scene.
+        shown.observer = document.observer.map(Observer::from);
+        (shown.ray_point_t, shown.formulas) = (None, None);
+        shown.selection = Selection::default();
+    }
+    shown.selection = shown.selection.inside(document.camera.image);
+    if !is_in_scene(shown.highlighted, document.object_count()) {
+        // The highlighted concept belonged to an object of the previous step's scene.
+        shown.highlighted = None;
+    }
+    shown
 }
 
 /// Returns which of the viewport's concepts (such as the distance) and the normal a step's title or text

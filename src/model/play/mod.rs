@@ -121,7 +121,7 @@ impl Still {
             }
             Kind::Walk => session.shown.ray_point_t = self.ray_point_t,
             Kind::Scan => {
-                (session.shown.selection, session.scanned_pixels) =
+                (session.shown.selection, session.live.scanned_pixels) =
                     (self.selection, self.scanned_pixels)
             }
         }

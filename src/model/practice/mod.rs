@@ -26,36 +26,25 @@ pub(crate) fn next_seed(seed: u64) -> u64 {
     if seed < LARGEST_SEED { seed + 1 } else { 0 }
 }
 
-/// The state of the mistakes view, which compares a camera with a classic mistake with the right one. A
-/// lesson's step sets this state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MistakesView {
-    /// The chosen mistake.
-    pub chosen: Mistake,
-    /// The open vote (the class names the mistake in a picture), which is shown in place of the chosen
-    /// mistake.
-    pub open_vote: Option<OpenVote>,
-    /// The seed from which the open vote was made, or the next one will be made.
-    pub seed: u64,
-    /// True if a vote was requested, but in this scene no two mistakes give pictures that can be told
-    /// apart.
-    pub nothing_shows: bool,
-    /// True if a vote was requested and opens as soon as there is a picture.
-    pub wants_vote: bool,
-    /// True if the user wants to see a map of the pixels that differ in place of the wrong picture.
-    pub wants_differences: bool,
-}
-
-impl Default for MistakesView {
-    fn default() -> Self {
-        MistakesView {
-            chosen: Mistake::WAsPrinted,
-            open_vote: None,
-            seed: 1,
-            nothing_shows: false,
-            wants_vote: false,
-            wants_differences: false,
-        }
+with_defaults! {
+    /// The state of the mistakes view, which compares a camera with a classic mistake with the right one. A
+    /// lesson's step sets this state.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct MistakesView {
+        /// The chosen mistake.
+        pub chosen: Mistake = Mistake::WAsPrinted,
+        /// The open vote (the class names the mistake in a picture), which is shown in place of the chosen
+        /// mistake.
+        pub open_vote: Option<OpenVote> = None,
+        /// The seed from which the open vote was made, or the next one will be made.
+        pub seed: u64 = 1,
+        /// True if a vote was requested, but in this scene no two mistakes give pictures that can be told
+        /// apart.
+        pub nothing_shows: bool = false,
+        /// True if a vote was requested and opens as soon as there is a picture.
+        pub wants_vote: bool = false,
+        /// True if the user wants to see a map of the pixels that differ in place of the wrong picture.
+        pub wants_differences: bool = false,
     }
 }
 

@@ -27,15 +27,8 @@ mod shown;
 pub struct Session {
     /// What is shown of the document, and how.
     pub shown: Shown,
-    /// The ray through the position under the pointer, which is shown instead of the selected one.
-    pub pointed_ray: Option<Selection>,
-    /// During a scan, the number of pixels that the camera's picture shows so far, counted row by row;
-    /// `None` if it shows all.
-    pub scanned_pixels: Option<u64>,
-    /// The concept under the pointer or with the keyboard focus.
-    pub hovered: Option<Hovered>,
-    /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
-    pub alt_dims: bool,
+    /// What is under the hand.
+    pub live: Live,
     /// The open exercise and its answers.
     pub exercises: Exercises,
     /// The exercises that are done, which are kept across runs.
@@ -46,14 +39,28 @@ pub struct Session {
     pub answers: Option<StudentAnswers>,
     /// The state of presenter mode, while it is on.
     pub presenting: Option<Presenting>,
-    /// The pen for drawing over the views while presenting; `None` while it is not in use.
-    pub pen: Option<Pen>,
-    /// The state of the handles.
-    pub handles: HandleState,
     /// The choices in the translator.
     pub translator: Translator,
     /// The preferences, which are kept across runs.
     pub preferences: Preferences,
+}
+
+/// What is under the hand: only the views show it, and it is not kept.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Live {
+    /// The ray through the position under the pointer, which is shown instead of the selected one.
+    pub pointed_ray: Option<Selection>,
+    /// During a scan, the number of pixels that the camera's picture shows so far, counted row by row;
+    /// `None` if it shows all.
+    pub scanned_pixels: Option<u64>,
+    /// The concept under the pointer or with the keyboard focus.
+    pub hovered: Option<Hovered>,
+    /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
+    pub alt_dims: bool,
+    /// The pen for drawing over the views while presenting; `None` while it is not in use.
+    pub pen: Option<Pen>,
+    /// The state of the handles.
+    pub handles: HandleState,
 }
 
 /// Minimum and maximum number of significant digits of the readouts.
@@ -76,95 +83,64 @@ pub struct Settings {
     pub preferences: Preferences,
 }
 
-/// The user's preferences, which no lesson changes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Preferences {
-    /// Number of pixels that the loupe shows across and down; always odd.
-    pub loupe_pixels: u32,
-    /// True if the derivation writes short exact forms, such as 1/√2, instead of decimals.
-    pub exact_forms: bool,
-    /// True if the pixels keep their ratio of width to height when the viewport or the image changes.
-    pub keep_pixel_shape: bool,
-    /// True if up keeps the value that the user gave while eye and at are dragged, even if the view
-    /// direction comes close to it.
-    pub keep_up: bool,
-    /// The quantity that stays fixed while the eye is dragged in the world view, such as at.
-    pub eye_keeps: Keep,
-    /// True if the side panel is hidden.
-    pub hides_panel: bool,
-    /// The sections of the panel that are unfolded.
-    pub unfolded: Unfolded,
-    /// The boundaries between the window's areas.
-    pub splits: Splits,
-    /// The method whose errors the error map shows.
-    pub compared: Method,
-    /// Dark, light, or the system's choice.
-    pub theme: ThemeName,
-    /// The colour scheme.
-    pub scheme: Scheme,
-    /// True if nothing moves by itself: there are no transitions, and animations advance in whole
-    /// steps.
-    pub reduced_motion: bool,
-    /// Minimum text size while presenting, in points of a window of 1024 × 768. In a larger window, the
-    /// size grows in proportion.
-    pub smallest_text: f32,
-    /// True if the numbers are shown below the views while presenting.
-    pub presents_numbers: bool,
-    /// Zoom of the whole window.
-    pub zoom: f32,
-}
-
-/// The collapsible parts of the window: each field is true if that part is unfolded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Unfolded {
-    /// *Eye*, orientation and experiments.
-    pub camera: bool,
-    /// The note on what to look for in the scene.
-    pub note: bool,
-    /// Viewport and image.
-    pub viewport: bool,
-    /// The selected ray.
-    pub ray: bool,
-    /// The scene's objects.
-    pub objects: bool,
-    /// True if all numbers are shown; otherwise only the most important ones are.
-    pub numbers: bool,
-}
-
-impl Default for Unfolded {
-    fn default() -> Self {
-        Unfolded {
-            camera: true,
-            note: false,
-            viewport: false,
-            ray: false,
-            objects: false,
-            numbers: false,
-        }
+with_defaults! {
+    /// The user's preferences, which no lesson changes.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(default)]
+    pub struct Preferences {
+        /// Number of pixels that the loupe shows across and down; always odd.
+        pub loupe_pixels: u32 = 5,
+        /// True if the derivation writes short exact forms, such as 1/√2, instead of decimals.
+        pub exact_forms: bool = true,
+        /// True if the pixels keep their ratio of width to height when the viewport or the image changes.
+        pub keep_pixel_shape: bool = true,
+        /// True if up keeps the value that the user gave while eye and at are dragged, even if the view
+        /// direction comes close to it.
+        pub keep_up: bool = false,
+        /// The quantity that stays fixed while the eye is dragged in the world view, such as at.
+        pub eye_keeps: Keep = Keep::At,
+        /// True if the side panel is hidden.
+        pub hides_panel: bool = false,
+        /// The sections of the panel that are unfolded.
+        pub unfolded: Unfolded = Unfolded::default(),
+        /// The boundaries between the window's areas.
+        pub splits: Splits = Splits::default(),
+        /// The method whose errors the error map shows.
+        pub compared: Method = Method::Known(Formula::Textbook, Precision::F32),
+        /// Dark, light, or the system's choice.
+        pub theme: ThemeName = ThemeName::System,
+        /// The colour scheme.
+        pub scheme: Scheme = Scheme::Standard,
+        /// True if nothing moves by itself: there are no transitions, and animations advance in whole
+        /// steps.
+        pub reduced_motion: bool = false,
+        /// Minimum text size while presenting, in points of a window of 1024 × 768. In a larger window, the
+        /// size grows in proportion.
+        pub smallest_text: f32 = SMALLEST_TEXT.usual,
+        /// True if the numbers are shown below the views while presenting.
+        pub presents_numbers: bool = true,
+        /// Zoom of the whole window.
+        pub zoom: f32 = 1.0,
     }
 }
 
-impl Default for Preferences {
-    fn default() -> Self {
-        Preferences {
-            loupe_pixels: 5,
-            exact_forms: true,
-            keep_pixel_shape: true,
-            keep_up: false,
-            eye_keeps: Keep::At,
-            hides_panel: false,
-            unfolded: Unfolded::default(),
-            splits: Splits::default(),
-            compared: Method::Known(Formula::Textbook, Precision::F32),
-            theme: ThemeName::System,
-            scheme: Scheme::Standard,
-            reduced_motion: false,
-            smallest_text: SMALLEST_TEXT.usual,
-            presents_numbers: true,
-            zoom: 1.0,
-        }
+with_defaults! {
+    /// The collapsible parts of the window: each field is true if that part is unfolded.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(default)]
+    pub struct Unfolded {
+        /// *Eye*, orientation and experiments.
+        pub camera: bool = true,
+        /// The note on what to look for in the scene.
+        pub note: bool = false,
+        /// Viewport and image.
+        pub viewport: bool = false,
+        /// The selected ray.
+        pub ray: bool = false,
+        /// The scene's objects.
+        pub objects: bool = false,
+        /// True if all numbers are shown; otherwise only the most important ones are.
+        pub numbers: bool = false,
     }
 }
 
@@ -193,7 +169,7 @@ impl Session {
 
     /// Returns the concept that both views and the derivation highlight.
     pub fn highlighted(&self) -> Option<Concept> {
-        self.hovered.map(|hovered| hovered.concept).or(self.shown.highlighted)
+        self.live.hovered.map(|hovered| hovered.concept).or(self.shown.highlighted)
     }
 
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.
@@ -206,12 +182,13 @@ impl Session {
     /// or a lesson's step highlights the concept; if the user points at the concept in a view, only while
     /// Alt is held.
     pub fn dims(&self) -> bool {
-        self.alt_dims || self.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
+        self.live.alt_dims
+            || self.live.hovered.is_none_or(|hovered| hovered.by == HoverSource::Derivation)
     }
 
     /// Returns the ray that is shown: the one under the pointer, or else the selected one.
     pub fn shown_selection(&self) -> Selection {
-        self.pointed_ray.unwrap_or(self.shown.selection)
+        self.live.pointed_ray.unwrap_or(self.shown.selection)
     }
 
     /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.

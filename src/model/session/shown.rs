@@ -44,39 +44,27 @@ pub struct Shown {
     pub spoken: Option<Vec<Concept>>,
 }
 
-/// How a document is shown: the part of [`Shown`] that is kept across runs, and given back when a lesson closes.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Setup {
-    /// The layout of the views.
-    pub layout: ViewLayout,
-    /// The items of the overlay.
-    #[serde(rename = "shown")]
-    pub items: OverlayItems,
-    /// The shading of the pictures.
-    pub shade: Shade,
-    /// True if rows and columns are counted from 1, as in the course.
-    pub count_from_one: bool,
-    /// Number of significant digits of the readouts.
-    pub digits: usize,
-    /// True if distance, width and height of the viewport change together, so that the picture stays the
-    /// same.
-    pub keep_picture: bool,
-    /// True if the teaching part of the camera panel is unfolded.
-    pub teaching: bool,
-}
-
-impl Default for Setup {
-    fn default() -> Self {
-        Setup {
-            layout: ViewLayout::Both,
-            items: OverlayItems::default(),
-            shade: Shade::Lambert,
-            count_from_one: false,
-            digits: 5,
-            keep_picture: false,
-            teaching: false,
-        }
+with_defaults! {
+    /// How a document is shown: the part of [`Shown`] that is kept across runs, and given back when a lesson closes.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(default)]
+    pub struct Setup {
+        /// The layout of the views.
+        pub layout: ViewLayout = ViewLayout::Both,
+        /// The items of the overlay.
+        #[serde(rename = "shown")]
+        pub items: OverlayItems = OverlayItems::default(),
+        /// The shading of the pictures.
+        pub shade: Shade = Shade::Lambert,
+        /// True if rows and columns are counted from 1, as in the course.
+        pub count_from_one: bool = false,
+        /// Number of significant digits of the readouts.
+        pub digits: usize = 5,
+        /// True if distance, width and height of the viewport change together, so that the picture stays the
+        /// same.
+        pub keep_picture: bool = false,
+        /// True if the teaching part of the camera panel is unfolded.
+        pub teaching: bool = false,
     }
 }
 

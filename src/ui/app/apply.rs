@@ -442,21 +442,14 @@ pub(super) fn change_look(session: &mut Session, action: LookAction) {
             Some(presenting) => presenting.theme = theme,
             None => settings.theme = theme,
         },
-        LookAction::SwitchTheme => {
-            if let Some(presenting) = &mut session.presenting {
-                let is_light = presenting.theme == ThemeName::Light;
-                presenting.theme = if is_light { ThemeName::Dark } else { ThemeName::Light };
-            }
-        }
-        LookAction::Blank => {
-            if let Some(presenting) = &mut session.presenting {
-                presenting.is_blank = true;
-            }
-        }
+        LookAction::SwitchTheme => session.presenting.iter_mut().for_each(|now| {
+            let is_light = now.theme == ThemeName::Light;
+            now.theme = if is_light { ThemeName::Dark } else { ThemeName::Light };
+        }),
+        LookAction::Blank => session.presenting.iter_mut().for_each(|now| now.is_blank = true),
         LookAction::NextPenColor => {
-            if let Some(pen) = &mut session.pen {
-                pen.color = (pen.color + 1) % PEN_COLORS;
-            }
+            let pen = session.live.pen.iter_mut();
+            pen.for_each(|pen| pen.color = (pen.color + 1) % PEN_COLORS);
         }
         LookAction::Scheme(scheme) => settings.scheme = scheme,
         LookAction::Digits(digits) => session.shown.setup.digits = digits,
@@ -506,7 +499,7 @@ fn present_or_end(session: &mut Session) {
         }
         Some(presenting) => {
             session.shown.setup.layout = presenting.before(session.shown.setup.layout);
-            session.pen = None;
+            session.live.pen = None;
             session.shown.revealed_lines = None;
         }
     }

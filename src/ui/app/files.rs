@@ -285,7 +285,9 @@ impl App {
     /// do not highlight it.
     fn figure_source(&self) -> (&Document, Session) {
         let scene = in_views(&self.scene, self.question.as_ref());
-        (&scene.open.document, Session { hovered: None, ..scene.session.clone() })
+        let mut session = scene.session.clone();
+        session.live.hovered = None;
+        (&scene.open.document, session)
     }
 
     /// Returns a figure's subject with its size on the screen, or with a default size if it is not on

@@ -76,7 +76,7 @@ impl App {
                 navigation::for_fingers(&ctx, self.lesson().is_some());
             }
             is_old |= is_any_requested(&ctx);
-            if let Some(pen) = &mut self.scene.session.pen {
+            if let Some(pen) = &mut self.scene.session.live.pen {
                 views::pen(ui, ui.max_rect(), pen);
             }
         });
@@ -142,7 +142,7 @@ impl App {
                 self.over.dialog = Some(self.ask_about_changes(Leave::Quit));
             }
         }
-        self.window.geometry.update(ctx);
+        self.window.kept.window.update(ctx);
     }
 
     /// Requests the actions of the pressed keys, except for keys that work only in the views: [`views`]
@@ -189,7 +189,7 @@ impl App {
             if self.over.code.take().is_some() {
                 return;
             }
-            let puts_away = self.scene.session.pen.is_some();
+            let puts_away = self.scene.session.live.pen.is_some();
             let ends = LookAction::Toggle(Switch::Pen);
             request(ctx, if puts_away { ends } else { LookAction::Present });
         }
@@ -215,7 +215,7 @@ impl App {
         apply::follow_look(ui.ctx(), &self.scene.session);
         let presenting = self.scene.session.presenting.is_some();
         if !presenting {
-            let (open, recent) = (&self.scene.open, &self.window.recent);
+            let (open, recent) = (&self.scene.open, &self.window.kept.recent);
             Panel::top("top bar").show(ui, |ui| top_bar::ui(ui, open, recent, self.available()));
         }
         // Another layout shows at once in what is drawn below.
@@ -232,7 +232,6 @@ impl App {
         // The panels above do not show the values that an animation changes, so they need not be drawn
         // again.
         start.session.shown.ray_point_t = session.shown.ray_point_t;
-        start.session.scanned_pixels = session.scanned_pixels;
         // On a phone the panel is below, and what is not about the scene has all the space.
         let is_narrow = ui.available_width() < LEAST_WIDTH;
         let is_scene = session.shown.setup.layout.workspace() == Some(Workspace::Scene);
@@ -375,16 +374,16 @@ impl App {
             let is_asking = scene.session.shown.is_asking;
             let second = page.second.map_or("", |second| second_picture::name(second, is_asking));
             views::inputs(ui, rects, second, &mut scene.session, shown);
-            let is_free = scene.session.handles.over.is_none();
+            let is_free = scene.session.live.handles.over.is_none();
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
             hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
                 .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));
         }
-        scene.session.hovered = hovered;
-        scene.session.pointed_ray = pointed_ray;
-        scene.session.alt_dims = ui.input(|i| i.modifiers.alt);
-        self.scene.session.hovered = hovered;
+        scene.session.live.hovered = hovered;
+        scene.session.live.pointed_ray = pointed_ray;
+        scene.session.live.alt_dims = ui.input(|i| i.modifiers.alt);
+        self.scene.session.live.hovered = hovered;
     }
 
     /// Shows the views and the rest of the page. Their changes to the session take effect in the next pass.
@@ -438,16 +437,11 @@ impl OpenScene {
     /// pass must run again.
     fn has_changed_since(&self, start: PassStart) -> bool {
         let (before, now) = (&start.document, &self.open.document);
-        // These fields are set before the views are derived, and only the views show them.
-        let session = Session {
-            shown: Shown { observer: self.session.shown.observer, ..start.session.shown },
-            pointed_ray: self.session.pointed_ray,
-            hovered: self.session.hovered,
-            alt_dims: self.session.alt_dims,
-            handles: self.session.handles.clone(),
-            pen: self.session.pen.clone(),
-            ..start.session
-        };
+        // The observer and what is under the hand are set before the views are derived, and only the views
+        // show them.
+        let Session { shown: Shown { observer, .. }, live, .. } = self.session.clone();
+        let shown = Shown { observer, ..start.session.shown };
+        let session = Session { shown, live, ..start.session };
         !is_same_but_for_pose(&before.camera, &now.camera)
             || before.spheres != now.spheres
             || before.planes != now.planes
@@ -525,7 +519,7 @@ impl App {
     fn report_of(&self, failure: &str) -> String {
         let (version, system) = (env!("CARGO_PKG_VERSION"), std::env::consts::OS);
         let scene = pinhole_exchange::scene_file::to_text(self.document(), None);
-        let renderer = &self.window.renderer;
+        let renderer = &self.window.kept.renderer;
         format!("Pinhole {version} on {system}, drawn by {renderer}\n{failure}\n\n{scene}")
     }
 }

@@ -102,7 +102,7 @@ impl OpenScene {
             self.framed = None;
         }
         // The pen's strokes belong to the previous step.
-        if let Some(pen) = &mut self.session.pen {
+        if let Some(pen) = &mut self.session.live.pen {
             *pen = Pen::default();
         }
         let play = next.step().play;

@@ -126,7 +126,7 @@ impl App {
 
     /// Sets the renderer's name, which bug reports and the next run use.
     pub fn set_renderer_name(&mut self, renderer: String) {
-        self.window.renderer = renderer;
+        self.window.kept.renderer = renderer;
     }
 
     /// Shows a message about an error that occurred before the window opened.

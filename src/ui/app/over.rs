@@ -114,12 +114,12 @@ impl App {
         let over = &mut self.over;
         dialogs::ui(ctx, &mut over.dialog);
         if let Some(Dialog::Share(form)) = &over.dialog {
-            self.window.address.clone_from(&form.address);
+            self.window.kept.address.clone_from(&form.address);
         }
         over.shows_keys = over.shows_keys && help::ui(ctx);
         if let Some(mut palette) = over.palette.take() {
             let (extra, there) =
-                (commands_of_what_is_open(&self.scene, &self.window.recent), self.available());
+                (commands_of_what_is_open(&self.scene, &self.window.kept.recent), self.available());
             let commands = commands_table::all().iter().chain(&extra);
             let commands: Vec<&UiCommand> =
                 commands.filter(|command| command.action.is_possible(there)).collect();

@@ -8,8 +8,8 @@ use egui::{Context, Panel, Ui};
 use super::App;
 use super::scene::OpenScene;
 use crate::figures::{Animation, Frames, Order, Recorder};
+use crate::model::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
-use crate::model::{Observer, Session};
 use crate::ui::action::PlayAction;
 use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
@@ -119,7 +119,7 @@ impl App {
     pub(super) fn keep_animation(&mut self, ctx: &Context) {
         let Some(player) = self.playback.player.take() else { return };
         self.scene.open.before_animation = None;
-        self.scene.session.scanned_pixels = None;
+        self.scene.session.live.scanned_pixels = None;
         if player.kind.moves_camera() {
             let camera = &mut self.scene.open.document.camera;
             let edited = *camera;
@@ -142,7 +142,8 @@ impl App {
         path: PathBuf,
     ) -> Option<Dialog> {
         let (player, scene) = (self.playback.player.as_ref()?, &self.scene);
-        let session = Session { hovered: None, ..scene.session.clone() };
+        let mut session = scene.session.clone();
+        session.live.hovered = None;
         let animation = Animation {
             kind: player.kind,
             start: player.start,

@@ -3,7 +3,7 @@
 use pinhole_core::Selection;
 
 use super::scene::OpenScene;
-use crate::model::{Formulas, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
+use crate::model::{Formulas, Live, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
 pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
@@ -47,7 +47,8 @@ impl OpenScene {
             scene.lessons.open = step.clone();
             scene
         });
-        let Session { shown: Shown { observer, .. }, hovered, .. } = scene.session;
+        let Session { shown: Shown { observer, .. }, live: Live { hovered, .. }, .. } =
+            scene.session;
         let concepts = exercises.concepts().into_iter().map(|(_, concept)| concept);
         let pixel = question.pixel();
         let uv = || question.uv().map_or(Selection::default(), Selection::Uv);
@@ -66,7 +67,7 @@ impl OpenScene {
         };
         scene.session = Session {
             shown,
-            hovered,
+            live: Live { hovered, ..Live::default() },
             presenting: self.session.presenting,
             preferences: *preferences,
             exercises: exercises.clone(),

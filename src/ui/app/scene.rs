@@ -17,8 +17,7 @@ use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{
-    Concept, Ghost, HandleState, Item, Observer, OpenDocument, OverlayItems, Session, ViewLayout,
-    ViewSize,
+    Concept, Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, ViewLayout, ViewSize,
 };
 use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
@@ -302,7 +301,8 @@ impl OpenScene {
     /// such as the theme, stays.
     pub(super) fn go_back(&mut self, to: OpenScene) {
         let Session { shown, exercises, .. } = to.session;
-        let (now, handles) = (std::mem::take(&mut self.session), HandleState::default());
-        *self = OpenScene { session: Session { shown, exercises, handles, ..now }, ..to };
+        let now = std::mem::take(&mut self.session);
+        let live = Live { pen: now.live.pen, ..Live::default() };
+        *self = OpenScene { session: Session { shown, live, exercises, ..now }, ..to };
     }
 }

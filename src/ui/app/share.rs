@@ -91,7 +91,7 @@ impl App {
             Ok(fragment) => fragment,
             Err(error) => return Some(Dialog::message("This scene has no link", error)),
         };
-        let address = &self.window.address;
+        let address = &self.window.kept.address;
         if self.session().presenting.is_some() && !address.trim().is_empty() {
             let code = ShownCode::of(link::url(address, &fragment));
             if code.image.is_ok() {

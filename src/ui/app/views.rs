@@ -150,7 +150,7 @@ impl App {
         let (document, session) = (&scene.open.document, &scene.session);
         // The tooltip of the pointed ray and the text of a drag or step are not shown at the same time.
         let is_steered = dragging.has_step_text(session, ui.input(|i| i.time));
-        if session.handles.over.is_none() && !is_steered && !session.shown.is_asking {
+        if session.live.handles.over.is_none() && !is_steered && !session.shown.is_asking {
             views::show_pointed(ui, session, derived, document);
         }
         if let (Some(rect), Some(fault)) = (picture, derived.fault) {

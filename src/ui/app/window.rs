@@ -2,14 +2,14 @@
 //! settings for the next run.
 
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use egui::{Context, ViewportCommand};
 
 use super::writing::Writing;
 use crate::model::files::{Stamps, argument_of, is_text, remember, title_of};
-use crate::model::{Remembered, Settings, Store, WindowGeometry};
+use crate::model::{Remembered, Settings, Store};
 use crate::ui::app::scene::OpenScene;
 
 /// The window's own state.
@@ -21,14 +21,9 @@ pub(super) struct AppWindow {
     /// This window's state in the last pass.
     state: Remembered,
     writing: Writing,
-    pub(super) geometry: WindowGeometry,
-    /// Files opened or saved recently, the latest first.
-    pub(super) recent: Vec<PathBuf>,
-    /// The address of the page in a browser, for links; empty until the user has typed it.
-    pub(super) address: String,
+    /// What is kept for the next run. Its settings, progress and scene are those of the start.
+    pub(super) kept: Remembered,
     title: String,
-    /// The renderer's name.
-    pub(super) renderer: String,
     /// While presenting, whether the window filled the screen before; `None` otherwise.
     filled_before: Option<bool>,
     /// True if the close button may close the window without a question.
@@ -41,9 +36,7 @@ impl AppWindow {
     pub(super) fn new(store: Option<Store>, remembered: Remembered) -> AppWindow {
         AppWindow {
             store,
-            geometry: remembered.window,
-            recent: remembered.recent.clone(),
-            address: remembered.address.clone(),
+            kept: remembered.clone(),
             state: remembered.clone(),
             stored: Arc::new(Mutex::new(remembered)),
             writing: Writing::new("settings were not saved"),
@@ -53,7 +46,7 @@ impl AppWindow {
 
     /// Puts a file first in the list of recent files.
     pub(super) fn remember(&mut self, path: &Path) {
-        remember(&mut self.recent, path);
+        remember(&mut self.kept.recent, path);
     }
 
     /// Closes the window without asking.
@@ -112,13 +105,11 @@ impl AppWindow {
         Remembered {
             settings: settings_to_remember(scene),
             progress: scene.session.progress.clone(),
-            window: self.geometry,
             selection: argument.is_some().then_some(scene.session.shown.selection),
-            recent: self.recent.iter().filter(|path| is_text(path)).cloned().collect(),
-            renderer: self.renderer.clone(),
-            address: self.address.clone(),
+            recent: self.kept.recent.iter().filter(|path| is_text(path)).cloned().collect(),
             last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
+            ..self.kept.clone()
         }
     }
 

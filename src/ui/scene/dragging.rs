@@ -78,7 +78,7 @@ impl WorldArea<'_> {
         let WorldArea { observer, scale, .. } = *self;
         let resolved = resolved.as_ref();
         let inputs = HandleInputs { document, resolved, selection, items, observer, scale };
-        placed(&inputs, &session.handles)
+        placed(&inputs, &session.live.handles)
     }
 
     /// Returns the parameters of a handle's drag. While Ctrl is held, values snap to round steps. While Alt
@@ -135,7 +135,7 @@ impl Dragging {
     /// window.
     pub(crate) fn take(&mut self, input: &mut ViewInput, is_covered: bool) {
         let ctx = input.ctx;
-        let handles = &mut input.session.handles;
+        let handles = &mut input.session.live.handles;
         handles.is_busy = !is_covered && (handles.drag.is_some() || self.given_back);
         if is_covered {
             self.recent = None;
@@ -153,11 +153,11 @@ impl Dragging {
             if let Some((view, response)) = &world {
                 self.point(view, response, input);
             }
-            if let (None, Some(response)) = (input.session.handles.drag, &camera) {
+            if let (None, Some(response)) = (input.session.live.handles.drag, &camera) {
                 self.press_camera(response, input);
             }
         }
-        let Some(drag) = input.session.handles.drag else {
+        let Some(drag) = input.session.live.handles.drag else {
             if let Some((view, _)) = world {
                 view.move_focused(input);
             }
@@ -184,7 +184,7 @@ impl Dragging {
     /// Releases the handle or the camera.
     fn let_go(&mut self, session: &mut Session) {
         (self.pressed_at, self.refused, self.up_went_along) = (None, None, false);
-        (session.handles.drag, session.handles.over) = (None, None);
+        (session.live.handles.drag, session.live.handles.over) = (None, None);
     }
 
     /// Updates which handle is under the pointer or has the keyboard focus, and starts a drag if the mouse
@@ -192,7 +192,7 @@ impl Dragging {
     fn point(&mut self, view: &WorldArea, response: &Response, input: &mut ViewInput) {
         let ViewInput { ctx, shown, document, session, chosen_object } = input;
         let chosen = chosen_object.filter(|chosen| *chosen < document.object_count());
-        session.handles.objects[0] = chosen;
+        session.live.handles.objects[0] = chosen;
         let all = view.placed(document, session);
         if !ctx.input(|i| i.pointer.any_down()) {
             let pointer = response.hover_pos().filter(|_| response.hovered());
@@ -200,16 +200,16 @@ impl Dragging {
             let found = pointer.and_then(|at| view.hit(&all, at, t, shown, HANDLE_REACH));
             let focused = || all.iter().find(|one| view.has_focus(ctx, one.handle)).copied();
             let over = found.or_else(focused).map(|one| one.handle);
-            session.handles.over = over;
+            session.live.handles.over = over;
             self.by_pointer = found.is_some();
             let over = over.and_then(Handle::object);
             if over.is_none() {
                 let sphere = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
                 let hovered = sphere.map(|k| k as usize);
                 let hovered = hovered.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
-                session.handles.objects[1] = hovered;
+                session.live.handles.objects[1] = hovered;
             } else if over == chosen {
-                session.handles.objects[1] = None;
+                session.live.handles.objects[1] = None;
             }
         }
         let is_pressed = ctx.input(|i| i.pointer.button_pressed(PointerButton::Primary));
@@ -233,13 +233,14 @@ impl Dragging {
             return;
         };
         **chosen_object = found.handle.object().or(**chosen_object);
-        session.handles.is_busy = true;
+        session.live.handles.is_busy = true;
         if pressed_at.is_none() {
             return;
         }
         self.pressed_at = pressed_at;
-        session.handles.over = Some(found.handle);
-        session.handles.drag = Some(found.taken(document, session.shown.selection, view.uv(at)));
+        session.live.handles.over = Some(found.handle);
+        session.live.handles.drag =
+            Some(found.taken(document, session.shown.selection, view.uv(at)));
     }
 
     /// Starts a drag in the camera view if a button that looks around or orbits was pressed there in this
@@ -261,8 +262,8 @@ impl Dragging {
         let before = HandleValues::read(document, session.shown.selection, None);
         let begun_at = self.camera_uv(&before.camera, at);
         let (at, length, toward) = (before.camera.eye, 1.0, DVec3::X);
-        session.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
-        session.handles.is_busy = true;
+        session.live.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
+        session.live.handles.is_busy = true;
         (self.recent, self.refused) = (None, None);
     }
 
@@ -308,11 +309,11 @@ impl Dragging {
                 self.refused = outcome.err();
             }
         }
-        session.handles.drag = Some(drag);
+        session.live.handles.drag = Some(drag);
         if !is_down {
             let handle = drag.handle();
             self.let_go(session);
-            session.handles.over = handle;
+            session.live.handles.over = handle;
         }
     }
 }

@@ -262,8 +262,8 @@ impl Dragging {
             let name = format!("{} handle", label(one.handle, document));
             response.with_role(Role::Slider).described(value).named(name);
         }
-        let Some(handle) = session.handles.over else { return };
-        let is_held = session.handles.drag.is_some();
+        let Some(handle) = session.live.handles.over else { return };
+        let is_held = session.live.handles.drag.is_some();
         let by_pointer = is_held || self.by_pointer;
         if by_pointer {
             ui.ctx().set_cursor_icon(if is_held { CursorIcon::Grabbing } else { CursorIcon::Grab });
@@ -278,7 +278,7 @@ impl Dragging {
             None => text,
         }];
         if let (Some(Hovered { concept, by: HoverSource::View }), false) =
-            (session.hovered, is_held)
+            (session.live.hovered, is_held)
         {
             lines.push(concept.description(|object| document.title_of(object as usize)));
         }
@@ -291,7 +291,7 @@ impl Dragging {
 
     /// Returns true if there is text to show about a drag or a recent step in the camera view.
     pub(crate) fn has_step_text(&self, session: &Session, time: f64) -> bool {
-        session.handles.drag.is_some_and(|drag| drag.handle().is_none())
+        session.live.handles.drag.is_some_and(|drag| drag.handle().is_none())
             || self.recent.as_ref().is_some_and(|recent| recent.is_shown(time))
     }
 
@@ -302,7 +302,7 @@ impl Dragging {
             let left = Duration::from_secs_f64(PAUSE - (time - recent.time));
             ui.ctx().request_repaint_after(left);
         }
-        let (way, by_keys) = match (session.handles.drag.map(|drag| drag.grabbed), recent) {
+        let (way, by_keys) = match (session.live.handles.drag.map(|drag| drag.grabbed), recent) {
             (Some(Grabbed::Look), _) => (CameraMove::Look, false),
             (Some(Grabbed::Orbit), _) => (CameraMove::Orbit, false),
             (_, Some(recent)) => (recent.way, recent.by_keys),

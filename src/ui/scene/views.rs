@@ -115,7 +115,7 @@ pub(crate) fn inputs(
             frame_clicked(ui, &response, observer, shown);
         }
         match name {
-            _ if session.handles.is_busy => {}
+            _ if session.live.handles.is_busy => {}
             WORLD => world_input(ui, &response, session, shown),
             _ => camera_input(ui, &response, session, shown),
         }
@@ -359,12 +359,12 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
         return;
     }
     let style = NumberStyle::new(&session.shown.setup);
-    let words = match (session.hovered, &shown.inspection) {
+    let words = match (session.live.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (
             None | Some(Hovered { concept: Concept::Object(_) | Concept::Pixel, .. }),
             Some(found),
-        ) if session.pointed_ray.is_some() => readouts::ray_text(found, document, style),
+        ) if session.live.pointed_ray.is_some() => readouts::ray_text(found, document, style),
         (Some(Hovered { concept, .. }), _) => {
             concept.description(|object| document.title_of(object as usize))
         }

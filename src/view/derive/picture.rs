@@ -156,7 +156,7 @@ impl Pictures {
             let key = ((resolved, generation, Raster::part(rows, columns)), mode, palette, false);
             let key = (key, (pixels, setup.count_from_one));
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
-            match session.scanned_pixels {
+            match session.live.scanned_pixels {
                 None => loupe,
                 Some(count) => {
                     let picture = first_pixels(&loupe.picture, count);
@@ -164,7 +164,7 @@ impl Pictures {
                 }
             }
         });
-        let picture = match session.scanned_pixels {
+        let picture = match session.live.scanned_pixels {
             None => picture,
             Some(count) => self.scanned.get((Same(picture), count), |(whole, count)| {
                 Arc::new(first_pixels(&whole.0, *count))

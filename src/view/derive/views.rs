@@ -112,7 +112,7 @@ fn described(
         ghost: ghost_camera(inputs, derived),
         answer_marks: Arc::clone(&derived.answer_marks),
         highlighted: highlighted(inputs),
-        handles: handles::drawn(&placing, &session.handles, &session.spoken_of()),
+        handles: handles::drawn(&placing, &session.live.handles, &session.spoken_of()),
         is_clear: sizes.purpose.is_clear(),
         names_all: session.shown.spoken.is_some() || without_marks,
         shows_normal: is_highlighted(Concept::Normal)

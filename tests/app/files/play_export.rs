@@ -37,9 +37,9 @@ fn figure(window: &Harness<'_, App>, kind: Kind, phase: f64, size: u32) -> Figur
     let app = window.state();
     let (mut document, mut session) = (app.document().clone(), app.session().clone());
     // What the mouse was at is nothing to keep.
-    session.hovered = None;
+    session.live.hovered = None;
     // Nor is the handle under it: where a dialog was, the mouse may be on one.
-    session.handles.over = None;
+    session.live.handles.over = None;
     let still = app.player().unwrap().start.at(kind, phase).unwrap();
     still.show(kind, &mut document, &mut session);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };

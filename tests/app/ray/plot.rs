@@ -78,11 +78,11 @@ fn what_is_said_of_a_curve_lights_its_object() {
     let line = window.get_by_label("straight line, 0 at t = 6").rect();
     window.hover_at(line.center());
     window.run();
-    let concept = window.state().session().hovered.map(|pointed| pointed.concept);
+    let concept = window.state().session().live.hovered.map(|pointed| pointed.concept);
     assert_eq!(concept, Some(Concept::Object(2)));
     window.remove_cursor();
     window.run();
-    assert_eq!(window.state().session().hovered, None);
+    assert_eq!(window.state().session().live.hovered, None);
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn neither_mouse_nor_keys_move_the_camera_below_a_sheet() {
         }
         harness.hover_at(handle);
         harness.run();
-        assert_eq!(harness.state().session().handles.over, None, "no handle is pointed at");
+        assert_eq!(harness.state().session().live.handles.over, None, "no handle is pointed at");
         wheel_at(&mut harness, view.center());
         assert_eq!(harness.state().document(), &before);
         // A drag outside the sheet closes it, and does nothing else.

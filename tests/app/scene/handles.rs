@@ -358,7 +358,7 @@ fn pointing_at_handles_traces_no_picture() {
         let at = node_at(&harness, handle);
         harness.hover_at(at);
         harness.run();
-        assert!(harness.state().session().handles.over.is_some(), "{handle}");
+        assert!(harness.state().session().live.handles.over.is_some(), "{handle}");
     }
     assert_eq!(harness.state().pictures_traced(), traced);
 }
