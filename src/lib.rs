@@ -89,7 +89,7 @@
 //! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` in the same folder |
 //! | a line of the derivation | `view/derivation/camera.rs` and `view/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
-//! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
+//! | what a lesson's step sets, and its keys | `model/session/shown.rs`; `model/lessons/keys.rs`, and the head of `assets/lessons/01-canonical-camera.toml` |
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | panes, the floor and its drop lines | `view/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figures/spheres.rs` |

@@ -17,7 +17,7 @@ use crate::model::{
 };
 
 /// A key of a step that sets a part of what is shown.
-pub(super) struct Key {
+pub(super) struct StepKey {
     /// The key in the file.
     pub(super) name: &'static str,
     /// Reads the field into the step.
@@ -29,16 +29,16 @@ pub(super) struct Key {
 }
 
 /// Reads a field in a scene with this number of objects.
-type Read<T> = fn(&TomlField, usize) -> Result<T, FileError>;
+type ReadValue<T> = fn(&TomlField, usize) -> Result<T, FileError>;
 
 /// Expands to the list of keys, of each of which is given: its name, the part of [`Shown`], how it is read, and how
 /// it is written.
 macro_rules! keys {
     ($($name:literal $($part:ident).+: $read:expr, $write:expr;)+) => {
-        &[$(Key {
+        &[$(StepKey {
             name: $name,
             read: |field, step| {
-                let read: Read<_> = $read;
+                let read: ReadValue<_> = $read;
                 step.shown.$($part).+ = read(field, step.document.object_count())?;
                 Ok(())
             },
@@ -49,7 +49,7 @@ macro_rules! keys {
 }
 
 /// All keys, in the order in which they are written.
-pub(super) const KEYS: &[Key] = keys! {
+pub(super) const KEYS: &[StepKey] = keys! {
     "observer" observer: |field, _| Ok(Some(observer(field)?.into())), observer_text;
     "layout" setup.layout: |field, _| layout(field), |layout: &ViewLayout| written(&layout.name()?);
     "show" setup.items: |field, _| items(field),

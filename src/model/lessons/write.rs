@@ -7,7 +7,7 @@ use pinhole_exchange::scene_file::{TABLES, path_from, to_text, with_table};
 use pinhole_exchange::{BuiltinScene, Document, SceneSource};
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item as TomlItem, Table, Value, value};
 
-use super::keys::{KEYS, Key, is_in_scene};
+use super::keys::{KEYS, StepKey, is_in_scene};
 use super::lesson::Lesson;
 use super::read::{VERSION, parse};
 use crate::model::files::{OpenDocument, Origin};
@@ -101,12 +101,12 @@ fn view(shown: &Shown) -> String {
         Selection::Pixel(pixel) => format!("pixel = [{}, {}]", pixel.row, pixel.column),
         Selection::Uv(uv) => format!("uv = {:?}", uv.to_array()),
     };
-    let is_of_page = |key: &&Key| match key.name {
+    let is_of_page = |key: &&StepKey| match key.name {
         "lines" => shown.setup.layout == ViewLayout::Lines,
         "mistake" => shown.setup.layout == ViewLayout::Mistakes,
         _ => true,
     };
-    let line = |key: &Key| Some(format!("{} = {}\n", key.name, (key.write)(shown)?));
+    let line = |key: &StepKey| Some(format!("{} = {}\n", key.name, (key.write)(shown)?));
     let keys: String = KEYS.iter().filter(is_of_page).filter_map(line).collect();
     format!("{ray}\nkeep_observer = true\n{keys}")
 }

@@ -1,4 +1,5 @@
-//! The state of a document's views, which a scene file does not store, and the user's settings.
+//! The state of the window other than the document: what is shown of it, what is under the hand, and the user's
+//! preferences.
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;

@@ -28,7 +28,7 @@ use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
 use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::scene::{gizmo, readouts};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
-use crate::view::derive::{Derived, Shown, ViewSizes};
+use crate::view::derive::{Derived, FinishedView, ViewSizes};
 use crate::view::overlay::{self, PointShown, Under};
 use crate::view::typesetting::notation::unbroken;
 use crate::view::typesetting::{labels, theme};
@@ -306,7 +306,7 @@ pub(crate) fn hovered(
     }
     let per_point = ui.ctx().pixels_per_point();
     let position = |rect: Rect, name| Some((pointer_in(ui, name)? - rect.min) * per_point);
-    let mark = |view: &Option<Shown>, at: Vec2| {
+    let mark = |view: &Option<FinishedView>, at: Vec2| {
         let follows =
             |concept| matches!(concept, Concept::Ray | Concept::Direction | Concept::Pixel);
         let marks = view.iter().flat_map(|shown| shown.marks.iter());
@@ -441,7 +441,13 @@ fn eye_keeps(ui: &mut Ui, keeps: Keep) {
 }
 
 /// Shows a view's finished picture with its labels.
-pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
+pub(crate) fn show(
+    ui: &Ui,
+    rect: Rect,
+    shown: &FinishedView,
+    texture: &mut ViewTexture,
+    dimmed: bool,
+) {
     let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
     let texture = texture.upload(ui.ctx(), &shown.image);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));

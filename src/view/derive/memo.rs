@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::{OnWork, Shown, WorkKind, watched};
+use crate::view::derive::{FinishedView, OnWork, WorkKind, watched};
 use crate::view::overlay::{Drawing, Style};
 
 /// A cache of the last value that was computed, and of the key (the inputs) from which it was computed.
@@ -101,12 +101,12 @@ impl SpareImages {
         style: Style,
         watch: OnWork<'_>,
         draw: impl FnOnce(&mut [Color32]) -> Drawing,
-    ) -> Shown {
+    ) -> FinishedView {
         watched(watch, WorkKind::Overlay, || {
             let mut pixels = self.take(size);
             let drawing = draw(&mut pixels);
             style.finish(&mut pixels);
-            let shown = Shown {
+            let shown = FinishedView {
                 image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
                 labels: Arc::new(drawing.labels),
                 marks: Arc::new(drawing.marks),

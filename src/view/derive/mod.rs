@@ -219,9 +219,9 @@ pub struct Derived {
     /// if there is no fault.
     pub fault: Option<Fault>,
     /// The camera view.
-    pub camera_view: Option<Shown>,
+    pub camera_view: Option<FinishedView>,
     /// The world view: the scene with the camera in it.
-    pub world_view: Option<Shown>,
+    pub world_view: Option<FinishedView>,
     /// How many intersection decisions for the camera's picture the exact method (the ladder) made at each
     /// of its steps: in `f64`, in double-double, and in exact arithmetic.
     pub steps: Option<Steps>,
@@ -236,7 +236,7 @@ pub struct Derived {
     /// The curves f(p + t d) of the objects, if the layout shows them.
     pub plot: Option<Plot>,
     /// The second picture, such as an error map, if the page has one and it could be made.
-    pub second_view: Option<Shown>,
+    pub second_view: Option<FinishedView>,
     /// The answers and errors of the method that the error map shows, if the second picture is an error
     /// map.
     pub compared: Option<Arc<Compared>>,
@@ -255,7 +255,7 @@ pub struct Derived {
 
 /// A finished view: the pixels to show, and the labels to write on them.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct FinishedView {
     /// The pixels, at physical resolution.
     pub image: Arc<ColorImage>,
     /// The labels, in physical pixels of the image.
@@ -267,7 +267,7 @@ pub struct Shown {
     pub spheres: Arc<Vec<Ellipse>>,
 }
 
-impl Shown {
+impl FinishedView {
     /// Returns true if the picture shows nothing but its background.
     pub fn is_empty(&self) -> bool {
         let pixels = &self.image.pixels;

@@ -19,8 +19,8 @@ use crate::model::session::{ViewLayout, resolve};
 use crate::model::{AnswerMark, Inspection, Item, MarkShape, StudentAnswers};
 use crate::view::accuracy;
 use crate::view::derive::{
-    Compared, Derived, GoodPicture, GoodWorld, Inputs, Memo, OnWork, Shown, SpareImages, WorkKind,
-    camera_view, highlighted, opaque, trace_picture, watched,
+    Compared, Derived, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, OnWork, SpareImages,
+    WorkKind, camera_view, highlighted, opaque, trace_picture, watched,
 };
 use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
@@ -84,7 +84,7 @@ pub(super) struct SecondPictures {
     ghost: Memo<GhostKey, Option<(Arc<AgainstGhost>, Pair)>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
     answers_map: Memo<MapKey, Option<Arc<Picture>>>,
-    view: Memo<CameraView, Shown>,
+    view: Memo<CameraView, FinishedView>,
     buffers: SpareImages,
     /// Number of pictures made so far.
     pub(super) count: u64,

@@ -27,9 +27,9 @@ use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
 use crate::view::derive::{
-    Derived, Enclosing, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork, Purpose, Shown,
-    SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
-    watched,
+    Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork,
+    Purpose, SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted,
+    trace_picture, watched,
 };
 use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
@@ -39,7 +39,7 @@ use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, sho
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
-    view: Memo<WorldView, Shown>,
+    view: Memo<WorldView, FinishedView>,
     buffers: SpareImages,
 }
 
@@ -53,7 +53,7 @@ impl WorldViews {
         inputs: Inputs<'_>,
         objects: &mut Objects,
         last_good: Option<&GoodPicture>,
-    ) -> Option<(Arc<WorldPicture>, Shown)> {
+    ) -> Option<(Arc<WorldPicture>, FinishedView)> {
         let Inputs { session, sizes, watch, .. } = inputs;
         let (size, good) = (sizes.world?, objects.good()?.clone());
         let observer_camera = session.shown.observer?.camera(size[0], size[1]).resolve().ok()?;
@@ -129,7 +129,7 @@ fn described(
 /// A cache of the camera view.
 #[derive(Debug, Default)]
 pub(super) struct CameraViews {
-    view: Memo<CameraView, Shown>,
+    view: Memo<CameraView, FinishedView>,
     buffers: SpareImages,
 }
 
@@ -141,7 +141,7 @@ impl CameraViews {
         derived: &Derived,
         inputs: Inputs<'_>,
         good: &GoodPicture,
-    ) -> Option<Shown> {
+    ) -> Option<FinishedView> {
         let size = inputs.sizes.camera?;
         let shown = CameraView {
             // The highlighted concept belongs to the current document, so it is not shown in an older

@@ -8,7 +8,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::overlay_items::Item;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::derive::Shown;
+use pinhole::view::derive::FinishedView;
 use pinhole::view::overlay::Shape;
 use pinhole_exchange::scenes::BuiltinScene;
 
@@ -29,7 +29,7 @@ struct Drawn {
 }
 
 /// The areas of the labels and handles of a view whose rectangle is `rect`.
-fn drawn(rect: Rect, shown: &Shown, scale: f32) -> Vec<Drawn> {
+fn drawn(rect: Rect, shown: &FinishedView, scale: f32) -> Vec<Drawn> {
     let in_window = |[x, y]: [f32; 2]| rect.min + vec2(x, y) / scale;
     let labels = shown.labels.iter().map(|label| {
         let size = 2.0 * Vec2::from(label.half_extent(scale)) / scale;
