@@ -8,11 +8,13 @@
 macro_rules! with_defaults {
     (
         $(#[$meta:meta])*
-        pub struct $name:ident { $($(#[$about:meta])* pub $field:ident: $type:ty = $value:expr,)* }
+        $visible:vis struct $name:ident {
+            $($(#[$about:meta])* $accessible:vis $field:ident: $type:ty = $value:expr,)*
+        }
     ) => {
         $(#[$meta])*
-        pub struct $name {
-            $($(#[$about])* pub $field: $type,)*
+        $visible struct $name {
+            $($(#[$about])* $accessible $field: $type,)*
         }
 
         impl Default for $name {
@@ -22,6 +24,7 @@ macro_rules! with_defaults {
         }
     };
 }
+pub(crate) use with_defaults;
 
 pub mod concept;
 pub mod derivation_sections;

@@ -6,6 +6,8 @@ use std::time::Duration;
 
 use pinhole_core::{ImageSize, Raster};
 
+use crate::model::with_defaults;
+
 /// The distance between traced rows, and between traced columns, in pixels: 1 traces all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Subsampling(u32);
@@ -52,32 +54,21 @@ const MANY: usize = 200;
 /// Seconds without movement after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
-/// Chooses the subsampling from the time that earlier pictures took.
-#[derive(Debug)]
-pub(crate) struct AdaptiveResolution {
-    budget: Duration,
-    /// The subsampling during a drag.
-    moving: Subsampling,
-    /// The subsampling at rest.
-    resting: Subsampling,
-    /// Estimated time to trace a picture at full resolution; the real time may be shorter.
-    full: Duration,
-    /// Number of objects in the scene that was measured.
-    objects: usize,
-    /// Time of the last move, in seconds.
-    moved_at: f64,
-}
-
-impl Default for AdaptiveResolution {
-    fn default() -> AdaptiveResolution {
-        AdaptiveResolution {
-            budget: BUDGET,
-            moving: Subsampling::NONE,
-            resting: Subsampling::NONE,
-            full: Duration::ZERO,
-            objects: 0,
-            moved_at: f64::NEG_INFINITY,
-        }
+with_defaults! {
+    /// Chooses the subsampling from the time that earlier pictures took.
+    #[derive(Debug)]
+    pub(crate) struct AdaptiveResolution {
+        budget: Duration = BUDGET,
+        /// The subsampling during a drag.
+        moving: Subsampling = Subsampling::NONE,
+        /// The subsampling at rest.
+        resting: Subsampling = Subsampling::NONE,
+        /// Estimated time to trace a picture at full resolution; the real time may be shorter.
+        full: Duration = Duration::ZERO,
+        /// Number of objects in the scene that was measured.
+        objects: usize = 0,
+        /// Time of the last move, in seconds.
+        moved_at: f64 = f64::NEG_INFINITY,
     }
 }
 

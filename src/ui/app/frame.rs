@@ -439,9 +439,8 @@ impl OpenScene {
         let (before, now) = (&start.document, &self.open.document);
         // The observer and what is under the hand are set before the views are derived, and only the views
         // show them.
-        let Session { shown: Shown { observer, .. }, live, .. } = self.session.clone();
-        let shown = Shown { observer, ..start.session.shown };
-        let session = Session { shown, live, ..start.session };
+        let shown = Shown { observer: self.session.shown.observer, ..start.session.shown };
+        let session = Session { shown, live: self.session.live.clone(), ..start.session };
         !is_same_but_for_pose(&before.camera, &now.camera)
             || before.spheres != now.spheres
             || before.planes != now.planes
