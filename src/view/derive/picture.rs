@@ -91,12 +91,23 @@ impl GoodPicture {
     }
 }
 
-/// The inputs of a trace: the camera, the generation number of the objects, and the traced pixels.
-type TraceKey = (ResolvedCamera, u64, Raster);
+/// The inputs of a trace. `generation` is that of the objects.
+#[derive(Clone, Debug, PartialEq)]
+struct TraceKey {
+    resolved: ResolvedCamera,
+    generation: u64,
+    raster: Raster,
+}
 
-/// The inputs of a picture's colours: the inputs of the trace, the shading, the generation number of the
-/// colours, and whether the picture is transparent where no object is hit.
-type PictureKey = (TraceKey, Shade, u64, bool);
+/// The inputs of a picture's colours. `palette` is the generation number of the objects' colours; with `clear`,
+/// the picture is transparent where no object is hit.
+#[derive(Clone, Debug, PartialEq)]
+struct PictureKey {
+    trace: TraceKey,
+    shade: Shade,
+    palette: u64,
+    clear: bool,
+}
 
 /// A picture, the number of decisions at each step of the exact method (the ladder), and how many spheres
 /// and rows were skipped.
@@ -114,7 +125,7 @@ pub(super) struct Pictures {
     picture: Memo<PictureKey, MadePicture>,
     shown: Spares<Picture, 2>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
-    loupe: Memo<(PictureKey, (u32, bool)), Arc<Loupe>>,
+    loupe: Memo<(PictureKey, u32, bool), Arc<Loupe>>,
     scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
     fineness: Memo<(ResolvedCamera, u64, [u32; 2]), Subsampling>,
     /// Number of pictures traced so far.
@@ -139,22 +150,22 @@ impl Pictures {
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let subsampling =
             self.fineness.at_most((resolved, world.generation, size), sizes.subsampling);
-        let trace_key = (resolved, world.generation, subsampling.raster(resolved.image(), size));
+        let raster = subsampling.raster(resolved.image(), size);
+        let trace = TraceKey { resolved, generation: world.generation, raster };
         let (setup, pixels) = (&session.shown.setup, session.preferences.loupe_pixels);
         // The limit applies to the full picture: a method that is too slow for it is not used during a drag
         // either.
         let all = Subsampling::NONE.raster(resolved.image(), size).len();
-        let compared = self.compared(inputs, &trace_key, world, all);
+        let compared = self.compared(inputs, &trace, world, all);
         // A picture for the viewport in the world view is opaque, since it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = (trace_key, setup.shade, world.palette, clear);
+        let key = PictureKey { trace, shade: setup.shade, palette: world.palette, clear };
         let (picture, steps, counts) = self.picture(&key, world, watch);
         let position = inspection.image_position.filter(|_| setup.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), pixels);
-            let ((resolved, generation, _), mode, palette, _) = key;
-            let key = ((resolved, generation, Raster::part(rows, columns)), mode, palette, false);
-            let key = (key, (pixels, setup.count_from_one));
+            let trace = TraceKey { raster: Raster::part(rows, columns), ..key.trace };
+            let key = (PictureKey { trace, clear: false, ..key }, pixels, setup.count_from_one);
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.live.scanned_pixels {
                 None => loupe,
@@ -178,7 +189,7 @@ impl Pictures {
     fn compared(
         &mut self,
         Inputs { session, sizes, watch, .. }: Inputs<'_>,
-        trace_key: &TraceKey,
+        trace: &TraceKey,
         world: &GoodWorld,
         pixels: usize,
     ) -> Option<Result<Arc<Compared>, TooMany>> {
@@ -186,14 +197,14 @@ impl Pictures {
         if let Some(too_many) = TooMany::check(world.scene.len(), pixels) {
             return Some(Err(too_many));
         }
-        let truth = self.truth.get(trace_key.clone(), |(resolved, _, raster)| {
+        let truth = self.truth.get(trace.clone(), |trace| {
             self.traced += 1;
-            trace_truth(&world.scene, resolved, raster, watch)
+            trace_truth(&world.scene, trace, watch)
         });
-        let key = (session.preferences.compared, trace_key.clone());
-        Some(Ok(self.compared.get(key, |(method, (resolved, _, raster))| {
+        let key = (session.preferences.compared, trace.clone());
+        Some(Ok(self.compared.get(key, |(method, trace)| {
             watched(watch, WorkKind::Trace, || {
-                let traced = trace_by(*method, &world.scene, resolved, raster);
+                let traced = trace_by(*method, &world.scene, &trace.resolved, &trace.raster);
                 let comparison = Comparison::new(&truth, &traced);
                 let mut frame = Frame::clone(&truth);
                 (frame.t, frame.object) = (traced.t, traced.object);
@@ -204,16 +215,16 @@ impl Pictures {
 
     /// Returns the camera's picture.
     fn picture(&mut self, key: &PictureKey, world: &GoodWorld, watch: OnWork<'_>) -> MadePicture {
-        let (scene, mode, clear) = (&world.scene, key.1, key.3);
+        let (scene, mode) = (&world.scene, key.shade);
         let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (picture, steps, counts) = self.picture.get(key.clone(), |(trace_key, ..)| {
+        let (picture, steps, counts) = self.picture.get(key.clone(), |key| {
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
-            let key = (trace_key.clone(), outputs.t);
-            let spare = self.rough.take_other(&key).and_then(Arc::into_inner);
+            let trace = (key.trace.clone(), outputs.t);
+            let spare = self.rough.take_other(&trace).and_then(Arc::into_inner);
             let pixels = self.shown.take(|_| true).map(|picture| picture.pixels);
             let spare = spare.zip(pixels);
-            let frame = self.rough.get(key, |((resolved, _, raster), _)| {
+            let frame = self.rough.get(trace, |(TraceKey { resolved, raster, .. }, _)| {
                 self.traced += 1;
                 let memory = (spare, watch);
                 let traced = trace_picture(scene, resolved, raster, outputs, colors, memory);
@@ -221,7 +232,7 @@ impl Pictures {
                 Arc::new(traced.0)
             });
             let pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
-            (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
+            (picture_of(&frame, pixels, key.clear), frame.steps, frame.counts)
         });
         self.shown.keep(&picture);
         (picture, steps, counts)
@@ -238,12 +249,12 @@ fn picture_of(frame: &Frame<f32>, mut pixels: Vec<Color32>, clear: bool) -> Arc<
 }
 
 /// Returns the pixels that the loupe (the magnifier) shows.
-fn loupe(key: &(PictureKey, (u32, bool)), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
-    let (((resolved, _, raster), mode, ..), (shown_pixels, count_from_one)) = key;
-    let frame = trace_truth(&world.scene, resolved, raster, watch);
-    let colors = (*mode, |i: u32| world.colors[i as usize]);
+fn loupe(key: &(PictureKey, u32, bool), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
+    let (PictureKey { trace, shade, .. }, shown_pixels, count_from_one) = key;
+    let frame = trace_truth(&world.scene, trace, watch);
+    let colors = (*shade, |i: u32| world.colors[i as usize]);
     let pixels = repainted(&frame, &world.scene, colors, watch);
-    let picture = Picture { raster: raster.clone(), image: resolved.image(), pixels };
+    let picture = Picture { raster: trace.raster.clone(), image: trace.resolved.image(), pixels };
     Loupe { picture, shown_pixels: *shown_pixels, count_from_one: *count_from_one }
 }
 
@@ -306,13 +317,10 @@ pub(super) fn repainted<T: Depth>(
 }
 
 /// Traces the objects, and `t` with all its digits.
-pub(super) fn trace_truth(
-    scene: &Scene,
-    camera: &ResolvedCamera,
-    raster: &Raster,
-    watch: OnWork<'_>,
-) -> Arc<Frame> {
-    watched(watch, WorkKind::Trace, || Arc::new(trace(scene, camera, raster, Outputs::default())))
+fn trace_truth(scene: &Scene, key: &TraceKey, watch: OnWork<'_>) -> Arc<Frame> {
+    let TraceKey { resolved, raster, .. } = key;
+    let trace = || Arc::new(trace(scene, resolved, raster, Outputs::default()));
+    watched(watch, WorkKind::Trace, trace)
 }
 
 /// Calls `run` and reports its time as work of the kind `work`. Time between the last report and the call
