@@ -46,7 +46,7 @@ pub struct Session {
     pub preferences: Preferences,
 }
 
-/// What is under the hand: only the views show it, and it is not kept.
+/// What is of the moment, under the hand or in a scan: only the views show it, and it is not kept.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Live {
     /// The ray through the position under the pointer, which is shown instead of the selected one.
