@@ -163,6 +163,19 @@ impl Concept {
         NAMES.map(|(_, name, _)| name)
     }
 
+    /// Returns the concepts from which this one is made, and which are drawn with it while it is highlighted.
+    pub fn made_from(self) -> &'static [Concept] {
+        match self {
+            Concept::UpCrossW => &[Concept::Up, Concept::W],
+            Concept::WCrossU => &[Concept::W, Concept::U],
+            Concept::Backwards => &[Concept::View],
+            Concept::AlongU | Concept::AlongV | Concept::AlongW => {
+                &[Concept::AlongU, Concept::AlongV, Concept::AlongW]
+            }
+            _ => &[],
+        }
+    }
+
     /// Returns the concept that the views highlight for this one.
     pub fn in_views(self) -> Concept {
         match self {

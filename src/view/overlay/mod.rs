@@ -30,6 +30,7 @@ mod drawing;
 mod flat;
 mod layers;
 mod paint;
+mod parts;
 mod pixel_numbers;
 mod screen;
 mod style;
@@ -40,13 +41,13 @@ pub use camera_view::{CameraView, camera};
 pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, concept_at};
 pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
+pub use parts::compared::GhostCamera;
+pub use parts::emphasis::Highlighted;
 pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
 pub use style::{Colors, Style, contrast_ratio};
-pub use world_view::camera_in_space::SMALL_VIEWPORT;
-pub use world_view::compared::GhostCamera;
 pub use world_view::drawn::drawn;
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
-pub use world_view::highlighted::Highlighted;
+pub use world_view::lens::SMALL_VIEWPORT;
 pub use world_view::under_pointer::{PointShown, Under, point_at};
 pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
 
@@ -55,19 +56,19 @@ use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
+use parts::camera::{corners, shows_where_it_looks};
+use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
+use parts::ray::{UvLeg, uv_legs};
+use parts::sphere_figure::SphereFigure;
+use parts::{ASKED_SPHERES, Figure, Form, Length, Part, Place, Toward};
 use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{
     BOLD_POINT, DIMMED, FINE, LEGIBLE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR, VISIBLE,
 };
-use world_view::camera_in_space::{BASIS, corners, shows_where_it_looks};
-use world_view::highlighted::{
-    ACCOMPANYING, ALONG, STRONG, cased, cross_of, dim, first, silhouette,
-};
 use world_view::labels::{Request, place_labels};
+use world_view::lens::{cased, silhouette};
 use world_view::sketch::{Head, LineStyle, Sketch};
-use world_view::sphere_figure::SphereFigure;
-use world_view::whiteboard::{UvLeg, measured_points, uv_legs};
 
 /// A shared value that is compared by identity: two are equal only if they share the same allocation.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! The camera view: the traced picture, stretched without smoothing, and the selection drawn over it.
 
-mod highlighted;
+mod lens;
 pub(super) mod loupe;
 
 use std::sync::Arc;

@@ -1,13 +1,11 @@
 //! What the world view draws besides the camera and the objects, so that an observer can be found who has all
 //! of it in sight: the selected ray with its points, the viewport's dimension lines, and the ghost.
 
-use pinhole_core::{Camera, Scene, Selection};
+use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Selection};
 
 use crate::model::observer::Drawn;
 use crate::model::{Inspection, Item, OverlayItems};
-use crate::view::overlay::{
-    GhostCamera, SphereFigure, measured_points, shows_where_it_looks, unit,
-};
+use crate::view::overlay::{GhostCamera, SphereFigure, corners, shows_where_it_looks, unit};
 
 /// Depth of the camera's body behind the eye, and length of the ray's line there, as multiples of the basis
 /// arrows' length.
@@ -67,4 +65,12 @@ fn ray(drawn: &mut Drawn, inspection: &Inspection, scene: &Scene) {
     {
         drawn.points.push(figure.foot());
     }
+}
+
+/// Returns the outer corners of the viewport with the dimension lines below it and to its right.
+fn measured_points(resolved: &ResolvedCamera) -> [DVec3; 3] {
+    let outer = corners(resolved)[1].abs()
+        + 2.0 * 0.14 * resolved.viewport().width.min(resolved.viewport().height);
+    let corners = [outer, outer * DVec2::new(1.0, -1.0), -outer];
+    corners.map(|corner| resolved.viewport_point(corner))
 }

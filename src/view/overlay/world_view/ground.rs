@@ -232,7 +232,7 @@ impl Sketch<'_> {
         for (pane, _, [r, g, b]) in &ground.panes {
             let color = mix(Color32::from_rgb(*r, *g, *b), self.colors.ink, 0.4);
             let pen = LineStyle::new(Item::Planes, color, THIN).without_halo().where_visible();
-            self.sides(pane.corners(), pen);
+            self.sides(&pane.corners(), pen);
         }
         let Some(floor) = ground.floor else { return };
         let color = self.colors.ink.gamma_multiply(0.6);

@@ -1,17 +1,13 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
-pub(super) mod camera_in_space;
-pub(super) mod compared;
 pub(super) mod drawn;
 pub(super) mod ground;
 pub(super) mod handles;
-pub(super) mod highlighted;
 pub(super) mod labels;
+pub(super) mod lens;
 pub(super) mod sketch;
-pub(super) mod sphere_figure;
 mod uncovered;
 pub(super) mod under_pointer;
-pub(super) mod whiteboard;
 
 use std::sync::Arc;
 
@@ -21,14 +17,10 @@ use rayon::prelude::*;
 
 use crate::model::{AnswerMark, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    BAND, Backdrop, Bowl, ColoredScene, Drawing, Fills, Flat, GhostCamera, Grid, Handles,
+    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, GhostCamera, Grid, Handles,
     Highlighted, Layers, Picture, Same, Screen, Sketch, Style, ViewportLayer, camera_uv_at, dot,
-    place_labels, wide,
+    mix, place_labels, wide,
 };
-
-/// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
-/// reaches beyond, and among which the one closest to the ray is looked for.
-const ASKED_SPHERES: usize = 1024;
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
 #[derive(Clone, Debug, PartialEq)]
@@ -247,29 +239,38 @@ impl WorldView {
         let screen = self.screen();
         let mut sketch = Sketch {
             view: self,
-            scene: scene.scene,
             screen,
             layers,
             items: self.items,
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
+            fades: self.highlighted.is_some_and(|lit| lit.dims),
         };
         sketch.ground(scene);
-        for (index, sphere) in self.drawn_around(scene.scene) {
-            sketch.cut_away(index, &sphere, scene.color_of(index));
-        }
-        if let Some(ghost) = &self.ghost {
-            sketch.ghost(ghost);
-        }
-        let of_ghost = std::mem::take(&mut sketch.requests);
-        sketch.camera_in_space();
-        sketch.answer_marks();
-        // The ghost's labels come last, so that the camera's own labels have precedence if space is short.
-        sketch.requests.extend(of_ghost);
-        if let Some(highlighted) = self.highlighted {
-            sketch.highlight(highlighted);
-        }
+        let cut_away = |(index, sphere)| {
+            let [r, g, b] = scene.color_of(index);
+            (index, sphere, mix(Color32::from_rgb(r, g, b), colors.ink, 0.3))
+        };
+        let cut_away: Vec<_> = self.drawn_around(scene.scene).map(cut_away).collect();
+        let figure = Figure {
+            camera: &self.camera,
+            resolved: self.resolved.as_ref(),
+            scene: scene.scene,
+            inspection: self.inspection.as_deref(),
+            ray_point_t: self.ray_point_t,
+            ghost: self.ghost.as_ref(),
+            answers: &self.answer_marks,
+            cut_away: &cut_away,
+            items: self.items,
+            highlighted: self.highlighted,
+            names_all: self.names_all,
+            shows_normal: self.shows_normal,
+            up: self.handles.up,
+            observer: self.observer,
+            colors,
+        };
+        sketch.parts(figure.parts());
         sketch.handles();
         let Sketch { mut drawing, requests, .. } = sketch;
         place_labels(requests, &mut drawing, screen.size, &self.covered);

@@ -2,12 +2,11 @@
 //! clipped, and split into visible and hidden parts.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Scene};
+use pinhole_core::{DVec2, DVec3};
 
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{
-    Colors, CutLine, Drawing, LabelFont, Layers, Mark, POINT, Request, Screen, Shape, Spot,
-    WorldView, dot,
+    Colors, CutLine, Drawing, LabelFont, Layers, Mark, Request, Screen, Shape, Spot, WorldView, dot,
 };
 
 /// The style of a line.
@@ -45,13 +44,14 @@ pub(crate) enum Head {
 /// A drawing while it is built.
 pub(crate) struct Sketch<'a> {
     pub(crate) view: &'a WorldView,
-    pub(crate) scene: &'a Scene,
     pub(crate) screen: Screen,
     pub(crate) layers: &'a Layers<'a>,
     pub(crate) items: OverlayItems,
     pub(crate) colors: &'static Colors,
     pub(crate) drawing: Drawing,
     pub(crate) requests: Vec<Request>,
+    /// True while what is drawn is faded, because a concept is highlighted.
+    pub(crate) fades: bool,
 }
 
 /// Distance, in screen pixels, between two points of a line at which it is tested whether an object hides
@@ -128,6 +128,18 @@ impl LineStyle {
 }
 
 impl Sketch<'_> {
+    /// Adds a visible mark.
+    pub(crate) fn add(&mut self, pen: LineStyle, shape: Shape) {
+        self.push(pen.mark(shape, self.colors.halo));
+    }
+
+    fn push(&mut self, mut mark: Mark) {
+        if self.fades {
+            mark.color = self.colors.faded(mark.color);
+        }
+        self.drawing.marks.push(mark);
+    }
+
     /// Draws a straight line in the world.
     pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: LineStyle) {
         if self.items.shows(pen.item)
@@ -180,6 +192,7 @@ impl Sketch<'_> {
             [tip, back + side, back - side]
         };
         let hidden = self.is_hidden(tip, pen);
+        let scale = self.drawing.scale;
         let mut add = |corners: &[DVec2], filled: bool| {
             let mut points: Vec<[f32; 2]> = corners.iter().copied().map(dot).collect();
             let shape = if filled && !hidden {
@@ -189,10 +202,10 @@ impl Sketch<'_> {
                     points.push(points[0]);
                 }
                 let thin = if hidden { 0.6 } else { 1.0 };
-                Shape::Line { points, width: thin * pen.width * self.drawing.scale }
+                Shape::Line { points, width: thin * pen.width * scale }
             };
             // The head is never dashed, because dashes would hide its shape.
-            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
+            self.add(pen, shape);
         };
         match head {
             Head::Filled => add(&triangle(tip.at), true),
@@ -204,34 +217,6 @@ impl Sketch<'_> {
                 add(&triangle(tip.at - direction * (0.7 * size)), true);
                 add(&triangle(tip.at), true);
             }
-        }
-    }
-
-    /// Draws an arrow with a label at its tip.
-    pub(crate) fn named_arrow(
-        &mut self,
-        ends: [DVec3; 2],
-        head: Head,
-        pen: LineStyle,
-        text: &str,
-        font: LabelFont,
-    ) {
-        if let Some([tip, direction]) = self.arrow(ends, head, pen) {
-            self.label(pen, text, [tip, direction], font);
-        }
-    }
-
-    /// Draws a point in the world as a disc of `radius` points, with a label.
-    pub(crate) fn named_point(
-        &mut self,
-        at: DVec3,
-        radius: f32,
-        pen: LineStyle,
-        text: &str,
-        toward: [f64; 2],
-    ) {
-        if let Some(spot) = self.point(at, radius, pen) {
-            self.label(pen, text, [spot.at, toward.into()], POINT);
         }
     }
 
@@ -258,13 +243,13 @@ impl Sketch<'_> {
         } else {
             Shape::Disc { center: dot(spot.at), radius }
         };
-        self.drawing.marks.push(pen.mark(shape, self.colors.halo));
+        self.add(pen, shape);
     }
 
     /// Draws the sides of a polygon in the world.
-    pub(crate) fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) {
-        for k in 0..N {
-            self.line(corners[k], corners[(k + 1) % N], pen);
+    pub(crate) fn sides(&mut self, corners: &[DVec3], pen: LineStyle) {
+        for (k, corner) in corners.iter().enumerate() {
+            self.line(*corner, corners[(k + 1) % corners.len()], pen);
         }
     }
 
@@ -278,7 +263,7 @@ impl Sketch<'_> {
         let is_visible = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if is_visible {
             let shape = Shape::polygon(&spots.iter().map(|spot| spot.at).collect::<Vec<_>>());
-            self.drawing.marks.push(pen.mark(shape, self.colors.halo));
+            self.add(pen, shape);
         }
     }
 
@@ -287,22 +272,11 @@ impl Sketch<'_> {
     pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
         let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
-            self.requests.push(Request::new(pen, text.to_owned(), at, font, self.colors.halo));
-        }
-    }
-
-    /// Requests a label for a point in the world. `toward` is the preferred direction from there, on the
-    /// screen.
-    pub(crate) fn label_at(
-        &mut self,
-        at: DVec3,
-        pen: LineStyle,
-        text: &str,
-        toward: DVec2,
-        font: LabelFont,
-    ) {
-        if let Some(spot) = self.screen.spot(at) {
-            self.label(pen, text, [spot.at, toward], font);
+            let mut request = Request::new(pen, text.to_owned(), at, font, self.colors.halo);
+            if self.fades {
+                self.colors.fade(&mut request.label);
+            }
+            self.requests.push(request);
         }
     }
 
@@ -319,7 +293,7 @@ impl Sketch<'_> {
             let dashed = run.hidden || pen.dashed;
             let shape = Shape::Line { points, width: thin * pen.width * scale };
             let mark = pen.mark(shape, self.colors.halo);
-            self.drawing.marks.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
+            self.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
         }
     }
 

@@ -2,8 +2,7 @@
 
 use pinhole_core::{Ellipse, Scene, Sphere};
 
-use super::ASKED_SPHERES;
-use crate::view::overlay::{Layers, WorldView, silhouette};
+use crate::view::overlay::{ASKED_SPHERES, Layers, WorldView, silhouette};
 
 /// Minimum length of the shorter semi-axis of such a sphere's outline, in pixels.
 const LEAST: f64 = 8.0;

@@ -1,0 +1,347 @@
+//! Draws the parts of the figure as the observer of the world view sees them.
+
+use egui::Color32;
+use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
+
+use crate::model::{Item, OverlayItems};
+use crate::view::overlay::{
+    Emphasis, Form, Head, Length, LineStyle, MARK, NUMBER, POINT, Part, Place, Request, Shape,
+    Sketch, Toward, circle, corners, dot, first, half_extent, numbers, tangents, unit,
+};
+
+/// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
+/// handles would overlap and the frustum could hardly be seen.
+pub const SMALL_VIEWPORT: f64 = 52.0;
+
+/// Size of the box that stands for a small camera, in points: the larger of its width and height, then its depth.
+const BODY: (f64, f64) = (30.0, 34.0);
+
+/// Shorter side of a view, in points, below which the camera's box shrinks with the view.
+const LOW: f64 = 300.0;
+
+/// Distance between the arrows of view and -view, and between a line and its dimension line, in points.
+const APART: f64 = 14.0;
+
+/// Distance between the viewport and the numbers of its rows and columns, in points.
+const NUMBER_GAP: f64 = 2.0;
+
+impl Sketch<'_> {
+    /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
+    /// so that the camera's own labels have precedence if space is short.
+    pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
+        let highlighted = self.view.highlighted;
+        let (mut on_top, mut of_behind) = (Vec::new(), Vec::new());
+        for (k, part) in parts.into_iter().enumerate() {
+            if k == behind {
+                of_behind = std::mem::take(&mut self.requests);
+            }
+            match part.emphasis(self.items, highlighted) {
+                None => {}
+                Some(emphasis) if emphasis.is_on_top() => on_top.push(part.emphasized(emphasis)),
+                Some(emphasis) => {
+                    self.fades = emphasis == Emphasis::Faded;
+                    self.part(&part);
+                }
+            }
+        }
+        self.fades = false;
+        self.requests.append(&mut of_behind);
+        let others = std::mem::take(&mut self.requests);
+        let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
+        on_top.iter().for_each(|part| self.part(part));
+        self.items = shown;
+        self.requests = first(std::mem::take(&mut self.requests), others);
+    }
+
+    fn part(&mut self, part: &Part) {
+        let pen = part.pen;
+        let aside = self.aside(part);
+        let place = |place: &Place| self.place(*place) + aside;
+        let label = match &part.form {
+            Form::Line(points) => {
+                let points: Vec<DVec3> = points.iter().map(place).collect();
+                points.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
+                self.spot(points[0].midpoint(points[points.len() - 1]))
+            }
+            Form::Arrow(ends, head) => {
+                let ends = ends.each_ref().map(place);
+                self.arrow(ends, *head, pen)
+            }
+            Form::Dimension(ends) => {
+                let ends = ends.each_ref().map(place);
+                let middle = ends[0].midpoint(ends[1]);
+                for end in ends {
+                    self.arrow([middle, end], Head::Filled, pen);
+                }
+                self.spot(middle)
+            }
+            Form::Sides(corners) => {
+                let corners: Vec<DVec3> = corners.iter().map(place).collect();
+                self.sides(&corners, pen);
+                None
+            }
+            Form::Area(corners) => {
+                let corners: Vec<DVec3> = corners.iter().map(place).collect();
+                let fill = LineStyle { color: pen.color.gamma_multiply(0.3), ..pen };
+                self.polygon(&corners, fill.without_halo());
+                self.sides(&corners, pen);
+                None
+            }
+            Form::Face(corners, inside) => {
+                self.face(corners, *inside, pen);
+                None
+            }
+            Form::Point(at, radius) => self.circle(place(at), *radius, pen, &part.form),
+            Form::Ring(at, radius) | Form::Hole(at, radius) => {
+                self.circle(place(at), *radius, pen, &part.form)
+            }
+            Form::Outline(sphere) => {
+                let outline =
+                    silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
+                let pens = cased(pen, self.colors.halo);
+                for pen in if pen.halo { &pens[..] } else { &pens[1..] } {
+                    outline.windows(2).for_each(|ends| self.line(ends[0], ends[1], *pen));
+                }
+                None
+            }
+            Form::Body | Form::Marks | Form::PixelNumbers => {
+                if let Some(resolved) = &self.view.resolved {
+                    match part.form {
+                        Form::Body => self.body(resolved, pen),
+                        Form::Marks => self.marks(resolved, pen),
+                        _ => self.pixel_numbers(resolved, pen),
+                    }
+                }
+                None
+            }
+        };
+        self.label_of(part, aside, label);
+    }
+
+    /// Requests the label of a part. `shown` is the position on the screen that an arrow, a line or a point gives it,
+    /// with the direction of an arrow.
+    fn label_of(&mut self, part: &Part, aside: DVec3, shown: Option<[DVec2; 2]>) {
+        let Some(label) = &part.label else { return };
+        let at = label.at.map(|at| self.place(at) + aside);
+        let Some([spot, onward]) = at.map_or(shown, |at| self.spot(at)) else { return };
+        let world = at.or_else(|| self.middle_of(part, aside)).unwrap_or_default();
+        let toward = match label.toward {
+            Toward::Screen(direction) => direction,
+            Toward::World(sum) => {
+                sum.into_iter().map(|(weight, vector)| weight * self.on_screen(world, vector)).sum()
+            }
+            Toward::Onward if part.beside.is_some() => self.on_screen(world, aside),
+            Toward::Onward => onward,
+        };
+        self.label(part.pen, &label.text, [spot, toward], label.font);
+    }
+
+    /// Returns the middle of a line, or a point.
+    fn middle_of(&self, part: &Part, aside: DVec3) -> Option<DVec3> {
+        let middle = match &part.form {
+            Form::Line(points) => self.place(points[0]).midpoint(self.place(*points.last()?)),
+            Form::Dimension([a, b]) | Form::Arrow([a, b], _) => {
+                self.place(*a).midpoint(self.place(*b))
+            }
+            Form::Point(at, _) | Form::Ring(at, _) | Form::Hole(at, _) => self.place(*at),
+            _ => return None,
+        };
+        Some(middle + aside)
+    }
+
+    fn spot(&self, at: DVec3) -> Option<[DVec2; 2]> {
+        self.screen.spot(at).map(|spot| [spot.at, DVec2::ZERO])
+    }
+
+    /// Returns where a place is in the world.
+    fn place(&self, Place { at, along, length }: Place) -> DVec3 {
+        match length {
+            _ if along == DVec3::ZERO => at,
+            Length::Arrow => at + self.screen.arrow_length(at) * along,
+            Length::Normal => at + self.screen.normal_length(at) * along,
+        }
+    }
+
+    /// Returns how far a part is drawn beside its place: across its line and the line of sight.
+    fn aside(&self, part: &Part) -> DVec3 {
+        let (Some(other), Form::Arrow([a, b], _) | Form::Dimension([a, b])) =
+            (part.beside, &part.form)
+        else {
+            return DVec3::ZERO;
+        };
+        let [a, b] = [a, b].map(|end| self.place(*end));
+        let middle = a.midpoint(b);
+        let sight = middle - self.view.frame.camera().eye();
+        let Some(across) = unit((b - a).cross(sight)) else { return DVec3::ZERO };
+        let across = if other.dot(across) > 0.0 { -across } else { across };
+        self.screen.length_of_points(middle, (APART, APART)) * across
+    }
+
+    fn circle(
+        &mut self,
+        at: DVec3,
+        radius: f32,
+        pen: LineStyle,
+        form: &Form,
+    ) -> Option<[DVec2; 2]> {
+        let scale = self.drawing.scale;
+        let spot = match form {
+            Form::Ring(..) => {
+                let spot = self.screen.spot(at)?;
+                let radius = (radius + 2.0) * scale;
+                self.add(pen, Shape::ring(spot.at, radius.into(), 24, 2.4 * scale));
+                spot
+            }
+            _ => self.point(at, radius, pen)?,
+        };
+        if matches!(form, Form::Hole(..)) {
+            let hole = LineStyle { color: self.colors.halo, ..pen }.without_halo();
+            self.add(hole, Shape::Disc { center: dot(spot.at), radius: 0.6 * radius * scale });
+        }
+        Some([spot.at, DVec2::ZERO])
+    }
+
+    /// Fills a side of a solid if it faces the observer.
+    fn face(&mut self, corners: &[DVec3; 4], inside: DVec3, pen: LineStyle) {
+        let normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+        let height = |point: DVec3| normal.dot(point - corners[2]);
+        if height(self.view.frame.camera().eye()) * height(inside) < 0.0 {
+            self.polygon(corners, pen);
+        }
+    }
+
+    /// Returns the direction on the screen of a vector at a point, as a unit vector; zero if it points along the line of
+    /// sight, or if the point is not in the picture.
+    pub(crate) fn on_screen(&self, at: DVec3, vector: DVec3) -> DVec2 {
+        let length = self.screen.length_of_points(at, (10.0, 10.0));
+        let tip = unit(vector).map(|vector| at + length * vector);
+        let spots = self.screen.spot(at).zip(tip.and_then(|tip| self.screen.spot(tip)));
+        spots.map_or(DVec2::ZERO, |(from, to)| (to.at - from.at).normalize_or_zero())
+    }
+
+    /// Draws the camera's body in place of a viewport that is too small to be seen, unless arrows or the frustum
+    /// show where the camera looks. The body is a box of constant size on the screen, with the eye in the middle of its
+    /// front.
+    ///
+    /// The box stands behind the eye, where the viewport can never be. The frustum, the viewport, the
+    /// picture and the ray are always drawn to scale: an enlarged frustum would show the viewport in the
+    /// wrong place.
+    fn body(&mut self, resolved: &ResolvedCamera, pen: LineStyle) {
+        let spots = corners(resolved).map(|uv| self.screen.spot(resolved.viewport_point(uv)));
+        let [Some(a), Some(b), Some(c), Some(d)] = spots else { return };
+        let diagonal = a.at.distance(c.at).max(b.at.distance(d.at));
+        if diagonal >= SMALL_VIEWPORT * self.screen.scale {
+            return;
+        }
+        let (eye, basis, viewport) = (resolved.eye(), resolved.basis(), resolved.viewport());
+        // In a small view, the body shrinks in proportion to the view.
+        let low = (self.screen.size.min_element() / (LOW * self.screen.scale)).clamp(0.4, 1.0);
+        let point = low * self.screen.length_of_points(eye, (1.0, 1.0));
+        let larger = viewport.width.max(viewport.height);
+        let half = 0.5 * BODY.0 * point / larger;
+        let (u, v) = (half * viewport.width * basis.u, half * viewport.height * basis.v);
+        let depth = BODY.1 * point * basis.w;
+        let front = [eye - u + v, eye + u + v, eye + u - v, eye - u - v];
+        let back = front.map(|corner| corner + depth);
+        let fill = LineStyle { color: self.colors.ink.gamma_multiply(0.12), ..pen }.without_halo();
+        for side in [front, back] {
+            self.polygon(&side, fill);
+            self.sides(&side, pen);
+        }
+        for (from, to) in front.into_iter().zip(back) {
+            self.line(from, to, pen);
+        }
+        // A triangle marks the image's top edge, as on the viewport's outline.
+        let rise = 0.4 * BODY.0 * point * basis.v;
+        let top = eye + v;
+        let mark = LineStyle { color: self.colors.mark, ..pen };
+        self.polygon(&[top - 0.5 * u, top + 0.5 * u, top + rise], mark);
+    }
+
+    /// Draws marks that show how the image lies on the viewport: a thick top edge with a triangle on it,
+    /// and a triangle in the corner of pixel (0, 0).
+    fn marks(&mut self, resolved: &ResolvedCamera, pen: LineStyle) {
+        let viewport = resolved.viewport();
+        let (w, h) = (viewport.width, viewport.height);
+        let side = w.min(h);
+        let middle = resolved.viewport_point(DVec2::ZERO);
+        let Some(dots) = self.screen.dots_per_unit(middle) else { return };
+        let points = dots * side / self.screen.scale;
+        let size = (0.09 * points).clamp(8.0, 22.0) / points * side;
+        if !size.is_finite() {
+            return;
+        }
+        let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
+        self.line(at(-0.5 * w, 0.5 * h), at(0.5 * w, 0.5 * h), pen.without_halo());
+        let tip = 0.5 * h + 1.1 * size;
+        self.polygon(&[at(-0.7 * size, 0.5 * h), at(0.7 * size, 0.5 * h), at(0.0, tip)], pen);
+        let corner =
+            [at(-0.5 * w, 0.5 * h), at(-0.5 * w + size, 0.5 * h), at(-0.5 * w, 0.5 * h - size)];
+        self.polygon(&corner, pen.without_halo());
+        let on_screen =
+            |s: &Self, uv: DVec2| s.screen.spot(resolved.viewport_point(uv)).map(|spot| spot.at);
+        let center = on_screen(self, DVec2::ZERO);
+        let named = [("top", DVec2::new(0.0, tip)), ("(0, 0)", DVec2::new(-0.5 * w, 0.5 * h))];
+        for (text, uv) in named {
+            if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
+                && points > 90.0
+                && self.view.names_all
+            {
+                self.label(pen, text, [spot, spot - center], MARK);
+            }
+        }
+    }
+
+    /// Writes the numbers of columns above the viewport and those of rows to its left, and W and H at the
+    /// opposite sides.
+    pub(crate) fn pixel_numbers(&mut self, resolved: &ResolvedCamera, pen: LineStyle) {
+        if !self.items.shows(Item::Labels) {
+            return;
+        }
+        let (image, viewport, scale) = (resolved.image(), resolved.viewport(), self.screen.scale);
+        let half = 0.5 * DVec2::new(viewport.width, viewport.height);
+        let at = |uv: DVec2| resolved.viewport_point(uv);
+        let sides = [(DVec2::Y, "W", image.width()), (DVec2::NEG_X, "H", image.height())];
+        for (out, name, count) in sides {
+            let outward = at(out) - at(DVec2::ZERO);
+            let beside = |k: u32, text: &str| {
+                let along = DVec2::new(resolved.u_of_column(k), resolved.v_of_row(k));
+                let edge = at((DVec2::ONE - out.abs()) * along + out * half);
+                let room = half_extent(text, scale) + NUMBER_GAP * scale;
+                let direction = self.on_screen(edge, outward);
+                Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
+            };
+            let placed = numbers(count, self.view.first_number, scale, beside);
+            let fixed = |(text, at)| Request::fixed(pen, text, at, NUMBER, self.colors.halo);
+            self.requests.extend(placed.into_iter().map(fixed).collect::<Vec<_>>());
+            let middle = at(-out * half);
+            let outward = self.on_screen(middle, -outward);
+            if let Some(spot) = self.screen.spot(middle) {
+                self.label(pen, &format!("{name} = {count}"), [spot.at, outward], POINT);
+            }
+        }
+    }
+}
+
+/// Returns two styles for a polyline: that of its casing (a wider line below it), and that of the line itself. All
+/// casings must be drawn before the lines, so that they do not cut into them.
+pub(crate) fn cased(pen: LineStyle, halo: Color32) -> [LineStyle; 2] {
+    let pen = pen.without_halo();
+    [LineStyle { color: halo, width: pen.width + 2.5, ..pen }, pen]
+}
+
+/// Returns the silhouette of a sphere seen from a point, as a closed polyline; `None` if the point lies inside the
+/// sphere.
+pub(crate) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
+    let out = from - sphere.center;
+    let distance = out.length();
+    let share = sphere.radius / distance;
+    if share.is_nan() || share >= 1.0 {
+        return None;
+    }
+    let axis = out / distance;
+    let (a, b) = tangents(axis);
+    let center = sphere.center + sphere.radius * share * axis;
+    let radius = sphere.radius * (1.0 - share * share).sqrt();
+    Some(circle(96).map(|p| center + radius * (p.x * a + p.y * b)).collect())
+}
