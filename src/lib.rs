@@ -59,8 +59,8 @@
 //! 3. `ui/panels/camera.rs`: the button that switches to it; `model/given.rs`: its vectors as fields that
 //!    can be typed and pasted;
 //! 4. patterns that match only the variants with *at* or *up*: `core/camera/difference.rs`,
-//!    `core/steering/handles.rs`, `view/handles.rs`, `highlighted.rs` in `view/overlay/world_view/` and in
-//!    `view/overlay/camera_view/`, `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
+//!    `core/steering/handles.rs`, `view/handles.rs`, `view/overlay/parts/camera.rs`,
+//!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/subject.rs` converts it.
 //!
 //! *A new kind of object* is a variant of [`Object`](pinhole_core::Object). These places must be changed
@@ -93,9 +93,9 @@
 //! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | panes, the floor and its drop lines | `view/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figures/spheres.rs` |
-//! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/world_view/drawn.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
+//! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/parts/sight.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
 //! | where a label stands | `view/overlay/world_view/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
-//! | a mark over a view | `view/overlay/world_view/mod.rs`, `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
+//! | a mark over a view, and the concept that it stands for | `view/overlay/parts/`; its emphasis in `parts/emphasis.rs`, what a concept is made from in `model/concept.rs`; of the camera view alone: `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | the labels, names and texts of an enum | the macro in `core/texts.rs`, used where the enum is |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |

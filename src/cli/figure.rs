@@ -11,7 +11,8 @@ use super::console::{CommandError, is_standard, scene_fault, unmade};
 use super::load::{deliver, files_of, follow, load, pose, selection_of, size};
 use crate::cli::arguments::FigureArguments;
 use crate::figures::{self, Content, FigureFormat, FigureSubject, Order};
-use crate::model::{Item, Observer, Session, ViewSize};
+use crate::model::{Item, Session, ViewSize};
+use crate::view::overlay::observer_of;
 
 /// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];
@@ -125,7 +126,7 @@ fn session_of(
     if sees {
         let objects = document.scene().map_err(|error| scene_fault(scene, error))?;
         let size = ViewSize::of_aspect(f64::from(width) / f64::from(height));
-        session.shown.observer = Some(Observer::of_scene(document, &objects, size));
+        session.shown.observer = Some(observer_of(document, &objects, size));
     }
     if !asked {
         for item in [Item::Ray, Item::Hit] {

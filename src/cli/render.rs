@@ -20,8 +20,8 @@ use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
 use crate::figures::{FigureSubject, Order, scale_of};
-use crate::model::{Item, Observer, OverlayItems, Session, Setup, Shown, ViewSize};
-use crate::view::overlay::Style;
+use crate::model::{Item, OverlayItems, Session, Setup, Shown, ViewSize};
+use crate::view::overlay::{Style, observer_of};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {
@@ -236,7 +236,7 @@ fn with_overlay(
         OverlayItems::NONE.with(Item::Planes, true)
     };
     let shown = Shown {
-        observer: Some(Observer::of_scene(document, scene, ViewSize::of_aspect(size.aspect()))),
+        observer: Some(observer_of(document, scene, ViewSize::of_aspect(size.aspect()))),
         setup: Setup { shade: arguments.shade, items, ..Setup::default() },
         ..Shown::default()
     };

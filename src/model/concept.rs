@@ -166,7 +166,7 @@ impl Concept {
     /// Returns the concepts from which this one is made, and which are drawn with it while it is highlighted.
     pub fn made_from(self) -> &'static [Concept] {
         match self {
-            Concept::UpCrossW => &[Concept::Up, Concept::W],
+            Concept::UpCrossW => &[Concept::W],
             Concept::WCrossU => &[Concept::W, Concept::U],
             Concept::Backwards => &[Concept::View],
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {

@@ -230,7 +230,9 @@ mod names_tests {
         assert_name("turn the camera", false, |d| {
             d.camera = d.camera.given_by(OrientationKind::Basis).unwrap();
         });
-        assert_name("keep the view", false, |d| d.observer = Some(Observer::default().stored()));
+        assert_name("keep the view", false, |d| {
+            d.observer = Some(Observer::new(DVec3::ZERO, 0.5, 0.5, 5.0).stored())
+        });
         assert_name("change spheres", true, |d| d.spheres[0].shape.center.x = 1.0);
         assert_name("change planes", true, |d| d.planes[0].color = Some([1, 2, 3]));
         assert_name("change spheres", false, |d| drop(d.spheres.remove(0)));

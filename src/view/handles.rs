@@ -14,7 +14,6 @@ use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection}
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::{equated, equated_tuple};
 
-use crate::model::observer::UP_LENGTH;
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{self, HandleMark, Handles, Knob, KnobState};
@@ -141,7 +140,7 @@ impl HandleInputs<'_> {
         let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
         let length = camera.up().length();
         let is_drawn = [arrow, length].iter().all(|x| *x > 0.0 && x.is_finite());
-        is_drawn.then(|| (UP_LENGTH * arrow + self.beyond_up()) / length)
+        is_drawn.then(|| (overlay::UP_LENGTH * arrow + self.beyond_up()) / length)
     }
 
     /// Returns the position of a handle in the world.

@@ -5,12 +5,11 @@ use pinhole_core::{Camera, DVec3, Orientation, Scene, extent_of_fov};
 use crate::model::observer::subject::{Bound, Drawn, Subject, balls_of, frustum_corners, given_at};
 use crate::model::observer::view_size::{Area, ViewSize, tame_aspect};
 use crate::model::observer::{FOV, Observer};
-use crate::model::overlay_items::OverlayItems;
 
-/// Margins at the picture's border that are kept free, as fractions of half the picture: in general, and at
-/// the tips of arrows.
+/// Margins at the picture's border that are kept free, as fractions of half the picture: in general, and
+/// around what is drawn, which has its own room.
 const MARGIN: f64 = 0.1;
-const MARGIN_AT_TIPS: f64 = 0.02;
+const MARGIN_AT_LABELS: f64 = 0.02;
 
 /// Candidate directions of the observer, in degrees: angles to the side of the line straight behind the
 /// camera, and angles above that line.
@@ -41,14 +40,14 @@ const NEAREST_REFIT: f64 = 0.45;
 const FARTHEST_KEPT: f64 = 1.2;
 
 impl Observer {
-    /// Returns an observer behind the camera's shoulder that sees the eye, the viewport, the basis arrows,
-    /// at, and all spheres that are not out of scale. It stands as far to the side as it can without the
+    /// Returns an observer behind the camera's shoulder that sees the eye, the viewport, at, what is drawn, and
+    /// all spheres that are not out of scale. It stands as far to the side as it can without the
     /// camera becoming too small in the picture.
     ///
     /// Perspective makes this possible: an observer close behind a small camera also sees the distant
     /// objects that the camera looks at. They appear small, as in a sketch on a whiteboard.
-    pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        let subject = Subject::new(camera, scene, OverlayItems::default());
+    pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize, drawn: &Drawn) -> Observer {
+        let subject = Subject::new(camera, scene, drawn);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down, so the direction behind it is right x up.
@@ -72,42 +71,49 @@ impl Observer {
     }
 
     /// Returns the observer in the same direction that has everything in sight in a view of this size.
-    pub fn refitted(&self, camera: &Camera, scene: &Scene, size: ViewSize) -> Observer {
-        Subject::new(camera, scene, OverlayItems::default()).fit(self, size)
+    pub fn refitted(
+        &self,
+        camera: &Camera,
+        scene: &Scene,
+        size: ViewSize,
+        drawn: &Drawn,
+    ) -> Observer {
+        Subject::new(camera, scene, drawn).fit(self, size)
     }
 
-    /// Returns an observer in the same direction for a view of this size. It sees the whole camera, those
-    /// of its arrows that are `drawn`, with their labels, what else is drawn, and every ball that
-    /// this observer sees in a view of ordinary shape. Returns this observer unchanged in two cases: if all
-    /// of that already fills the view, or if it is so near that the eye or the viewport is meant to be out
-    /// of sight.
+    /// Returns an observer in the same direction for a view of this size. It sees the whole camera, what is drawn,
+    /// with its labels, and every ball that this observer sees in a view of ordinary shape. Returns this observer
+    /// unchanged in two cases: if all of that already fills the view, or if it is so near that the eye or the viewport
+    /// is meant to be out of sight.
     pub fn framing_the_same(
         &self,
         camera: &Camera,
         scene: &Scene,
         size: ViewSize,
-        drawn: impl Into<Drawn>,
+        drawn: &Drawn,
     ) -> Observer {
-        let drawn = drawn.into();
         if self.distance_for(camera, ORDINARY_ASPECT) > self.distance {
             return *self;
         }
-        let mut subject = Subject::new(camera, scene, drawn.items);
+        let mut subject = Subject::new(camera, scene, drawn);
         // Spheres that contain the eye are drawn cut away.
         let eye = subject.eye;
         subject.balls.extend(balls_of(scene).filter(|ball| ball.contains(eye)));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
-        subject.balls.extend(drawn.points.iter().copied().map(Bound::point));
-        subject.arrows.at_eye.extend(drawn.arrows);
-        let depth = |observer: &Observer| subject.depth(observer);
+        let depth = |observer: &Observer| observer.depth_of(eye);
         let mut fitted = subject.fit(self, size);
         let nearest = NEAREST_REFIT * depth(self);
         fitted.distance += (nearest - depth(&fitted)).max(0.0);
         let fills = depth(self) <= FARTHEST_KEPT * depth(&fitted);
-        let tips = subject.arrows.tips(subject.eye, depth(self), size);
+        let shown = subject.shown_to(self, size);
         let is_whole = subject.balls.iter().all(|ball| self.sees_in(ball, size, 0.0))
-            && tips.into_iter().all(|tip| self.sees_in(&tip, size, MARGIN_AT_TIPS));
+            && shown.iter().all(|ball| self.sees_in(ball, size, MARGIN_AT_LABELS));
         if fills && is_whole { *self } else { fitted.in_range() }
+    }
+
+    /// Returns the depth of a point in front of the observer.
+    pub(super) fn depth_of(&self, point: DVec3) -> f64 {
+        self.distance + (self.target - point).dot(self.back())
     }
 
     /// Returns true if a view of this size shows the camera's eye and, if the camera is given by at, that
@@ -119,14 +125,14 @@ impl Observer {
 
     /// Returns the observer in the same direction that sees the eye, the arrows and the viewport as large
     /// as possible.
-    pub fn framing_camera(&self, camera: &Camera, size: ViewSize) -> Observer {
+    pub fn framing_camera(&self, camera: &Camera, size: ViewSize, drawn: &Drawn) -> Observer {
         let orientation = match camera.orientation {
             // The point at need not be in the picture, so it is replaced by a direction.
             Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
             given => given,
         };
         let alone = Camera { orientation, ..*camera };
-        Subject::new(&alone, &Scene::default(), OverlayItems::default()).fit(self, size)
+        Subject::new(&alone, &Scene::default(), drawn).fit(self, size)
     }
 
     /// Returns the observer moved straight back until it sees the eyes and viewports of all cameras in
@@ -185,39 +191,31 @@ impl Observer {
 }
 
 impl Subject {
-    /// Returns the nearest observer in this direction that sees all balls and the tips of all arrows where
-    /// nothing covers them.
+    /// Returns the nearest observer in this direction that sees all balls and all that is drawn where nothing covers
+    /// them.
     fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {
         let whole = self.fit_in(direction, size, size.whole());
-        let tips = self.arrows.tips(self.eye, self.depth(&whole), size);
-        let is_covered = |ball: Bound| size.covers(whole.box_of(&ball, size));
-        if !self.balls.iter().copied().chain(tips).any(is_covered) {
+        let shown = self.shown_to(&whole, size);
+        let is_covered = |ball: &Bound| size.covers(whole.box_of(ball, size));
+        if !self.balls.iter().chain(&shown).any(is_covered) {
             return whole;
         }
         let free = size.free_areas().map(|area| self.fit_in(direction, size, area));
-        let nearest = free.min_by(|a, b| self.depth(a).total_cmp(&self.depth(b)));
-        nearest.unwrap_or(whole)
+        let depth = |observer: &Observer| observer.depth_of(self.eye);
+        free.min_by(|a, b| depth(a).total_cmp(&depth(b))).unwrap_or(whole)
     }
 
-    /// Returns the depth of the camera's eye in front of an observer.
-    fn depth(&self, observer: &Observer) -> f64 {
-        observer.distance + (observer.target - self.eye).dot(observer.back())
-    }
-
-    /// Returns the nearest observer in this direction that sees all balls and the tips of all arrows in a
-    /// part of the view.
+    /// Returns the nearest observer in this direction that sees all balls and all that is drawn in a part of the view.
     fn fit_in(&self, direction: &Observer, size: ViewSize, area: Area) -> Observer {
         let mut observer = self.fit_around(direction, size, area, &[]);
         for _ in 0..ROUNDS {
-            let tips = self.arrows.tips(self.eye, self.depth(&observer), size);
-            let tips: Vec<Bound> = tips.collect();
-            observer = self.fit_around(direction, size, area, &tips);
+            observer = self.fit_around(direction, size, area, &self.shown_to(&observer, size));
         }
         observer
     }
 
-    /// Returns the nearest observer in this direction that sees all balls and these tips in a part of the
-    /// view.
+    /// Returns the nearest observer in this direction that sees all balls, those of what is `shown`
+    /// too, in a part of the view.
     ///
     /// Let x point to the observer's right and z towards the observer, let (ex, ez) be the observer's
     /// position, and let k and l be the slopes of the rays at the part's right and left border, without
@@ -231,7 +229,7 @@ impl Subject {
         direction: &Observer,
         size: ViewSize,
         [left, top, right_end, bottom]: Area,
-        tips: &[Bound],
+        shown: &[Bound],
     ) -> Observer {
         let back = direction.back();
         let (right, up) = direction.right_and_up();
@@ -246,7 +244,7 @@ impl Subject {
         let upwards = slopes(1.0 - bottom / h, 1.0 - top / h, slope);
         let most = |axis: DVec3, k: f64| {
             let widen = (1.0 + k * k).sqrt();
-            let balls = self.balls.iter().chain(tips);
+            let balls = self.balls.iter().chain(shown);
             balls
                 .filter(|ball| ball.center.is_finite() && ball.radius.is_finite())
                 .map(|ball| {

@@ -4,10 +4,10 @@
 use pinhole_core::{
     Camera, DVec3, ImageSize, Object, Orientation, Scene, Sphere, Viewport, extent_of_fov,
 };
-use pinhole_exchange::document::{Document, StoredObserver};
+use pinhole_exchange::document::StoredObserver;
 
 pub use fit::ORDINARY_ASPECT;
-pub use subject::{AXIS_LENGTH, Bound, Drawn, Surroundings, UP_LENGTH, VIEW_LENGTH, side_length};
+pub use subject::{Bound, Drawn, Length, Place, Surroundings};
 pub use view_size::{Area, ViewSize};
 
 mod fit;
@@ -43,13 +43,6 @@ const DISTANCES: (f64, f64) = (1e-9, 1e12);
 /// Maximum magnitude of the target's coordinates.
 const FARTHEST_TARGET: f64 = 1e12;
 
-impl Default for Observer {
-    /// Returns an observer that shows the canonical camera.
-    fn default() -> Self {
-        Observer::frame_all(&Camera::CANONICAL, &Scene::default(), ViewSize::of_aspect(1.25))
-    }
-}
-
 impl From<StoredObserver> for Observer {
     fn from(stored: StoredObserver) -> Observer {
         let StoredObserver { target, azimuth, elevation, distance } = stored;
@@ -58,13 +51,6 @@ impl From<StoredObserver> for Observer {
 }
 
 impl Observer {
-    /// Returns the observer with which a document opens in a view of this size: its own, or one that is
-    /// fitted to its scene.
-    pub fn of_scene(document: &Document, scene: &Scene, size: ViewSize) -> Observer {
-        let fitted = || Observer::frame_all(&document.camera, scene, size);
-        document.observer.map_or_else(fitted, Observer::from)
-    }
-
     /// Returns the observer as files write it, rounded to digits that move no pixel of the view.
     pub fn stored(&self) -> StoredObserver {
         let round = |x: f64, digits: usize| format!("{x:.digits$}").parse().unwrap_or(x) + 0.0;

@@ -5,8 +5,7 @@ use pinhole_core::{
     Camera, DVec2, DVec3, ExactRay, Object, Orientation, Ray, ResolvedCamera, Root, Scene, Sphere,
 };
 
-use crate::model::observer::ViewSize;
-use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::observer::{Observer, ViewSize};
 
 /// Ratio of sizes above which a sphere is out of scale: its radius exceeds this many times the extent of
 /// the camera and of all smaller spheres together. Such a sphere need not be in sight.
@@ -48,21 +47,40 @@ impl Bound {
     }
 }
 
-/// What is drawn besides the camera and the objects.
-#[derive(Clone, Debug)]
-pub struct Drawn {
-    /// The overlay items, which decide what of the camera is drawn.
-    pub items: OverlayItems,
-    /// Points of rays and of a camera that is compared with the edited one.
-    pub points: Vec<DVec3>,
-    /// Other arrows at the eye: unit vectors, and their lengths as multiples of the basis arrows' length.
-    pub arrows: Vec<(DVec3, f64)>,
+/// A position in the world: a point or, if `along` is not zero, the tip of an arrow from that point. Arrows have a
+/// nearly constant size on the screen, so where their tips are in the world depends on the observer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// The point.
+    pub at: DVec3,
+    /// The arrow's vector, in units of `length`.
+    pub along: DVec3,
+    /// The unit.
+    pub length: Length,
 }
 
-impl From<OverlayItems> for Drawn {
-    fn from(items: OverlayItems) -> Drawn {
-        Drawn { items, points: Vec::new(), arrows: Vec::new() }
+/// The length at which a unit vector is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// That of the basis arrows.
+    Arrow,
+    /// That of normals.
+    Normal,
+}
+
+impl From<DVec3> for Place {
+    fn from(at: DVec3) -> Place {
+        Place { at, along: DVec3::ZERO, length: Length::Arrow }
     }
+}
+
+/// What is drawn besides the camera's eye, *at*, the viewport and the objects, and must be in sight.
+#[derive(Clone, Debug, Default)]
+pub struct Drawn {
+    /// True if the frustum is drawn.
+    pub has_frustum: bool,
+    /// Points, and the tips of arrows, each with whether it has a label.
+    pub places: Vec<(Place, bool)>,
 }
 
 /// The camera's eye and the objects around it that are neither out of scale nor too small to be seen.
@@ -112,7 +130,8 @@ impl Surroundings {
 /// Everything that must be in sight, and the camera.
 pub(super) struct Subject {
     pub(super) balls: Vec<Bound>,
-    pub(super) arrows: Arrows,
+    /// What is drawn; see [`Drawn::places`].
+    pub(super) places: Vec<(Place, bool)>,
     pub(super) eye: DVec3,
     /// Direction from the scene to the camera: the camera's w, or +z for an invalid camera.
     pub(super) back: DVec3,
@@ -129,7 +148,7 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    pub(super) fn new(camera: &Camera, scene: &Scene, items: OverlayItems) -> Subject {
+    pub(super) fn new(camera: &Camera, scene: &Scene, drawn: &Drawn) -> Subject {
         let Surroundings { eye, mut spheres, planets, middle, near_size, walls, .. } =
             Surroundings::new(camera, scene);
         let resolved = camera.resolve().ok();
@@ -142,7 +161,7 @@ impl Subject {
         points.extend(given_at(camera));
         if let Some(resolved) = resolved {
             points.extend(frustum_corners(&resolved, 1.0));
-            if items.shows(Item::Frustum) {
+            if drawn.has_frustum {
                 let t =
                     (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
                 points.extend(frustum_corners(&resolved, t));
@@ -151,8 +170,9 @@ impl Subject {
         points.extend(walls.iter().map(|hit| hit.point));
         points.retain(|point| is_tame(*point));
         let balls = points.into_iter().map(Bound::point).chain(spheres).collect();
-        let arrows = Arrows::new(camera, items);
-        Subject { balls, arrows, eye, back, right, near_size, walls, planets, middle }
+        let tame = |(place, _): &&(Place, bool)| is_tame(place.at) && place.along.is_finite();
+        let places = drawn.places.iter().filter(tame).copied().collect();
+        Subject { balls, places, eye, back, right, near_size, walls, planets, middle }
     }
 }
 
@@ -228,93 +248,25 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> (Vec<Bound>, V
     (balls, planets)
 }
 
-/// Length of the up arrow, as a multiple of the basis arrows' length.
-pub const UP_LENGTH: f64 = 1.35;
-
-/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the up arrow's, so
-/// that arrows with the same direction do not hide each other.
-pub const VIEW_LENGTH: f64 = 1.6;
-
-/// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
-pub const AXIS_LENGTH: f64 = 1.6;
-
-/// Space that is kept free beyond the corner of an area for its caption, as a multiple of the basis arrows'
-/// length.
-const CAPTION: f64 = 0.2;
-
-/// Returns the length at which a factor of a cross product is drawn, as a multiple of the basis arrows'
-/// length: its own, but 1 if it is much shorter or longer than they are.
-pub fn side_length(length: f64) -> f64 {
-    if (0.4..=2.0).contains(&length) { length } else { 1.0 }
-}
-
-/// Space that is kept free beyond an arrow's tip for its handle and its label: the radius in points, and
-/// its maximum as a fraction of the view's height.
+/// Space that is kept free around a place for its handle and its label: the radius in points, and its maximum as a
+/// fraction of the view's height.
 const TIP_ROOM: f64 = 26.0;
 const TIP_ROOM_SHARE: f64 = 0.08;
 
-/// The arrows that are drawn, and the far corners of the areas between them. Each arrow at the eye is stored
-/// as a unit vector and its length, a multiple of the basis arrows' length. The world's axes, which start at
-/// the origin, are included if the camera is near them.
-pub(super) struct Arrows {
-    pub(super) at_eye: Vec<(DVec3, f64)>,
-    has_axes: bool,
-}
-
-impl Arrows {
-    fn new(camera: &Camera, items: OverlayItems) -> Arrows {
-        let mut at_eye = Vec::new();
-        let mut has_axes = false;
-        if let Ok(resolved) = camera.resolve() {
-            let basis = resolved.basis();
-            let axes = [basis.u, basis.v, basis.w].into_iter().zip(items.of_basis());
-            let drawn = axes.filter(|(_, item)| items.shows(*item));
-            at_eye.extend(drawn.map(|(axis, _)| (axis, 1.0)));
-            has_axes = items.shows(Item::Axes) && camera.eye.length() <= near_size(&resolved);
-        }
-        if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {
-            let given = [(camera.view(), VIEW_LENGTH), (camera.up(), UP_LENGTH)];
-            at_eye.extend(given.into_iter().filter_map(|(vector, times)| {
-                let scaled = vector / vector.abs().max_element();
-                scaled.is_finite().then(|| (scaled.normalize(), times))
-            }));
-        }
-        if let (true, Ok(resolved)) = (camera.orientation.has_up(), camera.resolve()) {
-            let (basis, up) = (resolved.basis(), camera.up());
-            let up = side_length(up.length()) * up.normalize_or_zero();
-            let sides = [(Item::UpCrossW, up), (Item::WCrossU, basis.u)];
-            let corners = sides.into_iter().filter(|(item, _)| items.shows(*item));
-            let corners = corners.map(|(_, side)| side + basis.w);
-            let tips =
-                corners.map(|corner| (corner.normalize_or_zero(), CAPTION + corner.length()));
-            at_eye.extend(tips);
-        }
-        let looks = camera.view().normalize_or_zero();
-        if items.shows(Item::ViewVector) && !camera.orientation.has_at() {
-            at_eye.push((-looks, VIEW_LENGTH));
-        }
-        if items.shows(Item::Eye) {
-            // The eye has no arrow, but a label.
-            at_eye.push((DVec3::ZERO, 0.0));
-        }
-        Arrows { at_eye, has_axes }
-    }
-
-    /// Returns a ball around each arrow's tip that leaves space for its label. `depth` is the depth of the
-    /// eye in front of the observer.
-    pub(super) fn tips(
-        &self,
-        eye: DVec3,
-        depth: f64,
-        size: ViewSize,
-    ) -> impl Iterator<Item = Bound> + '_ {
-        let per_point = size.world_per_point(depth.max(1e-12));
+impl Subject {
+    /// Returns a ball around each place that is drawn, with space for its label.
+    pub(super) fn shown_to(&self, observer: &Observer, size: ViewSize) -> Vec<Bound> {
         let (least, most) = size.arrow_points();
-        let length = 1.0_f64.clamp(least * per_point, most * per_point);
-        let axes = DVec3::AXES.map(|axis| AXIS_LENGTH * length * axis);
-        let axes = axes.into_iter().filter(|_| self.has_axes);
-        let tips = self.at_eye.iter().map(move |(axis, times)| eye + times * length * *axis);
         let room = TIP_ROOM.min(TIP_ROOM_SHARE * size.height);
-        tips.chain(axes).map(move |center| Bound { center, radius: room * per_point })
+        let ball = |(Place { at, along, length }, has_label): &(Place, bool)| {
+            let per_point = size.world_per_point(observer.depth_of(*at).max(1e-12));
+            let length = match length {
+                Length::Arrow => 1.0_f64.clamp(least * per_point, most * per_point),
+                Length::Normal => least * per_point,
+            };
+            let radius = if *has_label { room * per_point } else { 0.0 };
+            Bound { center: at + length * along, radius }
+        };
+        self.places.iter().map(ball).collect()
     }
 }

@@ -6,7 +6,6 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, ResolvedCamera, Sce
 use proptest::prelude::*;
 
 use super::*;
-use crate::model::overlay_items::{Item, OverlayItems};
 
 fn resolve(observer: &Observer) -> ResolvedCamera {
     observer.camera(400, 300).resolve().expect("observers have a basis")
@@ -70,7 +69,8 @@ fn everything_is_in_sight() {
     ];
     for (camera, spheres, planes) in cases {
         let scene = Scene::new(spheres.clone(), planes).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0));
+        let observer =
+            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0), &arrows(&camera));
         for point in must_be_seen(&camera, &spheres) {
             assert!(is_in_sight(&observer, point), "{point} by {observer:?}");
         }
@@ -81,7 +81,12 @@ fn everything_is_in_sight() {
 fn a_planet_is_not_framed() {
     let with = |spheres: Vec<Sphere>| {
         let scene = Scene::new(spheres, vec![]).expect("a scene");
-        Observer::frame_all(&Camera::CANONICAL, &scene, ViewSize::of_aspect(1.0))
+        Observer::frame_all(
+            &Camera::CANONICAL,
+            &scene,
+            ViewSize::of_aspect(1.0),
+            &arrows(&Camera::CANONICAL),
+        )
     };
     let small = ball(0.0, 0.0, -5.0, 1.0);
     let [alone, on_a_planet] =
@@ -94,7 +99,8 @@ fn the_camera_is_never_lost_from_afar() {
     for far in [5.0, 100.0, 1e4, 1e7] {
         let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -far));
         let scene = Scene::new(vec![ball(0.0, 0.0, -far, 1.0)], vec![]).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25));
+        let observer =
+            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25), &arrows(&camera));
         let own = camera.resolve().expect("a camera");
         let top = seen_at(&observer, own.viewport_point(DVec2::new(0.0, 0.5)));
         let bottom = seen_at(&observer, own.viewport_point(DVec2::new(0.0, -0.5)));
@@ -113,7 +119,8 @@ fn every_scale_is_framed_alike() {
         camera.viewport.distance *= scale;
         let center = shift + DVec3::new(0.0, 0.0, -5.0 * scale);
         let scene = Scene::new(vec![Sphere { center, radius: scale }], vec![]).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25));
+        let observer =
+            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25), &arrows(&camera));
         seen_at(&observer, camera.eye)
     };
     let ordinary = framed(1.0, DVec3::ZERO);
@@ -232,7 +239,8 @@ fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
     for (azimuth, elevation) in [(0.3, 0.2), (-2.0, 0.9), (3.0, -0.4)] {
         let before = Observer::new(DVec3::new(5.0, 0.0, 0.0), azimuth, elevation, 400.0);
-        let framed = before.framing_camera(&camera, ViewSize::of_aspect(4.0 / 3.0));
+        let framed =
+            before.framing_camera(&camera, ViewSize::of_aspect(4.0 / 3.0), &arrows(&camera));
         let [old, new] = [before, framed].map(|observer| resolve(&observer).basis().w);
         assert!(old.distance(new) < 1e-12);
         for point in own_points(&camera) {
@@ -252,7 +260,12 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
     let turn = |k: u32| camera.orbited(std::f64::consts::TAU * f64::from(k) / 24.0, 0.0);
     let way: Vec<Camera> = (0..24).map(|k| turn(k).expect("an orbit")).collect();
-    let before = Observer::frame_all(&camera, &Scene::default(), ViewSize::of_aspect(4.0 / 3.0));
+    let before = Observer::frame_all(
+        &camera,
+        &Scene::default(),
+        ViewSize::of_aspect(4.0 / 3.0),
+        &arrows(&camera),
+    );
     let is_lost = |observer: &Observer| {
         let points = way.iter().flat_map(own_points);
         let behind = |point: &DVec3| !resolve(observer).project(*point).is_in_front();
@@ -270,6 +283,19 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     let elsewhere = Observer::new(DVec3::new(-1.0, 0.0, -5.0), 0.5, 0.3, 5.0);
     assert_eq!(elsewhere.following(&camera, &way, 4.0 / 3.0), elsewhere);
 }
+
+/// Returns the basis arrows and up, each with a label.
+fn arrows(camera: &Camera) -> Drawn {
+    let basis = camera.resolve().map(|resolved| *resolved.basis());
+    let vectors = basis.map_or(Vec::new(), |basis| vec![basis.u, basis.v, basis.w]);
+    let up = UP_LENGTH * camera.up().normalize_or_zero();
+    let place = |along| (Place { at: camera.eye, along, length: Length::Arrow }, true);
+    let places = vectors.into_iter().chain([up]).map(place).collect();
+    Drawn { has_frustum: true, places }
+}
+
+/// Length of the up arrow, as a multiple of the basis arrows' length.
+const UP_LENGTH: f64 = 1.35;
 
 /// Returns the tips of the basis arrows and of up, as the world view draws them.
 fn tips(observer: &Observer, camera: &Camera, size: ViewSize) -> Vec<DVec3> {
@@ -290,13 +316,13 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
     let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
     let wide = ViewSize::new(900.0, 500.0);
-    let framed = Observer::frame_all(&camera, &scene, wide);
+    let framed = Observer::frame_all(&camera, &scene, wide, &arrows(&camera));
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for (width, height) in [(900.0, 500.0), (340.0, 560.0), (300.0, 300.0), (1200.0, 700.0)] {
         let size = ViewSize::new(width, height);
-        let refitted = framed.refitted(&camera, &scene, size);
+        let refitted = framed.refitted(&camera, &scene, size, &arrows(&camera));
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
-        let kept = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
+        let kept = named.framing_the_same(&camera, &scene, size, &arrows(&camera));
         assert_eq!((kept.azimuth, kept.elevation), (named.azimuth, named.elevation));
         for observer in [refitted, kept] {
             let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -311,25 +337,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     }
     // An observer that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
-    assert_eq!(close.framing_the_same(&camera, &scene, wide, OverlayItems::default()), close);
-}
-
-#[test]
-fn arrows_that_are_not_drawn_take_no_room() {
-    let named = Observer::new(DVec3::new(0.0, 0.0, -0.5), 0.84, 0.33, 4.0);
-    let low = ViewSize::new(400.0, 160.0);
-    let up = DVec3::new(1.0, 1.0, 0.0);
-    let orientation = Orientation::View { view: DVec3::NEG_Z, up };
-    let camera = Camera { orientation, ..Camera::CANONICAL };
-    let depth = |items| {
-        let seen = named.framing_the_same(&camera, &Scene::default(), low, items);
-        (resolve(&seen).eye() - camera.eye).dot(named.back())
-    };
-    let without = OverlayItems::NONE.with(Item::Eye, true);
-    for item in [Item::Basis, Item::ViewAndUp, Item::Axes, Item::UpCrossW] {
-        let [least, with] = [without, without.with(item, true)].map(depth);
-        assert!(least < with, "{item:?}: {least} and {with}");
-    }
+    assert_eq!(close.framing_the_same(&camera, &scene, wide, &arrows(&camera)), close);
 }
 
 #[test]
@@ -340,7 +348,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
     let named = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 14.5);
     for (width, height) in [(500.0, 180.0), (300.0, 600.0), (900.0, 700.0)] {
         let size = ViewSize::new(width, height);
-        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::NONE);
+        let seen = named.framing_the_same(&camera, &scene, size, &Drawn::default());
         let (right, up) = seen.right_and_up();
         let sides = [right, -right, up, -up].map(|side| around.center + around.radius * side);
         let view = seen.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -352,7 +360,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
     // An observer inside the sphere keeps its distance.
     let inside = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 3.0);
     let size = ViewSize::of_aspect(1.25);
-    assert!(inside.framing_the_same(&camera, &scene, size, OverlayItems::NONE).distance() < 5.0);
+    assert!(inside.framing_the_same(&camera, &scene, size, &Drawn::default()).distance() < 5.0);
 }
 
 #[test]
@@ -368,7 +376,7 @@ fn arrows_take_no_more_than_their_share_of_a_low_view() {
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for height in [60.0, 100.0, 150.0] {
         let size = ViewSize::new(300.0, height);
-        let seen = named.framing_the_same(&camera, &scene, size, OverlayItems::default());
+        let seen = named.framing_the_same(&camera, &scene, size, &arrows(&camera));
         let view = seen.camera(300, height as u32).resolve().expect("a basis");
         let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
         let [eye, ball] = [DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0)].map(|p| view.project(p).uv);

@@ -17,12 +17,12 @@ use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{
-    Concept, Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, ViewLayout, ViewSize,
+    Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, ViewLayout, ViewSize,
 };
 use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
-use crate::view::overlay::{GhostCamera, Under, drawn};
+use crate::view::overlay::{GhostCamera, Under, drawn, drawn_of};
 
 /// The open scene, and everything that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]
@@ -119,6 +119,9 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
+        let frame_all = |scene: &Scene, size: ViewSize| {
+            Observer::frame_all(camera, scene, size, &drawn_of(camera, scene))
+        };
         let step = self.lessons.open.as_ref().map(OpenLesson::step);
         let fitted = step.filter(|step| !step.keep_observer);
         let of_step = fitted.and_then(|step| step.shown.observer);
@@ -126,7 +129,7 @@ impl OpenScene {
             // If the camera is out of sight, the observer of the lesson's step no longer suits it.
             (Some(framed), _) => framed.named.filter(|_| !lost),
             (None, None) if self.session.shows_exercise() => {
-                Some(Observer::frame_all(camera, &scene(), ViewSize::of_aspect(ORDINARY_ASPECT)))
+                Some(frame_all(&scene(), ViewSize::of_aspect(ORDINARY_ASPECT)))
             }
             (None, None) => None,
             (None, Some(_)) if of_step == shown => shown,
@@ -141,19 +144,16 @@ impl OpenScene {
             // The solution has them, and must not move the observer.
             [Item::Basis, Item::Ray, Item::Hit].into_iter().for_each(|item| items.set(item, true));
         }
-        // A highlighted cross product is drawn with its area.
-        match self.session.shown.highlighted {
-            Some(Concept::UpCrossW) => items.set(Item::UpCrossW, true),
-            Some(Concept::WCrossU) => items.set(Item::WCrossU, true),
-            _ => {}
-        }
         let observer = match (named, own) {
             (Some(named), _) => {
                 let scene = scene();
-                named.framing_the_same(camera, &scene, size, self.drawn(&scene, items))
+                named.framing_the_same(camera, &scene, size, &self.drawn(&scene, items))
             }
-            (None, Some(framed)) => framed.observer.refitted(camera, &scene(), size),
-            (None, None) => Observer::frame_all(camera, &scene(), size),
+            (None, Some(framed)) => {
+                let scene = scene();
+                framed.observer.refitted(camera, &scene, size, &drawn_of(camera, &scene))
+            }
+            (None, None) => frame_all(&scene(), size),
         };
         self.framed = Some(Framed { observer, size, camera: *camera, named });
         self.session.shown.observer = Some(observer);
@@ -176,7 +176,7 @@ impl OpenScene {
             ghost.as_ref().map(GhostCamera::frozen)
         };
         let ray = (session.shown_selection(), session.shown.ray_point_t);
-        drawn(camera, scene, items, ray, ghost.as_ref())
+        drawn(camera, scene, items, Some(ray), session.shown.highlighted, ghost.as_ref())
     }
 
     /// Returns true if *eye* or *at* has moved out of this observer's sight since it was framed.
@@ -217,7 +217,10 @@ impl OpenScene {
             }
             Observe::Along(axis) => *observer = observer.along(axis),
             Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere, size),
-            Observe::FrameCamera => *observer = observer.framing_camera(camera, size),
+            Observe::FrameCamera => {
+                let drawn = drawn_of(camera, &Scene::default());
+                *observer = observer.framing_camera(camera, size, &drawn);
+            }
             // The next pass frames the whole scene, because it knows the view's aspect.
             Observe::FrameAll => self.session.shown.observer = None,
         }

@@ -6,17 +6,16 @@
 //! the fonts. The window and exported figures use the same drawing; in vector formats it stays separate
 //! from the picture. In names, *dots* are pixels of the screen, and *pixels* usually those of an image.
 //!
-//! - `world_view`, `camera_view`: the contents of the two views; `highlighted`: highlights a concept on top
-//!   of everything else.
+//! - `parts`: the one list of what is drawn of the camera, its ray and what is compared with them; each part says
+//!   where it is in space, which concept it stands for, its item and its label. `parts/emphasis`: how strongly a
+//!   part is drawn; `parts/sight`: what of the parts must be in sight, for the observer's fit.
+//! - `world_view`, `camera_view`: the contents of the two views; in each, `lens` draws parts as they are seen there.
 //! - `drawing`: marks and labels, and marks as fills and strokes; `paint`: paints these as pixels; `style`:
 //!   colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
 //! - `world_view/ground`: the panes that stand for planes, the floor's grid, and the drop lines to it.
 //! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden;
 //!   `world_view/labels`: places labels.
-//! - `world_view/drawn`: what is drawn besides the camera, for the observer's fit.
-//! - `world_view/sphere_figure`, `world_view/whiteboard`: what a textbook draws of a ray and a sphere, and of
-//!   a camera.
 //! - `pixel_numbers`: the numbers of rows and columns along the pixel grid.
 //! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
@@ -41,11 +40,12 @@ pub use camera_view::{CameraView, camera};
 pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, concept_at};
 pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
+pub use parts::camera::UP_LENGTH;
 pub use parts::compared::GhostCamera;
 pub use parts::emphasis::Highlighted;
+pub use parts::sight::{drawn, drawn_of, observer_of};
 pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
 pub use style::{Colors, Style, contrast_ratio};
-pub use world_view::drawn::drawn;
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
 pub use world_view::lens::SMALL_VIEWPORT;
 pub use world_view::under_pointer::{PointShown, Under, point_at};
@@ -56,11 +56,10 @@ use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use paint::{Fills, StretchedPicture};
-use parts::camera::{corners, shows_where_it_looks};
+use parts::camera::corners;
 use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
 use parts::ray::{UvLeg, uv_legs};
-use parts::sphere_figure::SphereFigure;
-use parts::{ASKED_SPHERES, Figure, Form, Length, Part, Place, Toward};
+use parts::{ASKED_SPHERES, Figure, Form, Part, Toward};
 use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{

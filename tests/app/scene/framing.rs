@@ -5,11 +5,12 @@ use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which, builtin};
-use pinhole::model::observer::{Observer, UP_LENGTH};
+use pinhole::model::observer::Observer;
 use pinhole::model::overlay_items::Item;
 use pinhole::model::session::{Scheme, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
+use pinhole::view::overlay::UP_LENGTH;
 use pinhole::view::overlay::{Style, arrow_length};
 use pinhole_core::{DVec2, DVec3, NO_OBJECT, Sphere};
 

@@ -3,14 +3,18 @@
 
 use pinhole_core::{DVec2, DVec3, Object, Outputs, Pixel, Raster, Scene, Sphere, trace};
 
+use crate::model::observer::Place;
 use crate::model::{Concept, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    CameraSketch, CameraView, Figure, Form, Highlighted, LabelFont, LineStyle, POINT, Part, Place,
-    Screen, Shape, cased, dim, dot, first, position_of, silhouette,
+    CameraSketch, CameraView, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle, POINT,
+    Part, Screen, Shape, cased, dim, dot, first, position_of, silhouette,
 };
 
 /// Length at which a unit vector in the image plane is drawn, as a fraction of the picture's shorter side.
 const ARROW: f64 = 0.3;
+
+/// Maximum length in the picture, in screen pixels, of an arrow along the line of sight.
+const END_ON: f64 = 1e-3;
 
 /// Distance between two strokes of a plane's hatching, in points.
 const HATCH: f64 = 20.0;
@@ -46,19 +50,20 @@ impl CameraSketch<'_> {
             names_all: true,
             shows_normal: true,
             up: None,
-            observer: Observer::default(),
+            observer: Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0),
             colors: self.colors,
         }
         .parts();
         let others = std::mem::take(&mut self.drawing.marks);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
-        for part in parts {
-            let emphasis = part.emphasis(OverlayItems::NONE, Some(highlighted));
-            if let Some(emphasis) = emphasis {
-                self.lit_part(&part.emphasized(emphasis));
-            }
-        }
+        let emphasized = parts.into_iter().filter_map(|part| {
+            let emphasis = part.emphasis(OverlayItems::NONE, Some(highlighted))?;
+            Some((emphasis != Emphasis::Strong, part.emphasized(emphasis)))
+        });
+        let mut emphasized: Vec<(bool, Part)> = emphasized.collect();
+        emphasized.sort_by_key(|(accompanies, _)| *accompanies);
+        emphasized.iter().for_each(|(_, part)| self.lit_part(part));
         self.items = shown;
         let mut marks = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
@@ -72,18 +77,14 @@ impl CameraSketch<'_> {
     fn lit_part(&mut self, part: &Part) {
         let pen = part.pen;
         let (text, font) = part.label.as_ref().map_or(("", POINT), |l| (&*l.text, l.font));
-        match &part.form {
-            Form::Arrow([from, to], _) => self.arrow(from, to, pen, (text, font)),
-            Form::Line(points) => {
-                let [from, .., to] = &points[..] else { return };
-                let Some(ends) = self.ends(from, to) else { return };
-                if ends[0].distance(ends[1]) > 1.0 {
-                    self.line(&ends, pen);
-                } else if !text.is_empty() {
-                    self.point(ends[1], pen, (text, font));
-                }
-            }
-            Form::Sides(corners) => {
+        match (part.form, &part.places[..]) {
+            (Form::Arrow(_), [from, to]) => self.arrow(from, to, pen, (text, font)),
+            (Form::Line, [from, .., to]) => match self.ends(from, to) {
+                Some([start, end]) if start.distance(end) > 1.0 => self.line(&[start, end], pen),
+                Some([_, at]) if !text.is_empty() => self.point(at, pen, (text, font)),
+                _ => {}
+            },
+            (Form::Sides, corners) => {
                 let inset = DVec2::splat(0.4 * f64::from(pen.width * self.view.scale));
                 let most = self.view.extent() - inset;
                 let spots = corners.iter().chain(corners.first()).map(|place| self.spot(place));
@@ -92,17 +93,17 @@ impl CameraSketch<'_> {
                     self.line(&spots, pen);
                 }
             }
-            Form::Point(at, _) if at.at == self.view.resolved.eye() => {
+            (Form::Point(_), [at]) if at.at == self.view.resolved.eye() => {
                 // All rays begin at the eye, which is straight behind the middle of the picture.
                 let text = format!("{text}: straight behind this point");
                 self.end_on(false, 0.5 * self.view.extent(), pen, (&text, font));
             }
-            Form::Point(at, _) => {
+            (Form::Point(_), [at]) => {
                 if let Some(spot) = self.spot(at) {
                     self.point(spot, pen, (text, font));
                 }
             }
-            Form::Outline(sphere) => self.outline(sphere, pen),
+            (Form::Outline(sphere), _) => self.outline(&sphere, pen),
             _ => {}
         }
     }
@@ -134,13 +135,15 @@ impl CameraSketch<'_> {
     fn arrow(&mut self, from: &Place, to: &Place, pen: LineStyle, label: (&str, LabelFont)) {
         let Some([start, tip]) = self.ends(from, to) else { return };
         let along = tip - start;
-        let full = f64::from(self.view.scale * (4.0 + 2.6 * pen.width));
-        let Some(direction) = along.try_normalize().filter(|_| along.length() > 0.3 * full) else {
+        let Some(direction) = along.try_normalize().filter(|_| along.length() > END_ON) else {
             let vector = to.at + to.along - from.at - from.along;
             let away = vector.dot(self.view.resolved.basis().w) < 0.0;
-            return self.end_on(away, tip, pen, label);
+            if vector != DVec3::ZERO {
+                self.end_on(away, tip, pen, label);
+            }
+            return;
         };
-        let head = full.min(0.8 * along.length());
+        let head = f64::from(self.view.scale * (4.0 + 2.6 * pen.width)).min(0.8 * along.length());
         let (back, side) = (tip - head * direction, 0.42 * head * direction.perp());
         self.line(&[start, tip - 0.7 * head * direction], pen);
         self.add(pen, Shape::polygon(&[tip, back + side, back - side]));
@@ -153,12 +156,16 @@ impl CameraSketch<'_> {
     }
 
     /// Draws the symbol of a vector along the line of sight: a ring with a dot if the vector points towards the
-    /// observer, or with a cross if it points away.
+    /// observer, or with a cross if it points away. Another symbol in the same place has precedence.
     fn end_on(&mut self, away: bool, at: DVec2, pen: LineStyle, label: (&str, LabelFont)) {
         let scale = f64::from(self.view.scale);
         let ring = LineStyle { width: 2.4, ..pen };
         let radius = 9.0 * scale;
-        self.add(ring, Shape::ring(at, radius, 32, ring.width * self.view.scale));
+        let shape = Shape::ring(at, radius, 32, ring.width * self.view.scale);
+        if self.drawing.marks.iter().any(|mark| mark.shape == shape) {
+            return;
+        }
+        self.add(ring, shape);
         if away {
             let arm = radius * std::f64::consts::FRAC_1_SQRT_2 * DVec2::ONE;
             self.line(&[at - arm, at + arm], ring);

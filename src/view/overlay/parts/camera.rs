@@ -6,12 +6,21 @@ use pinhole_core::{DVec2, DVec3, Orientation, ResolvedCamera};
 use pinhole_lecture::{BasisDerivation, Cross};
 
 use super::{ASKED_SPHERES, Form, Length, Parts, Place, Toward, When};
-use crate::model::observer::{AXIS_LENGTH, UP_LENGTH, VIEW_LENGTH, side_length};
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{
-    FINE, Head, Highlighted, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN, VECTOR, equals,
-    unit,
+    ACCOMPANYING, FINE, Head, Highlighted, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN,
+    VECTOR, equals, unit,
 };
+
+/// Length of the up arrow, as a multiple of the basis arrows' length.
+pub const UP_LENGTH: f64 = 1.35;
+
+/// Length of the view arrow, as a multiple of the basis arrows' length. It differs from the up arrow's, so that arrows
+/// with the same direction do not hide each other.
+const VIEW_LENGTH: f64 = 1.6;
+
+/// Length of the arrows of the world's axes, as a multiple of the basis arrows' length.
+const AXIS_LENGTH: f64 = 1.6;
 
 /// Opacity of the sides of the frustum, up to the viewport.
 const SOLID: f32 = 0.1;
@@ -46,6 +55,12 @@ pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
+/// Returns the length at which a factor of a cross product is drawn, as a multiple of the basis arrows' length: its
+/// own, but 1 if it is much shorter or longer than they are.
+fn side_length(length: f64) -> f64 {
+    if (0.4..=2.0).contains(&length) { length } else { 1.0 }
+}
+
 impl Parts<'_> {
     /// Adds the whole camera and its selected ray, from back to front.
     pub(super) fn camera(&mut self) {
@@ -69,7 +84,7 @@ impl Parts<'_> {
             self.order_and_angles(resolved);
             self.measures(resolved);
             let pen = LineStyle::new(Item::PixelNumbers, self.figure.colors.ink, 1.0);
-            self.add(Form::PixelNumbers, pen);
+            self.add(Form::PixelNumbers, &[], pen);
         }
         self.eye_and_at();
     }
@@ -119,7 +134,8 @@ impl Parts<'_> {
         let fill = LineStyle { color: ink.gamma_multiply(SOLID), ..far };
         for k in 0..4 {
             let next = (k + 1) % 4;
-            self.add(Form::Face([eye, eye, viewport[next], viewport[k]], inside), fill);
+            let corners = [eye, eye, viewport[next], viewport[k]].map(Place::from);
+            self.add(Form::Face(inside), &corners, fill);
         }
         for (corner, (end, _)) in viewport.into_iter().zip(ends) {
             self.line([eye, corner], near);
@@ -135,13 +151,13 @@ impl Parts<'_> {
         let ink = self.figure.colors.ink;
         if !shows_where_it_looks(self.figure.items) && self.figure.shows(Item::Viewport) {
             let pen = LineStyle::new(Item::Eye, ink, THIN).about(Concept::Eye);
-            self.add(Form::Body, pen).when(When::Unlit);
+            self.add(Form::Body, &[], pen).when(When::Unlit);
         }
         let pen = LineStyle::new(Item::Viewport, ink, MEDIUM).about(Concept::Viewport);
         let outline = corners(resolved).map(|uv| resolved.viewport_point(uv));
         self.sides(outline, pen.on_viewport());
         let pen = LineStyle::new(Item::Marks, self.figure.colors.mark, THICK).on_viewport();
-        self.add(Form::Marks, pen);
+        self.add(Form::Marks, &[], pen);
     }
 
     /// Adds the parallelogram that the factors of a cross product span, with its area, which is the length of the
@@ -162,14 +178,20 @@ impl Parts<'_> {
         let eye = figure.camera.eye;
         let (a, b) = (side * a, b);
         let place = |along: DVec3| Place { at: eye, along, length: Length::Arrow };
-        let area = Form::Area(vec![eye.into(), place(a), place(a + b), place(b)]);
+        let corners = [eye.into(), place(a), place(a + b), place(b)];
         let pen = LineStyle::new(item, color, 1.6).about(concept).on_top();
         let lit = figure.highlighted.filter(|lit| lit.concept == concept);
         let text = area_of(&cross, lit, figure.camera, names);
-        let part = self.add(area, pen);
+        let part = self.add(Form::Area, &corners, pen);
         part.strong = pen.width;
         let Some(text) = text else { return };
         part.labelled_at(place(a + b), text, POINT, Toward::along(a + b));
+        if concept == Concept::UpCrossW {
+            // As a factor, up has the length of the parallelogram's side.
+            let pen = LineStyle { color: figure.colors.given, width: ACCOMPANYING + 1.0, ..pen };
+            let part = self.arrow_from(eye, a, Head::Filled, pen).named(names[0], POINT);
+            part.when(When::Lit).strong = pen.width;
+        }
         if let (Some(product), Some(sine)) = (unit(cross.product), cross.sine) {
             let tip = side * sine * product;
             self.arrow_from(eye, tip, Head::Filled, pen).named(names[2], VECTOR).when(When::Lit);
@@ -214,8 +236,7 @@ impl Parts<'_> {
         part.named("−view", POINT).when(if is_whole { When::Shown } else { When::Lit });
     }
 
-    /// Adds the up vector as the user gives it. As a factor of a highlighted cross product, it has the length of the
-    /// parallelogram's side.
+    /// Adds the up vector as the user gives it.
     fn up(&mut self) {
         let (figure, eye) = (self.figure, self.figure.camera.eye);
         let (Orientation::At { up, .. } | Orientation::View { up, .. }) = figure.camera.orientation
@@ -224,13 +245,9 @@ impl Parts<'_> {
         };
         let Some(direction) = unit(up) else { return };
         let pen = LineStyle::new(Item::ViewAndUp, figure.colors.given, MEDIUM).about(Concept::Up);
-        let times = match figure.is_lit(Concept::UpCrossW) {
-            true => side_length(up.length()),
-            false => UP_LENGTH,
-        };
         match figure.up {
             Some(length) => self.arrow([eye, eye + length * direction], Head::Filled, pen),
-            None => self.arrow_from(eye, times * direction, Head::Filled, pen),
+            None => self.arrow_from(eye, UP_LENGTH * direction, Head::Filled, pen),
         }
         .named("up", POINT);
     }
@@ -257,7 +274,7 @@ impl Parts<'_> {
                 place(RING * (cos * from + sin * to))
             });
             let [line @ .., last, tip] = points;
-            self.add(Form::Line([&line[..], &[last]].concat()), arc);
+            self.add(Form::Line, &[&line[..], &[last]].concat(), arc);
             self.arrow([last, tip], Head::Filled, arc);
             let [a, b] = [from, to].map(|axis| RIGHT_ANGLE * axis);
             self.line([a, a + b, b].map(place), square);

@@ -6,7 +6,7 @@ use pinhole_lecture::mistakes::WrongCamera;
 
 use super::camera::{BASIS, corners};
 use super::{Form, Length, Parts, Place, Toward};
-use crate::model::{AnswerMark, Item, MarkShape, OverlayItems};
+use crate::model::{AnswerMark, Item, MarkShape};
 use crate::view::overlay::{
     BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, POINT, THIN, VECTOR, unit,
 };
@@ -71,20 +71,6 @@ impl GhostCamera {
     pub fn of_answer(wrong: &WrongCamera) -> GhostCamera {
         GhostCamera { basis: [None; 3], is_answer: true, ..GhostCamera::of_mistake(wrong) }
     }
-
-    /// Returns the eye, and the ends of the frustum's edges or else the viewport's corners.
-    pub(crate) fn points(&self, items: OverlayItems) -> impl Iterator<Item = DVec3> {
-        let reach = if items.shows(Item::Frustum) { FRUSTUM } else { 1.0 };
-        let ends = self.corners.map(|corner| self.eye + reach * corner);
-        ends.into_iter().chain([self.eye])
-    }
-
-    /// Returns the drawn vectors of the basis: their directions, and their lengths as multiples of the basis
-    /// arrows' length.
-    pub(crate) fn arrows(&self) -> impl Iterator<Item = (DVec3, f64)> {
-        let vectors = self.basis.into_iter().flatten();
-        vectors.filter_map(|vector| Some((unit(vector)?, vector.length().min(LONGEST))))
-    }
 }
 
 /// Range of lengths within which a vector in an answer is drawn to scale. A unit vector has length 1.
@@ -103,7 +89,8 @@ impl Parts<'_> {
         let edge = LineStyle::new(item(Item::Frustum), ink, THIN).dashed();
         let outline = LineStyle::new(item(Item::Viewport), ink, MEDIUM).dashed();
         for corner in corners {
-            self.line([eye, eye + FRUSTUM * corner], edge);
+            let part = self.line([eye, eye + FRUSTUM * corner], edge);
+            part.is_endless = !figure.shows(Item::Frustum);
         }
         let part = self.sides(corners.map(|corner| eye + corner), outline);
         if ghost.is_wrong {
@@ -194,18 +181,18 @@ impl Parts<'_> {
         part.labelled_at(ray.at(1.0), &*mark.label, BOLD_POINT, toward);
         part.is_endless = hit.is_none();
         if hit.is_some() {
-            self.add(answer_form(mark)(end.into(), 5.0), pen);
+            self.add(answer_form(mark, 5.0), &[end.into()], pen);
         }
     }
 
     fn answer_point(&mut self, mark: &AnswerMark, at: DVec3, pen: LineStyle) {
         let toward = Toward::Screen(DVec2::new(0.5, 1.0));
-        let part = self.add(answer_form(mark)(at.into(), 5.5), pen);
+        let part = self.add(answer_form(mark, 5.5), &[at.into()], pen);
         part.labelled(&*mark.label, BOLD_POINT, toward);
     }
 }
 
 /// Returns the form of a point of an answer: a ring for a student's answer, a disc for the right one.
-fn answer_form(mark: &AnswerMark) -> fn(Place, f32) -> Form {
-    if mark.is_dashed { Form::Ring } else { Form::Point }
+fn answer_form(mark: &AnswerMark, radius: f32) -> Form {
+    if mark.is_dashed { Form::Ring(radius) } else { Form::Point(radius) }
 }

@@ -91,7 +91,7 @@ impl Part {
             Emphasis::Strong => {
                 self.pen = self.pen.on_top();
                 self.pen.width = self.strong;
-                if let Form::Point(_, radius) = &mut self.form {
+                if let Form::Point(radius) = &mut self.form {
                     *radius = STRONG_POINT;
                 }
             }

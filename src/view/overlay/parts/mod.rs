@@ -8,10 +8,12 @@ pub(super) mod camera;
 pub(super) mod compared;
 pub(super) mod emphasis;
 pub(super) mod ray;
-pub(super) mod sphere_figure;
+pub(super) mod sight;
+mod sphere_figure;
 
 use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 
+use crate::model::observer::{Length, Place};
 use crate::model::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{
     Colors, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG,
@@ -21,52 +23,27 @@ use crate::view::overlay::{
 /// reaches beyond, and among which the one closest to the ray is looked for.
 pub(super) const ASKED_SPHERES: usize = 1024;
 
-/// A position in the world: a point or, if `along` is not zero, the tip of an arrow from that point. Arrows have a
-/// nearly constant size on the screen, so where their tips are in the world depends on the observer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
-    pub(crate) at: DVec3,
-    /// The arrow's vector, in units of `length`.
-    pub(crate) along: DVec3,
-    pub(crate) length: Length,
-}
-
-/// The length at which a unit vector is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Length {
-    /// That of the basis arrows.
-    Arrow,
-    /// That of normals.
-    Normal,
-}
-
-impl From<DVec3> for Place {
-    fn from(at: DVec3) -> Place {
-        Place { at, along: DVec3::ZERO, length: Length::Arrow }
-    }
-}
-
-/// What a part is in space.
-#[derive(Clone, Debug)]
+/// What a part makes of its places.
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Form {
     /// A polyline.
-    Line(Vec<Place>),
+    Line,
     /// An arrow.
-    Arrow([Place; 2], Head),
+    Arrow(Head),
     /// A line with an arrowhead at each end.
-    Dimension([Place; 2]),
+    Dimension,
     /// The sides of a polygon.
-    Sides(Vec<Place>),
+    Sides,
     /// A flat polygon through which one sees, with its sides.
-    Area(Vec<Place>),
-    /// A side of a solid, through which one sees. It is drawn if it faces the observer, unlike the point inside.
-    Face([DVec3; 4], DVec3),
-    /// A point, as a disc of this radius in points.
-    Point(Place, f32),
-    /// A point, as a ring around an empty middle.
-    Ring(Place, f32),
-    /// A point, as a disc with an empty middle.
-    Hole(Place, f32),
+    Area,
+    /// A side of a solid, through which one sees. It is drawn if it faces the observer, unlike this point inside.
+    Face(DVec3),
+    /// A disc of this radius in points.
+    Point(f32),
+    /// A ring around an empty middle.
+    Ring(f32),
+    /// A disc with an empty middle.
+    Hole(f32),
     /// The outline of a sphere as the observer sees it.
     Outline(Sphere),
     /// The box that stands for a camera too small to be seen.
@@ -113,6 +90,7 @@ pub(crate) enum Toward {
 #[derive(Clone, Debug)]
 pub(crate) struct Part {
     pub(crate) form: Form,
+    pub(crate) places: Vec<Place>,
     pub(crate) pen: LineStyle,
     pub(crate) when: When,
     pub(crate) label: Option<PartLabel>,
@@ -236,20 +214,21 @@ impl Figure<'_> {
 }
 
 impl Parts<'_> {
-    fn add(&mut self, form: Form, pen: LineStyle) -> &mut Part {
-        let (when, strong) = (When::Shown, STRONG);
-        let part = Part { form, pen, when, label: None, strong, beside: None, is_endless: false };
+    fn add(&mut self, form: Form, places: &[Place], pen: LineStyle) -> &mut Part {
+        let (places, when, strong) = (places.to_vec(), When::Shown, STRONG);
+        let part =
+            Part { form, places, pen, when, label: None, strong, beside: None, is_endless: false };
         self.list.push(part);
         let last = self.list.len() - 1;
         &mut self.list[last]
     }
 
     fn line<const N: usize>(&mut self, points: [impl Into<Place>; N], pen: LineStyle) -> &mut Part {
-        self.add(Form::Line(points.map(Into::into).to_vec()), pen)
+        self.add(Form::Line, &points.map(Into::into), pen)
     }
 
     fn arrow(&mut self, ends: [impl Into<Place>; 2], head: Head, pen: LineStyle) -> &mut Part {
-        self.add(Form::Arrow(ends.map(Into::into), head), pen)
+        self.add(Form::Arrow(head), &ends.map(Into::into), pen)
     }
 
     /// Adds an arrow from a point, whose vector is in units of the basis arrows' length.
@@ -258,14 +237,14 @@ impl Parts<'_> {
     }
 
     fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle) -> &mut Part {
-        self.add(Form::Dimension(ends.map(Into::into)), pen)
+        self.add(Form::Dimension, &ends.map(Into::into), pen)
     }
 
-    fn sides<const N: usize>(&mut self, corners: [DVec3; N], pen: LineStyle) -> &mut Part {
-        self.add(Form::Sides(corners.map(Into::into).to_vec()), pen)
+    fn sides(&mut self, corners: [DVec3; 4], pen: LineStyle) -> &mut Part {
+        self.add(Form::Sides, &corners.map(Into::into), pen)
     }
 
-    fn point(&mut self, at: impl Into<Place>, radius: f32, pen: LineStyle) -> &mut Part {
-        self.add(Form::Point(at.into(), radius), pen)
+    fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> &mut Part {
+        self.add(Form::Point(radius), &[at.into()], pen)
     }
 }

@@ -192,8 +192,8 @@ impl Parts<'_> {
                 true => Toward::World([(1.0, along), (0.5, root.normal)]),
                 false => Toward::Screen(-DVec2::Y),
             };
-            let form: fn(Place, f32) -> Form = if is_first { Form::Point } else { Form::Hole };
-            let part = self.add(form(root.point.into(), 6.0), pen);
+            let form = if is_first { Form::Point(6.0) } else { Form::Hole(6.0) };
+            let part = self.add(form, &[root.point.into()], pen);
             part.labelled(text, BOLD_POINT, toward).when(When::Unlit);
         }
     }
@@ -252,7 +252,7 @@ impl Parts<'_> {
         let pen = LineStyle::new(Item::Ray, figure.colors.hit, 4.0).about(Concept::Object(index));
         match figure.scene.object(index) {
             Some(Object::Sphere(sphere)) => {
-                self.add(Form::Outline(sphere), pen).when(When::Lit).strong = pen.width;
+                self.add(Form::Outline(sphere), &[], pen).when(When::Lit).strong = pen.width;
             }
             Some(Object::Plane(plane)) => {
                 let Some(normal) = unit(plane.normal) else { return };
@@ -274,7 +274,7 @@ impl Parts<'_> {
     pub(super) fn cut_away(&mut self) {
         for (index, sphere, color) in self.figure.cut_away {
             let pen = LineStyle::new(Item::Frustum, *color, THIN).about(Concept::Object(*index));
-            self.add(Form::Outline(*sphere), pen.without_halo()).when(When::Unlit);
+            self.add(Form::Outline(*sphere), &[], pen.without_halo()).when(When::Unlit);
         }
     }
 }

@@ -48,11 +48,6 @@ impl SphereFigure {
         is_finite.then_some(SphereFigure { index, sphere, ray, terms, foot, roots })
     }
 
-    /// Returns the foot of the perpendicular.
-    pub(crate) fn foot(&self) -> DVec3 {
-        self.ray.at(self.foot)
-    }
-
     /// Returns the unit vector from the foot of the perpendicular to the centre, and the distance between
     /// them; `None` if the ray passes through the centre.
     fn perpendicular(&self) -> Option<(DVec3, f64)> {
@@ -81,7 +76,7 @@ impl Parts<'_> {
         let ink = LineStyle::new(Item::SphereFigure, colors.hit, 1.8).on_top();
         let ray = LineStyle { color: colors.ray, ..ink };
         let pen = ink.about(Concept::Object(shown.index)).without_halo();
-        self.add(Form::Outline(shown.sphere), pen).when(When::Unlit);
+        self.add(Form::Outline(shown.sphere), &[], pen).when(When::Unlit);
         if !self.figure.shows(Item::Ray) {
             self.ray_line(inspection, LineStyle { width: 2.8, ..ray }.about(Concept::Ray));
         }
@@ -128,7 +123,7 @@ impl Parts<'_> {
     /// Adds a dimension line beside the half chord from the foot of the perpendicular to the last root.
     fn chord(&mut self, shown: &SphereFigure, pen: LineStyle) {
         let Some(last) = shown.roots.last().filter(|t| **t > shown.foot) else { return };
-        let ends = [shown.foot, *last].map(|t| shown.ray.at(t));
+        let ends = [*last, shown.foot].map(|t| shown.ray.at(t));
         let half = shown.terms.discriminant.sqrt() / shown.terms.a;
         let out = shown.perpendicular().map_or(DVec3::ZERO, |(out, _)| out);
         let text = format!("√D/a {}", equals(half));

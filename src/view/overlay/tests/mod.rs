@@ -7,6 +7,7 @@ mod ground;
 mod highlighted;
 mod loupe;
 mod marks;
+mod sight;
 mod sphere_figure;
 mod whiteboard;
 mod wild;
@@ -55,7 +56,12 @@ fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
 impl Stage {
     fn new(camera: Camera, spheres: Vec<Sphere>, planes: Vec<Plane>) -> Stage {
         let scene = Scene::new(spheres, planes).expect("a scene");
-        let observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0));
+        let observer = Observer::frame_all(
+            &camera,
+            &scene,
+            ViewSize::of_aspect(4.0 / 3.0),
+            &drawn_of(&camera, &scene),
+        );
         Stage::seen_by(camera, scene, observer)
     }
 

@@ -3,10 +3,11 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
+use crate::model::observer::{Length, Place};
 use crate::model::{Item, OverlayItems};
 use crate::view::overlay::{
-    Emphasis, Form, Head, Length, LineStyle, MARK, NUMBER, POINT, Part, Place, Request, Shape,
-    Sketch, Toward, circle, corners, dot, first, half_extent, numbers, tangents, unit,
+    Emphasis, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch, Toward,
+    circle, corners, first, half_extent, numbers, tangents, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
@@ -54,77 +55,53 @@ impl Sketch<'_> {
     }
 
     fn part(&mut self, part: &Part) {
-        let pen = part.pen;
-        let aside = self.aside(part);
-        let place = |place: &Place| self.place(*place) + aside;
-        let label = match &part.form {
-            Form::Line(points) => {
-                let points: Vec<DVec3> = points.iter().map(place).collect();
-                points.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen));
-                self.spot(points[0].midpoint(points[points.len() - 1]))
+        let (pen, aside) = (part.pen, self.aside(part));
+        let points = part.places.iter().map(|place| self.place(*place) + aside);
+        let points: Vec<DVec3> = points.collect();
+        let middle = points.first().zip(points.last()).map(|(a, b)| a.midpoint(*b));
+        let mut shown = middle.and_then(|middle| self.screen.spot(middle));
+        let mut onward = DVec2::ZERO;
+        match (part.form, &points[..]) {
+            (Form::Line, _) => points.windows(2).for_each(|ends| self.line(ends[0], ends[1], pen)),
+            (Form::Arrow(head), [from, tip]) => {
+                let drawn = self.arrow([*from, *tip], head, pen);
+                onward = drawn.map_or(onward, |[_, direction]| direction);
+                shown = drawn.and_then(|_| self.screen.spot(*tip));
             }
-            Form::Arrow(ends, head) => {
-                let ends = ends.each_ref().map(place);
-                self.arrow(ends, *head, pen)
-            }
-            Form::Dimension(ends) => {
-                let ends = ends.each_ref().map(place);
-                let middle = ends[0].midpoint(ends[1]);
-                for end in ends {
-                    self.arrow([middle, end], Head::Filled, pen);
+            (Form::Dimension, [a, b]) => {
+                for end in [a, b] {
+                    self.arrow([a.midpoint(*b), *end], Head::Filled, pen);
                 }
-                self.spot(middle)
             }
-            Form::Sides(corners) => {
-                let corners: Vec<DVec3> = corners.iter().map(place).collect();
-                self.sides(&corners, pen);
-                None
-            }
-            Form::Area(corners) => {
-                let corners: Vec<DVec3> = corners.iter().map(place).collect();
+            (Form::Sides, _) => self.sides(&points, pen),
+            (Form::Area, _) => {
                 let fill = LineStyle { color: pen.color.gamma_multiply(0.3), ..pen };
-                self.polygon(&corners, fill.without_halo());
-                self.sides(&corners, pen);
-                None
+                self.polygon(&points, fill.without_halo());
+                self.sides(&points, pen);
             }
-            Form::Face(corners, inside) => {
-                self.face(corners, *inside, pen);
-                None
+            (Form::Face(inside), _) => self.face(&points, inside, pen),
+            (Form::Point(radius), [at]) => shown = self.point(*at, radius, pen),
+            (Form::Ring(radius), [at]) => self.ring(*at, radius + 2.0, pen),
+            (Form::Hole(radius), [at]) => {
+                shown = self.point(*at, radius, pen);
+                let hole = LineStyle { color: self.colors.halo, ..pen }.without_halo();
+                self.point(*at, 0.6 * radius, hole);
             }
-            Form::Point(at, radius) => self.circle(place(at), *radius, pen, &part.form),
-            Form::Ring(at, radius) | Form::Hole(at, radius) => {
-                self.circle(place(at), *radius, pen, &part.form)
-            }
-            Form::Outline(sphere) => {
-                let outline =
-                    silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
-                let pens = cased(pen, self.colors.halo);
-                for pen in if pen.halo { &pens[..] } else { &pens[1..] } {
-                    outline.windows(2).for_each(|ends| self.line(ends[0], ends[1], *pen));
-                }
-                None
-            }
-            Form::Body | Form::Marks | Form::PixelNumbers => {
+            (Form::Outline(sphere), _) => self.outline(&sphere, pen),
+            (form, _) => {
                 if let Some(resolved) = &self.view.resolved {
-                    match part.form {
+                    match form {
                         Form::Body => self.body(resolved, pen),
                         Form::Marks => self.marks(resolved, pen),
                         _ => self.pixel_numbers(resolved, pen),
                     }
                 }
-                None
             }
-        };
-        self.label_of(part, aside, label);
-    }
-
-    /// Requests the label of a part. `shown` is the position on the screen that an arrow, a line or a point gives it,
-    /// with the direction of an arrow.
-    fn label_of(&mut self, part: &Part, aside: DVec3, shown: Option<[DVec2; 2]>) {
+        }
         let Some(label) = &part.label else { return };
         let at = label.at.map(|at| self.place(at) + aside);
-        let Some([spot, onward]) = at.map_or(shown, |at| self.spot(at)) else { return };
-        let world = at.or_else(|| self.middle_of(part, aside)).unwrap_or_default();
+        let Some(spot) = at.map_or(shown, |at| self.screen.spot(at)) else { return };
+        let world = at.or(middle).unwrap_or_default();
         let toward = match label.toward {
             Toward::Screen(direction) => direction,
             Toward::World(sum) => {
@@ -133,24 +110,7 @@ impl Sketch<'_> {
             Toward::Onward if part.beside.is_some() => self.on_screen(world, aside),
             Toward::Onward => onward,
         };
-        self.label(part.pen, &label.text, [spot, toward], label.font);
-    }
-
-    /// Returns the middle of a line, or a point.
-    fn middle_of(&self, part: &Part, aside: DVec3) -> Option<DVec3> {
-        let middle = match &part.form {
-            Form::Line(points) => self.place(points[0]).midpoint(self.place(*points.last()?)),
-            Form::Dimension([a, b]) | Form::Arrow([a, b], _) => {
-                self.place(*a).midpoint(self.place(*b))
-            }
-            Form::Point(at, _) | Form::Ring(at, _) | Form::Hole(at, _) => self.place(*at),
-            _ => return None,
-        };
-        Some(middle + aside)
-    }
-
-    fn spot(&self, at: DVec3) -> Option<[DVec2; 2]> {
-        self.screen.spot(at).map(|spot| [spot.at, DVec2::ZERO])
+        self.label(pen, &label.text, [spot.at, toward], label.font);
     }
 
     /// Returns where a place is in the world.
@@ -164,45 +124,32 @@ impl Sketch<'_> {
 
     /// Returns how far a part is drawn beside its place: across its line and the line of sight.
     fn aside(&self, part: &Part) -> DVec3 {
-        let (Some(other), Form::Arrow([a, b], _) | Form::Dimension([a, b])) =
-            (part.beside, &part.form)
-        else {
-            return DVec3::ZERO;
-        };
+        let (Some(other), [a, b]) = (part.beside, &part.places[..]) else { return DVec3::ZERO };
         let [a, b] = [a, b].map(|end| self.place(*end));
         let middle = a.midpoint(b);
         let sight = middle - self.view.frame.camera().eye();
-        let Some(across) = unit((b - a).cross(sight)) else { return DVec3::ZERO };
+        let Some(across) = unit((a - b).cross(sight)) else { return DVec3::ZERO };
         let across = if other.dot(across) > 0.0 { -across } else { across };
         self.screen.length_of_points(middle, (APART, APART)) * across
     }
 
-    fn circle(
-        &mut self,
-        at: DVec3,
-        radius: f32,
-        pen: LineStyle,
-        form: &Form,
-    ) -> Option<[DVec2; 2]> {
-        let scale = self.drawing.scale;
-        let spot = match form {
-            Form::Ring(..) => {
-                let spot = self.screen.spot(at)?;
-                let radius = (radius + 2.0) * scale;
-                self.add(pen, Shape::ring(spot.at, radius.into(), 24, 2.4 * scale));
-                spot
-            }
-            _ => self.point(at, radius, pen)?,
-        };
-        if matches!(form, Form::Hole(..)) {
-            let hole = LineStyle { color: self.colors.halo, ..pen }.without_halo();
-            self.add(hole, Shape::Disc { center: dot(spot.at), radius: 0.6 * radius * scale });
+    fn ring(&mut self, at: DVec3, radius: f32, pen: LineStyle) {
+        if let Some(spot) = self.screen.spot(at) {
+            let scale = self.drawing.scale;
+            self.add(pen, Shape::ring(spot.at, (radius * scale).into(), 24, 2.4 * scale));
         }
-        Some([spot.at, DVec2::ZERO])
+    }
+
+    fn outline(&mut self, sphere: &Sphere, pen: LineStyle) {
+        let outline = silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
+        let pens = cased(pen, self.colors.halo);
+        for pen in if pen.halo { &pens[..] } else { &pens[1..] } {
+            outline.windows(2).for_each(|ends| self.line(ends[0], ends[1], *pen));
+        }
     }
 
     /// Fills a side of a solid if it faces the observer.
-    fn face(&mut self, corners: &[DVec3; 4], inside: DVec3, pen: LineStyle) {
+    fn face(&mut self, corners: &[DVec3], inside: DVec3, pen: LineStyle) {
         let normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
         let height = |point: DVec3| normal.dot(point - corners[2]);
         if height(self.view.frame.camera().eye()) * height(inside) < 0.0 {

@@ -1,6 +1,5 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
-pub(super) mod drawn;
 pub(super) mod ground;
 pub(super) mod handles;
 pub(super) mod labels;
