@@ -94,8 +94,8 @@
 //! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | panes, the floor and its drop lines | `view/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figures/spheres.rs` |
 //! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/parts/sight.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
-//! | where a label stands | `view/overlay/world_view/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
-//! | a mark over a view, and the concept that it stands for | `view/overlay/parts/`; its emphasis in `parts/emphasis.rs`, what a concept is made from in `model/concept.rs`; of the camera view alone: `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
+//! | where a label stands | `view/overlay/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
+//! | a mark over a view, and the concept that it stands for | `view/overlay/parts/`; its emphasis in `view/overlay/parts/emphasis.rs`, what a concept is made from in `model/concept.rs`; of the camera view alone: `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
 //! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | the labels, names and texts of an enum | the macro in `core/texts.rs`, used where the enum is |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |

@@ -218,7 +218,9 @@ impl OpenScene {
             Observe::Along(axis) => *observer = observer.along(axis),
             Observe::FrameSphere(sphere) => *observer = observer.framing_sphere(&sphere, size),
             Observe::FrameCamera => {
-                let drawn = drawn_of(camera, &Scene::default());
+                // The point *at* need not be in the picture.
+                let items = OverlayItems::default().with(Item::At, false);
+                let drawn = drawn(camera, &Scene::default(), items, None, None, None);
                 *observer = observer.framing_camera(camera, size, &drawn);
             }
             // The next pass frames the whole scene, because it knows the view's aspect.

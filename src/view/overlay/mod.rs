@@ -14,8 +14,8 @@
 //!   colours and text sizes.
 //! - `screen`: projection and clipping; `flat`: the inverse, from a screen pixel to a point of a plane.
 //! - `world_view/ground`: the panes that stand for planes, the floor's grid, and the drop lines to it.
-//! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden;
-//!   `world_view/labels`: places labels.
+//! - `world_view/sketch`: turns lines and arrows of the world into marks, visible or hidden.
+//! - `line_style`: how lines are drawn; `labels`: places labels.
 //! - `pixel_numbers`: the numbers of rows and columns along the pixel grid.
 //! - `layers`: occlusion, and areas filled pixel by pixel (planes, the picture on the viewport).
 
@@ -27,7 +27,9 @@ use pinhole_core::{Rgb, Scene};
 mod camera_view;
 mod drawing;
 mod flat;
+mod labels;
 mod layers;
+mod line_style;
 mod paint;
 mod parts;
 mod pixel_numbers;
@@ -54,7 +56,9 @@ pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of
 use camera_view::CameraSketch;
 use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
 use flat::{Flat, FlatRow, FlatSpot, Grid};
+use labels::{Request, place_labels};
 use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
+use line_style::{Head, LineStyle};
 use paint::{Fills, StretchedPicture};
 use parts::camera::corners;
 use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
@@ -65,9 +69,8 @@ use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{
     BOLD_POINT, DIMMED, FINE, LEGIBLE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR, VISIBLE,
 };
-use world_view::labels::{Request, place_labels};
 use world_view::lens::{cased, silhouette};
-use world_view::sketch::{Head, LineStyle, Sketch};
+use world_view::sketch::Sketch;
 
 /// A shared value that is compared by identity: two are equal only if they share the same allocation.
 #[derive(Debug)]

@@ -2,7 +2,6 @@
 
 pub(super) mod ground;
 pub(super) mod handles;
-pub(super) mod labels;
 pub(super) mod lens;
 pub(super) mod sketch;
 mod uncovered;
