@@ -473,10 +473,10 @@ def starts(page, count):
         if number % 25 == 0:
             browser = Browser()
         try:
-            times.append(browser.open(page))
+            times.append(browser.open(page, before="window.first_failure = history.state?.failed;"))
             if browser.run("return performance.getEntriesByType('navigation')[0].type") == "reload":
                 retried += 1
-                print(f"start {number} failed, and was tried again")
+                print(f"start {number} failed, and was tried again: {browser.run('return window.first_failure')}")
         except AssertionError as error:
             failed += 1
             print(f"start {number} failed: {error}", flush=True)
