@@ -297,7 +297,23 @@ var pinhole = (() => {
     if (!isOver) element("message").hidden = true;
     if (firstFailure()) history.replaceState(null, "");
     forgetLink();
+    idle(() => rehearse(REHEARSAL));
   }
+
+  const idle = window.requestIdleCallback?.bind(window) ?? ((act) => setTimeout(act, 20));
+
+  // Before the user does so, a copy of the program that nobody sees drags *at* and looks round: where the pointer
+  // is, and which button, the left one or the right one, is pressed or released there. The first makes the copy.
+  const REHEARSAL = [[0, 0], [0, 0], [895, 384], [895, 384, true, true], [930, 355], [960, 330],
+    [960, 330, true, false], [1200, 405], [1200, 405, false, true], [1280, 408], [1350, 411], [1350, 411, false, false]];
+
+  // A frame at a time, so that it keeps nobody waiting.
+  const rehearse = guarded(([[x, y, isLeft, isPressed = false], ...others]) => {
+    if (isOver) return;
+    const told = wasm_bindgen.rehearse(x, y, isLeft, isPressed, !others.length);
+    if (others.length) idle(() => rehearse(others));
+    else performance.mark("rehearsed", { detail: told });
+  });
 
   // Ends the program. If it still can, it stores its changes and calls `failed`.
   function end(message) {

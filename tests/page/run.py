@@ -77,6 +77,24 @@ def the_first_picture_comes_at_once(page):
     print(f"first picture after {statistics.median(times):.0f} ms, of {[round(time) for time in times]}")
 
 
+def a_drag_is_rehearsed_and_changes_nothing(page, pictures):
+    browser = Browser((1600, 900))
+    browser.open(page)
+    # Settings are stored by the program itself, at any time.
+    state = """return [document.getElementById('told').textContent, document.title,
+        Object.keys(localStorage).filter((key) => !key.endsWith('state.json'))]"""
+    before = browser.run(state)
+    rehearsed = "return performance.getEntriesByName('rehearsed')[0]?.detail"
+    browser.wait(lambda: browser.run(rehearsed), 20, "no rehearsal")
+    told = browser.run(rehearsed)
+    assert number(told, "u (right)") != number(before[0], "u (right)"), f"at was not moved by the rehearsal: {told}"
+    browser.mouse((700, 500))
+    time.sleep(0.5)
+    assert browser.run(state) == before, (browser.run(state), before)
+    browser.shot(pictures / "rehearsed.png")
+    browser.close()
+
+
 def a_drag_moves_what_is_dragged(page, pictures):
     browser = Browser((1600, 900))
     browser.open(page)
@@ -518,8 +536,8 @@ def main():
         sizes(arguments.page)
         the_first_picture_comes_at_once(arguments.page)
     checks = [
-        a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys, a_pixel_is_pinned,
-        a_file_is_dropped_changed_and_saved, a_link_is_shared_and_opened,
+        a_drag_is_rehearsed_and_changes_nothing, a_drag_moves_what_is_dragged, a_lesson_goes_on_by_keys,
+        a_pixel_is_pinned, a_file_is_dropped_changed_and_saved, a_link_is_shared_and_opened,
         another_program_reads_the_code_of_a_link, a_page_is_saved_and_opens_at_its_step,
         a_scene_in_a_page_runs_no_script, every_pixel_is_the_desktops, unsaved_changes_outlive_the_page,
         a_full_storage_is_told_once, it_stands_on_a_phone, a_finger_presents_and_goes_on, it_stands_at_three_sizes,

@@ -5,6 +5,7 @@
 
 mod browser;
 mod page;
+pub mod rehearsal;
 pub mod self_test;
 
 use std::any::Any;
