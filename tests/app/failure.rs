@@ -29,7 +29,9 @@ fn window(store: &Store, panics: &Arc<AtomicBool>) -> Harness<'static, App> {
     let (panics, is_inside) = (Arc::clone(panics), Arc::clone(&is_frame));
     let mut window = support::harness()
         .with_size(super::harness::SIZE)
-        .with_max_steps(30)
+        .with_max_steps(120)
+        // An edit asks for the frame in which it is written aside, a second later.
+        .with_step_dt(1.0 / 60.0)
         .with_context_setup(move |ctx| {
             App::set_up(ctx, &settings);
             ctx.set_request_repaint_callback(move |_| {

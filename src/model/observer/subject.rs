@@ -74,7 +74,7 @@ impl From<DVec3> for Place {
     }
 }
 
-/// What is drawn besides the camera's eye, *at*, the viewport and the objects, and must be in sight.
+/// What is drawn, besides the objects, and must be in sight.
 #[derive(Clone, Debug, Default)]
 pub struct Drawn {
     /// True if the frustum is drawn.

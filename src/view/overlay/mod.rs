@@ -63,7 +63,7 @@ use paint::{Fills, StretchedPicture};
 use parts::camera::corners;
 use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
 use parts::ray::{UvLeg, uv_legs};
-use parts::{ASKED_SPHERES, Figure, Form, Part, Toward};
+use parts::{ASKED_SPHERES, Figure, Form, Part, Toward, When};
 use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{

@@ -7,7 +7,7 @@ use crate::model::observer::Place;
 use crate::model::{Concept, Item, Observer, OverlayItems};
 use crate::view::overlay::{
     CameraSketch, CameraView, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle, POINT,
-    Part, Screen, Shape, cased, dim, dot, first, position_of, silhouette,
+    Part, Screen, Shape, When, cased, dim, dot, first, position_of, silhouette,
 };
 
 /// Length at which a unit vector in the image plane is drawn, as a fraction of the picture's shorter side.
@@ -50,6 +50,7 @@ impl CameraSketch<'_> {
             names_all: true,
             shows_normal: true,
             up: None,
+            is_flat: true,
             observer: Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0),
             colors: self.colors,
         }
@@ -63,7 +64,7 @@ impl CameraSketch<'_> {
         });
         let mut emphasized: Vec<(bool, Part)> = emphasized.collect();
         emphasized.sort_by_key(|(accompanies, _)| *accompanies);
-        emphasized.iter().for_each(|(_, part)| self.lit_part(part));
+        emphasized.iter().for_each(|(accompanies, part)| self.lit_part(part, *accompanies));
         self.items = shown;
         let mut marks = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
@@ -74,13 +75,28 @@ impl CameraSketch<'_> {
         self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
-    fn lit_part(&mut self, part: &Part) {
+    fn lit_part(&mut self, part: &Part, accompanies: bool) {
         let pen = part.pen;
         let (text, font) = part.label.as_ref().map_or(("", POINT), |l| (&*l.text, l.font));
         match (part.form, &part.places[..]) {
-            (Form::Arrow(_), [from, to]) => self.arrow(from, to, pen, (text, font)),
+            (Form::Arrow(_), [from, to]) => {
+                let Some(ends) = self.ends(from, to) else { return };
+                let is_end_on = ends[0].distance(ends[1]) <= END_ON;
+                let vector = to.at + to.along - from.at - from.along;
+                if !is_end_on {
+                    self.arrow(ends, pen, (text, font));
+                } else if vector != DVec3::ZERO && !(accompanies && part.when == When::Lit) {
+                    let is_away = vector.dot(self.view.resolved.basis().w) < 0.0;
+                    self.end_on(is_away, ends[1], pen, (text, font));
+                }
+            }
             (Form::Line, [from, .., to]) => match self.ends(from, to) {
                 Some([start, end]) if start.distance(end) > 1.0 => self.line(&[start, end], pen),
+                Some([_, at])
+                    if at.distance(0.5 * self.view.extent()) < 1.0 && !text.is_empty() =>
+                {
+                    self.end_on(true, at, pen, (text, font));
+                }
                 Some([_, at]) if !text.is_empty() => self.point(at, pen, (text, font)),
                 _ => {}
             },
@@ -113,7 +129,8 @@ impl CameraSketch<'_> {
     fn spot(&self, place: &Place) -> Option<DVec2> {
         let (resolved, size) = (&self.view.resolved, self.view.size);
         let basis = resolved.basis();
-        let in_image = DVec2::new(basis.u.dot(place.along), -basis.v.dot(place.along));
+        let along = place.along.clamp_length_max(1.0);
+        let in_image = DVec2::new(basis.u.dot(along), -basis.v.dot(along));
         let from = if place.at == resolved.eye() {
             0.5 * self.view.extent()
         } else {
@@ -131,18 +148,9 @@ impl CameraSketch<'_> {
         Some([if is_ray { end } else { self.spot(from)? }, end])
     }
 
-    /// Draws an arrow or, if it points along the line of sight, its symbol.
-    fn arrow(&mut self, from: &Place, to: &Place, pen: LineStyle, label: (&str, LabelFont)) {
-        let Some([start, tip]) = self.ends(from, to) else { return };
+    fn arrow(&mut self, [start, tip]: [DVec2; 2], pen: LineStyle, label: (&str, LabelFont)) {
         let along = tip - start;
-        let Some(direction) = along.try_normalize().filter(|_| along.length() > END_ON) else {
-            let vector = to.at + to.along - from.at - from.along;
-            let away = vector.dot(self.view.resolved.basis().w) < 0.0;
-            if vector != DVec3::ZERO {
-                self.end_on(away, tip, pen, label);
-            }
-            return;
-        };
+        let direction = along.normalize_or_zero();
         let head = f64::from(self.view.scale * (4.0 + 2.6 * pen.width)).min(0.8 * along.length());
         let (back, side) = (tip - head * direction, 0.42 * head * direction.perp());
         self.line(&[start, tip - 0.7 * head * direction], pen);

@@ -3,13 +3,14 @@
 //! products, view from the eye to at, and the viewport's measures.
 
 use pinhole_core::{DVec2, DVec3, Orientation, ResolvedCamera};
+use pinhole_lecture::numbers::{Rounding, written};
 use pinhole_lecture::{BasisDerivation, Cross};
 
 use super::{ASKED_SPHERES, Form, Length, Parts, Place, Toward, When};
 use crate::model::{Concept, Item, OverlayItems};
 use crate::view::overlay::{
-    ACCOMPANYING, FINE, Head, Highlighted, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN,
-    VECTOR, equals, unit,
+    ACCOMPANYING, FINE, Head, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN, VECTOR, equals,
+    unit,
 };
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
@@ -165,13 +166,14 @@ impl Parts<'_> {
     fn cross_product(&mut self, concept: Concept, item: Item) {
         let figure = self.figure;
         let BasisDerivation::FromUp(from_up) = BasisDerivation::new(figure.camera) else { return };
-        let [u, v, _] = figure.colors.basis;
-        let (cross, color, names) = match concept {
-            Concept::UpCrossW => (from_up.up_cross_w, u, ["up", "w", "up × w"]),
-            _ => (from_up.w_cross_u, v, ["w", "u", "w × u = v"]),
+        let [u, v, w] = figure.colors.basis;
+        let up = figure.colors.given;
+        let (cross, [of_a, of_b, color], names) = match concept {
+            Concept::UpCrossW => (from_up.up_cross_w, [up, w, u], ["up", "w", "up × w"]),
+            _ => (from_up.w_cross_u, [w, u, v], ["w", "u", "w × u = v"]),
         };
         let Some(cross) = cross else { return };
-        let side = side_length(cross.first.length);
+        let side = if figure.is_flat { 1.0 } else { side_length(cross.first.length) };
         let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
             return;
         };
@@ -181,16 +183,19 @@ impl Parts<'_> {
         let corners = [eye.into(), place(a), place(a + b), place(b)];
         let pen = LineStyle::new(item, color, 1.6).about(concept).on_top();
         let lit = figure.highlighted.filter(|lit| lit.concept == concept);
-        let text = area_of(&cross, lit, figure.camera, names);
-        let part = self.add(Form::Area, &corners, pen);
-        part.strong = pen.width;
+        let digits = lit.map_or(LABEL_DIGITS, |lit| lit.digits.min(LABEL_DIGITS));
+        let text = area_of(&cross, digits, names);
+        let part = self.add(Form::Area, &corners, pen).as_wide();
         let Some(text) = text else { return };
         part.labelled_at(place(a + b), text, POINT, Toward::along(a + b));
-        if concept == Concept::UpCrossW {
-            // As a factor, up has the length of the parallelogram's side.
-            let pen = LineStyle { color: figure.colors.given, width: ACCOMPANYING + 1.0, ..pen };
-            let part = self.arrow_from(eye, a, Head::Filled, pen).named(names[0], POINT);
-            part.when(When::Lit).strong = pen.width;
+        // As a factor, up has the length of the parallelogram's side. The others are arrows of the basis, if there is one.
+        for (vector, name, color) in [(a, names[0], of_a), (b, names[1], of_b)] {
+            let font = if name == "up" { POINT } else { VECTOR };
+            if name == "up" || figure.resolved.is_none() {
+                let pen = LineStyle { color, width: ACCOMPANYING + 1.0, ..pen };
+                let part = self.arrow_from(eye, vector, Head::Filled, pen).as_wide();
+                part.named(name, font).when(When::Lit);
+            }
         }
         if let (Some(product), Some(sine)) = (unit(cross.product), cross.sine) {
             let tip = side * sine * product;
@@ -326,25 +331,14 @@ impl Parts<'_> {
 }
 
 /// Returns the equation of a parallelogram's area; `None` if a factor is zero.
-fn area_of(
-    cross: &Cross,
-    lit: Option<Highlighted>,
-    camera: &pinhole_core::Camera,
-    names: [&str; 3],
-) -> Option<String> {
-    let plain = Highlighted {
-        concept: Concept::UpCrossW,
-        camera: *camera,
-        digits: LABEL_DIGITS,
-        dims: false,
-    };
-    let format = lit.unwrap_or(plain);
+fn area_of(cross: &Cross, digits: usize, names: [&str; 3]) -> Option<String> {
     let angle = cross.angle?;
-    let number = |x: f64| format.number(x);
+    let number = |x: f64| written(x, digits);
+    let relation = |shown: &[f64]| Rounding::Significant(digits).relation(shown);
     let sine_of = format!("sin({}°)", number(angle.to_degrees()));
     let length = cross.first.length;
-    let is = format.relation(&[cross.area]);
-    let substituted = format.relation(&[length, angle.to_degrees(), cross.area]);
+    let is = relation(&[cross.area]);
+    let substituted = relation(&[length, angle.to_degrees(), cross.area]);
     let factor = match number(length) {
         one if one == number(1.0) => String::new(),
         other => format!("{other} · "),

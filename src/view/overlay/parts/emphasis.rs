@@ -4,8 +4,7 @@
 
 use egui::Color32;
 use pinhole_core::Camera;
-use pinhole_lecture::Rounding;
-use pinhole_lecture::numbers::{equated, written};
+use pinhole_lecture::numbers::equated;
 
 use super::{Form, Part, When};
 use crate::model::{Concept, OverlayItems};
@@ -27,19 +26,9 @@ pub struct Highlighted {
 }
 
 impl Highlighted {
-    /// Formats a number for a label.
-    pub(crate) fn number(&self, x: f64) -> String {
-        written(x, self.digits.min(LABEL_DIGITS))
-    }
-
     /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
     pub(crate) fn equated(&self, x: f64) -> String {
         equated(x, self.digits.min(LABEL_DIGITS))
-    }
-
-    /// Returns the sign to write before numbers: `=` if a label shows all of them exactly, otherwise `≈`.
-    pub(crate) fn relation(&self, shown: &[f64]) -> char {
-        Rounding::Significant(self.digits.min(LABEL_DIGITS)).relation(shown)
     }
 }
 

@@ -1,4 +1,5 @@
-//! The parts of the figure: all that is drawn of the camera, its selected ray, and what is compared with them. A
+//! The parts of the figure: all that is drawn of the camera, its selected ray, what is compared with them, the world's
+//! axes, the spheres that are cut away, and a highlighted object. A
 //! part says what it is in space, to which overlay item it belongs, which concept it stands for, and its label.
 //!
 //! The list is made without knowing who looks at it. The world view draws it as the observer sees it, the camera
@@ -40,9 +41,9 @@ pub(crate) enum Form {
     Face(DVec3),
     /// A disc of this radius in points.
     Point(f32),
-    /// A ring around an empty middle.
+    /// A thin ring around this radius in points: a point of a student's answer.
     Ring(f32),
-    /// A disc with an empty middle.
+    /// A thick ring inside this radius in points: a root that is not the first hit.
     Hole(f32),
     /// The outline of a sphere as the observer sees it.
     Outline(Sphere),
@@ -109,6 +110,12 @@ impl Part {
         self
     }
 
+    /// Keeps the part's lines as wide as they are while its concept is highlighted.
+    fn as_wide(&mut self) -> &mut Part {
+        self.strong = self.pen.width;
+        self
+    }
+
     fn endless(&mut self) -> &mut Part {
         self.is_endless = true;
         self
@@ -170,6 +177,8 @@ pub(crate) struct Figure<'a> {
     pub(crate) shows_normal: bool,
     /// Length in the world of the up arrow while its tip is dragged.
     pub(crate) up: Option<f64>,
+    /// True for the camera view, where arrows from the eye have length 1 at most.
+    pub(crate) is_flat: bool,
     /// The observer, on whose distance it depends how far endless lines go.
     pub(crate) observer: Observer,
     pub(crate) colors: &'static Colors,

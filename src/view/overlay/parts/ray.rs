@@ -64,7 +64,7 @@ impl Parts<'_> {
             let v = [pixel.row, pixel.row + 1].map(|edge| resolved.v_of_row_edge(edge));
             let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
                 .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
-            self.sides(corners, pen).strong = pen.width;
+            self.sides(corners, pen).as_wide();
         }
         let at = |uv: DVec2| resolved.viewport_point(uv);
         for UvLeg { text, axis, ends, outward } in uv_legs(inspection.uv) {
@@ -111,7 +111,7 @@ impl Parts<'_> {
             from += vector;
         }
         let pen = LineStyle::new(Item::Ray, self.figure.colors.ray, 2.0).about(lit);
-        self.line([resolved.eye(), from], pen).when(When::Lit).strong = pen.width;
+        self.line([resolved.eye(), from], pen).when(When::Lit).as_wide();
     }
 
     /// Returns the first hit, unless neither it nor the plane that is hit is drawn: a ray that ended there would end in
@@ -225,20 +225,26 @@ impl Parts<'_> {
         let pen =
             LineStyle::new(Item::Ray, self.figure.colors.ray, ACCOMPANYING).about(lit.concept);
         let part = self.line([inspection.ray.origin, root.point], pen);
-        part.when(When::Lit).strong = pen.width;
+        part.when(When::Lit).as_wide();
         let text = format!("𝑡 {}", lit.equated(root.t));
         self.point(root.point, 6.0, pen).named_toward(text, 0.4, 1.0).when(When::Lit);
     }
 
     fn hit(&mut self, inspection: &Inspection) {
-        let (figure, Some(hit)) = (self.figure, self.drawn_hit(inspection).copied()) else {
-            return;
-        };
+        let (figure, Some(hit)) = (self.figure, inspection.first_hit().copied()) else { return };
         let pen = LineStyle::new(Item::Hit, figure.colors.hit, MEDIUM);
-        let when = if figure.shows_normal { When::Shown } else { When::Lit };
-        let tip = Place { at: hit.point, along: hit.normal, length: Length::Normal };
+        let is_drawn = self.is_drawn(&hit);
+        let when = if figure.shows_normal && is_drawn { When::Shown } else { When::Lit };
+        let (times, font) = match figure.is_lit(Concept::Normal) {
+            true => (1.3, VECTOR),
+            false => (1.0, BOLD_POINT),
+        };
+        let tip = Place { at: hit.point, along: times * hit.normal, length: Length::Normal };
         let part = self.arrow([hit.point.into(), tip], Head::Filled, pen.about(Concept::Normal));
-        part.named("n", BOLD_POINT).when(when);
+        part.named("n", font).when(when);
+        if !is_drawn {
+            return;
+        }
         let pen = LineStyle { color: figure.colors.ray, ..pen }.about(inspection.concept_of(&hit));
         self.point(hit.point, 5.0, pen).named_toward("hit", 0.3, 1.0).when(When::Unlit);
     }
@@ -252,7 +258,7 @@ impl Parts<'_> {
         let pen = LineStyle::new(Item::Ray, figure.colors.hit, 4.0).about(Concept::Object(index));
         match figure.scene.object(index) {
             Some(Object::Sphere(sphere)) => {
-                self.add(Form::Outline(sphere), &[], pen).when(When::Lit).strong = pen.width;
+                self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
             }
             Some(Object::Plane(plane)) => {
                 let Some(normal) = unit(plane.normal) else { return };
@@ -261,10 +267,10 @@ impl Parts<'_> {
                 let (a, b) = tangents(normal);
                 let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
                     .map(|(x, y)| center + size * (x * a + y * b));
-                self.sides(corners, pen).when(When::Lit).strong = pen.width;
+                self.sides(corners, pen).when(When::Lit).as_wide();
                 let ends = [center, center + 0.5 * size * normal];
                 let part = self.arrow(ends, Head::Filled, pen).named("n", VECTOR);
-                part.when(When::Lit).strong = pen.width;
+                part.when(When::Lit).as_wide();
             }
             None => {}
         }

@@ -8,8 +8,9 @@ use crate::model::observer::{Drawn, Length, Place, ViewSize};
 use crate::model::{Concept, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Style};
 
-/// Depth of the camera's body behind the eye, as a multiple of the basis arrows' length.
-const BODY: f64 = 0.5;
+/// Depth behind the eye that is kept free for the camera's body, which is drawn if the viewport is small, as a multiple of
+/// the basis arrows' length.
+const BODY_ROOM: f64 = 0.5;
 
 /// Returns what is drawn with the `items`: of the camera and, if there is a `ray` with the t of the point marked on it,
 /// of that, of the highlighted concept, and of the ghost.
@@ -25,7 +26,10 @@ pub fn drawn(
     let inspection = resolved
         .zip(ray)
         .map(|(resolved, (selection, _))| Inspection::new(&resolved, scene, selection));
-    let highlighted = highlighted.map(|concept| Highlighted {
+    // Objects must be in sight anyway, but for planes, which have no end.
+    let lit = highlighted.map(Concept::in_views);
+    let lit = lit.filter(|concept| !matches!(concept, Concept::Object(_)));
+    let highlighted = lit.map(|concept| Highlighted {
         concept,
         camera: *camera,
         digits: LABEL_DIGITS,
@@ -52,6 +56,7 @@ pub fn drawn(
         names_all: true,
         shows_normal: false,
         up: None,
+        is_flat: false,
         observer: Observer::new(camera.eye, 0.0, 0.0, near),
         colors: Style::default().colors(),
     }
@@ -80,7 +85,7 @@ impl Part {
         let count = self.places.len();
         let shown = match self.form {
             Form::Body => {
-                let along = -BODY * camera.view().normalize_or_zero();
+                let along = -BODY_ROOM * camera.view().normalize_or_zero();
                 return vec![(Place { at: camera.eye, along, length: Length::Arrow }, false)];
             }
             // Of the frustum, what is drawn nearer.

@@ -222,10 +222,58 @@ fn without_a_basis_the_flat_parallelogram_is_still_drawn() {
     let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
     let drawing = world_drawing(&stage, Concept::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
-    assert!(texts.contains(&"|up × w| = 0 = sin(180°)"), "{texts:?}");
+    for text in ["|up × w| = 0 = sin(180°)", "up", "w"] {
+        assert!(texts.contains(&text), "{text}: {texts:?}");
+    }
     assert!(
         world_drawing(&stage, Concept::U).marks.iter().all(|mark| mark.concept != Some(Concept::U))
     );
+}
+
+#[test]
+fn a_normal_on_a_wall_is_lit_in_both_views_whatever_is_shown() {
+    let wall = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
+    let observer = Observer::new(DVec3::new(0.0, 0.0, -3.0), 0.9, 0.5, 12.0);
+    let scene = Scene::new(Vec::new(), vec![wall]).expect("a scene");
+    let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    for items in [OverlayItems::default(), OverlayItems::NONE] {
+        stage.items = items;
+        for drawing in
+            [world_drawing(&stage, Concept::Normal), camera_drawing(&stage, Some(Concept::Normal))]
+        {
+            let mut lit = drawing.marks.iter().filter(|mark| mark.concept == Some(Concept::Normal));
+            assert!(lit.next().is_some());
+        }
+    }
+}
+
+#[test]
+fn numbers_of_rows_and_columns_are_dimmed_like_other_labels() {
+    let mut stage = canonical();
+    stage.camera.image = image(4, 4);
+    stage.resolved = stage.camera.resolve().ok();
+    stage.items = stage.items.with(Item::PixelNumbers, true);
+    let color = |drawing: &Drawing| {
+        let number = drawing.labels.iter().find(|label| label.item == Item::PixelNumbers);
+        number.expect("a number").color
+    };
+    let plain = WorldView { scale: 0.1, ..stage.view() }.drawing(stage.scene());
+    let dimmed =
+        WorldView { scale: 0.1, highlighted: highlighted(&stage, Concept::W), ..stage.view() };
+    assert_ne!(color(&plain), color(&dimmed.drawing(stage.scene())));
+}
+
+#[test]
+fn the_product_of_a_long_up_stays_in_the_camera_view() {
+    let orientation = Orientation::View { view: DVec3::NEG_Z, up: DVec3::new(0.0, 2.0, 0.0) };
+    let camera = Camera { orientation, ..Camera::CANONICAL };
+    let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 6.0);
+    let stage = Stage::seen_by(camera, Scene::default(), observer);
+    let drawing = camera_drawing(&stage, Some(Concept::UpCrossW));
+    let lit = drawing.marks.iter().filter(|mark| mark.concept == Some(Concept::UpCrossW));
+    for [x, y] in lit.flat_map(points) {
+        assert!((0.0..240.0).contains(&x) && (0.0..240.0).contains(&y), "{x} {y}");
+    }
 }
 
 #[test]

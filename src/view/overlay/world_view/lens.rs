@@ -259,8 +259,9 @@ impl Sketch<'_> {
                 Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
             };
             let placed = numbers(count, self.view.first_number, scale, beside);
-            let fixed = |(text, at)| Request::fixed(pen, text, at, NUMBER, self.colors.halo);
-            self.requests.extend(placed.into_iter().map(fixed).collect::<Vec<_>>());
+            for (text, at) in placed {
+                self.request(Request::fixed(pen, text, at, NUMBER, self.colors.halo));
+            }
             let middle = at(-out * half);
             let outward = self.on_screen(middle, -outward);
             if let Some(spot) = self.screen.spot(middle) {

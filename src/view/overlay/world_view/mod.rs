@@ -265,6 +265,7 @@ impl WorldView {
             names_all: self.names_all,
             shows_normal: self.shows_normal,
             up: self.handles.up,
+            is_flat: false,
             observer: self.observer,
             colors,
         };

@@ -185,12 +185,15 @@ impl Sketch<'_> {
     pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
         let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
-            let mut request = Request::new(pen, text.to_owned(), at, font, self.colors.halo);
-            if self.fades {
-                self.colors.fade(&mut request.label);
-            }
-            self.requests.push(request);
+            self.request(Request::new(pen, text.to_owned(), at, font, self.colors.halo));
         }
+    }
+
+    pub(crate) fn request(&mut self, mut request: Request) {
+        if self.fades {
+            self.colors.fade(&mut request.label);
+        }
+        self.requests.push(request);
     }
 
     fn is_hidden(&self, spot: Spot, pen: LineStyle) -> bool {
