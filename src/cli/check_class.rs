@@ -1,10 +1,10 @@
 //! `pinhole check --codes` and `--answers FOLDER`: counts the mistakes in a class's answers.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::{fs, io, iter};
 
 use pinhole_exchange::{FileError, answers, legible, legible_name, limits};
 use pinhole_lecture::Mistake;
@@ -156,17 +156,19 @@ const LONGEST_NAME: usize = 40;
 
 /// Returns the students' names, with the middle of long ones left out. Those that would then be alike are numbered.
 fn short_names(students: &[Student]) -> Vec<String> {
-    let mut counts = BTreeMap::new();
+    let is_short = |name: &str| name.chars().count() <= LONGEST_NAME;
+    let names = students.iter().map(|student| &student.name);
+    let mut used: BTreeSet<String> = names.filter(|name| is_short(name)).cloned().collect();
     let short = |student: &Student| {
-        let chars: Vec<char> = student.name.chars().collect();
-        if chars.len() <= LONGEST_NAME {
+        if is_short(&student.name) {
             return student.name.clone();
         }
+        let chars: Vec<char> = student.name.chars().collect();
         let (start, end) = (LONGEST_NAME / 2, chars.len() + 1 - LONGEST_NAME / 2);
         let ends = [&chars[..start], &chars[end..]].map(String::from_iter);
-        let count = counts.entry(ends.clone()).and_modify(|count| *count += 1).or_insert(1);
-        let gap = if *count == 1 { "…".to_owned() } else { format!("…{count}…") };
-        ends.join(&gap)
+        let gaps = iter::once("…".to_owned()).chain((2..).map(|count| format!("…{count}…")));
+        let mut names = gaps.map(|gap| ends.join(&gap));
+        names.find(|name| used.insert(name.clone())).unwrap_or_default()
     };
     students.iter().map(short).collect()
 }

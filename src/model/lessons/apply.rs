@@ -1,4 +1,4 @@
-//! Applies a lesson's step to what is shown. This is the only place where a step changes the window's state.
+//! Applies a lesson's step to what is shown.
 
 use pinhole_exchange::document::Document;
 

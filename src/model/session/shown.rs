@@ -45,7 +45,7 @@ pub struct Shown {
 }
 
 with_defaults! {
-    /// How a document is shown: the part of [`Shown`] that is kept across runs, and given back when a lesson closes.
+    /// How a document is shown: the part of [`Shown`] that is kept across runs.
     #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
     #[serde(default)]
     pub struct Setup {

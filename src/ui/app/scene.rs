@@ -305,8 +305,11 @@ impl OpenScene {
     /// Returns to a scene or lesson step that was open before, with what was shown of it. All else,
     /// such as the theme, stays.
     pub(super) fn go_back(&mut self, to: OpenScene) {
-        let Session { shown, exercises, .. } = to.session;
+        let Session { mut shown, exercises, .. } = to.session;
         let now = std::mem::take(&mut self.session);
+        if shown.setup.layout == ViewLayout::Answers && now.answers.is_none() {
+            shown.setup.layout = ViewLayout::Both;
+        }
         let live = Live { pen: now.live.pen, ..Live::default() };
         *self = OpenScene { session: Session { shown, live, exercises, ..now }, ..to };
     }

@@ -337,7 +337,10 @@ fn no_name_is_a_formula_or_hides_a_part_and_unlike_ones_stay_unlike() {
 fn a_long_name_does_not_push_the_class_aside() {
     let name = |middle: &str| format!("{}{middle}{}.csv", "a".repeat(120), "z".repeat(120));
     let (one, other) = (name("b"), name("c"));
+    // A short name may look like the one of a long file.
+    let alike = format!("{}…{}.csv", "a".repeat(20), "z".repeat(19));
     let folder = class(&[
+        (&alike, RIGHT_BASIS.as_bytes()),
         ("bo.csv", RIGHT_BASIS.as_bytes()),
         (&one, RIGHT_BASIS.as_bytes()),
         (&other, RIGHT_BASIS.as_bytes()),
@@ -345,8 +348,9 @@ fn a_long_name_does_not_push_the_class_aside() {
     let said = graded(folder.path(), &[]).done();
     let (start, end) = ("a".repeat(20), "z".repeat(19));
     let expected = format!(
-        "{start}…{end}    right  basis: 3 of 3\n\
-         {start}…2…{end}  right  basis: 3 of 3\n\
+        "{start}…2…{end}  right  basis: 3 of 3\n\
+         {start}…3…{end}  right  basis: 3 of 3\n\
+         {start}…{end}    right  basis: 3 of 3\n\
          bo{}right  basis: 3 of 3\n",
         " ".repeat(42)
     );
