@@ -60,13 +60,13 @@ pub struct Range {
     pub step: f32,
 }
 
-/// The range of [`crate::model::session::Settings::smallest_text`].
+/// The range of [`crate::model::session::Preferences::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
 
 /// Size of the smallest text in the window without zoom, in points: that of a subscript in a fraction.
 pub const WRITTEN: f32 = 12.0;
 
-/// The window size to which [`crate::model::session::Settings::smallest_text`] refers, in points: that of a
+/// The window size to which [`crate::model::session::Preferences::smallest_text`] refers, in points: that of a
 /// projector.
 const PROJECTOR: [f32; 2] = [1229.0, 768.0];
 
