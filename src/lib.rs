@@ -56,10 +56,10 @@
 //!
 //! 1. `core/camera/mod.rs`: `has_up` and `has_at`, which decide what the window offers;
 //! 2. `exchange/scene_file/read.rs`: the keys, and the rule that exactly one way is given;
-//! 3. `ui/panels/camera.rs`: the button that switches to it; `model/given.rs`: its vectors as fields that
+//! 3. `ui/panels/camera.rs`: the button that switches to it; `figure/given.rs`: its vectors as fields that
 //!    can be typed and pasted;
 //! 4. patterns that match only the variants with *at* or *up*: `core/camera/difference.rs`,
-//!    `core/steering/handles.rs`, `view/handles.rs`, `view/overlay/parts/camera.rs`,
+//!    `core/steering/handles.rs`, `view/handles.rs`, `figure/overlay/parts/camera.rs`,
 //!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/subject.rs` converts it.
 //!
@@ -71,9 +71,9 @@
 //! 2. `core/render/`: a kernel for a row, and the kind's entry in `plan.rs`;
 //! 3. `exchange/scene_file/read.rs` and `write.rs`: its table; `exchange/template.rs` and each file of
 //!    `exchange/templates/`: a section `@kind`, or a note that the program cannot show it;
-//! 4. `ui/panels/objects.rs`: its button and fields; `model/given.rs` and `view/handles.rs`: what can be
+//! 4. `ui/panels/objects.rs`: its button and fields; `figure/given.rs` and `view/handles.rs`: what can be
 //!    typed and dragged;
-//! 5. `lecture/derivation.rs` and `view/derivation/objects.rs`: how the t of a hit is derived;
+//! 5. `lecture/derivation.rs` and `figure/derivation/objects.rs`: how the t of a hit is derived;
 //!    `reference/object.rs`: the oracle's own roots.
 //!
 //! # Where to look
@@ -87,20 +87,20 @@
 //! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
 //! | a mistake, its name and its texts | `lecture/mistakes/table.rs`; its thumbnail in the gallery: `ui/practice/gallery.rs` |
 //! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` in the same folder |
-//! | a line of the derivation | `view/derivation/camera.rs` and `view/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
+//! | a line of the derivation | `figure/derivation/camera.rs` and `figure/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
 //! | the format of scene files | `exchange/scene_file/mod.rs` |
 //! | what a lesson's step sets, and its keys | `model/session/shown.rs`; `model/lessons/keys.rs`, and the head of `assets/lessons/01-canonical-camera.toml` |
-//! | a chart: scales, ticks, strokes | `view/chart.rs`; error against run time in `report/plot/mod.rs` |
+//! | a chart: scales, ticks, strokes | `figure/chart.rs`; error against run time in `report/plot/mod.rs` |
 //! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
-//! | panes, the floor and its drop lines | `view/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figures/spheres.rs` |
-//! | from where the world view is seen | `model/observer/fit.rs`; what must be in sight: `model/observer/subject.rs`, `view/overlay/parts/sight.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
-//! | where a label stands | `view/overlay/labels.rs`; numbers of rows and columns: `view/overlay/pixel_numbers.rs` |
-//! | a mark over a view, and the concept that it stands for | `view/overlay/parts/`; its emphasis in `view/overlay/parts/emphasis.rs`, what a concept is made from in `model/concept.rs`; of the camera view alone: `view/overlay/camera_view/mod.rs`; its switch in `model/overlay_items.rs` |
-//! | the numbers of the selected ray, each with its name, concept and meaning | `model/readings.rs`; shown in `ui/scene/readouts.rs` |
+//! | panes, the floor and its drop lines | `figure/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figure/export/spheres.rs` |
+//! | from where the world view is seen | `figure/observer/fit.rs`; what must be in sight: `figure/observer/subject.rs`, `figure/overlay/parts/sight.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
+//! | where a label stands | `figure/overlay/labels.rs`; numbers of rows and columns: `figure/overlay/pixel_numbers.rs` |
+//! | a mark over a view, and the concept that it stands for | `figure/overlay/parts/`; its emphasis in `figure/overlay/parts/emphasis.rs`, what a concept is made from in `figure/concept.rs`; of the camera view alone: `figure/overlay/camera_view/mod.rs`; its switch in `figure/overlay_items.rs` |
+//! | the numbers of the selected ray, each with its name, concept and meaning | `figure/readings.rs`; shown in `ui/scene/readouts.rs` |
 //! | the labels, names and texts of an enum | the macro in `core/texts.rs`, used where the enum is |
 //! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
-//! | a finger: larger buttons, swipes, and what it has while presenting | `is_by_touch` in `ui/app/apply.rs`, `ui/stage/navigation.rs`; narrow areas: `STACKED` in `view/typesetting/theme.rs` |
-//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`, `ui/scene/gizmo.rs`; what is under the pointer: `view/overlay/world_view/under_pointer.rs`; how far they move: `model/interaction.rs` |
+//! | a finger: larger buttons, swipes, and what it has while presenting | `is_by_touch` in `ui/app/apply.rs`, `ui/stage/navigation.rs`; narrow areas: `STACKED` in `figure/typesetting/theme.rs` |
+//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`, `ui/scene/gizmo.rs`; what is under the pointer: `figure/overlay/world_view/under_pointer.rs`; how far they move: `model/interaction.rs` |
 //! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
 //! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step or view: `ui/app/glide.rs` |
 //! | an exercise on the stage | `ui/stage/exercises.rs`, its fields and what is said at them: `ui/stage/answer_fields.rs`; *Show me*, a mistake as a ghost in it: `model/practice/show_me.rs`; its scene, observer and solution: `ui/app/question.rs`; which exercises are done: `model/practice/progress.rs`; hints: `model/practice/hints.rs` |
@@ -108,7 +108,7 @@
 //! | codes of answers, and the mistakes of a class | `model/practice/code.rs`, `model/practice/class.rs`, `ui/practice/class.rs`, `cli/check_class.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
 //! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
-//! | a link and its QR code | `exchange/link.rs`, `figures/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |
+//! | a link and its QR code | `exchange/link.rs`, `figure/export/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |
 //! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
 //! | what the window opens with | `platform/mod.rs`, `platform/desktop/mod.rs`, `platform/web/mod.rs` |
 //! | files, where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
@@ -124,7 +124,6 @@
 //! `model/store.rs`, `model/recovery.rs`, `cli`, `platform`).
 
 pub mod cli;
-pub mod figures;
 pub mod model;
 pub mod platform;
 pub mod report;

@@ -6,12 +6,12 @@ use std::cell::Cell;
 use std::path::Path;
 
 use pinhole::model::digest::picture_digest;
-use pinhole::model::inspection::Inspection;
 use pinhole::model::lessons::{LessonArgument, OpenLesson};
 use pinhole_core::Selection;
 use pinhole_core::*;
 use pinhole_exchange::document::Item;
 use pinhole_exchange::{BuiltinScene, Document, scene_file};
+use pinhole_figure::inspection::Inspection;
 use pinhole_lecture::ObjectDerivation;
 use pinhole_lecture::grading::{Answers, GivenHit, HitAnswer, Truth, Written, grade};
 use proptest::prelude::*;

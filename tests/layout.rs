@@ -1,10 +1,6 @@
 //! The invariants of the layout, absences included.
 
-mod floors;
-mod planted;
-mod uses;
-
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -81,9 +77,9 @@ fn what_is_pure_knows_no_effect() {
     for (name, text) in sources("src") {
         let pure = name.starts_with("src/core/")
             || [
-                "src/view/overlay/",
-                "src/view/formula/",
-                "src/view/derivation/",
+                "src/figure/overlay/",
+                "src/figure/formula/",
+                "src/figure/derivation/",
                 "src/exchange/programs/",
             ]
             .iter()
@@ -91,7 +87,7 @@ fn what_is_pure_knows_no_effect() {
             || [
                 "src/exchange/document.rs",
                 "src/view/derive/mod.rs",
-                "src/model/inspection.rs",
+                "src/figure/inspection.rs",
                 "src/model/lines.rs",
             ]
             .contains(&name.as_str());
@@ -109,7 +105,7 @@ fn what_is_pure_knows_no_effect() {
 #[test]
 fn formulas_the_derivation_and_exchange_know_no_window() {
     for (name, text) in sources("src") {
-        if ["src/view/formula/", "src/view/derivation/", "src/exchange/"]
+        if ["src/figure/formula/", "src/figure/derivation/", "src/exchange/"]
             .iter()
             .any(|f| name.starts_with(f))
         {
@@ -141,24 +137,117 @@ fn the_top_level_holds_what_it_should() {
     assert!(strangers.is_empty(), "{strangers:?}");
 }
 
-/// The program's sources without their tests, benches and examples, with their paths.
-fn program() -> Vec<(String, String)> {
+/// The crates, each with the folder of its sources. Cargo keeps them apart.
+const CRATES: [&str; 6] =
+    ["src/core/", "src/exchange/", "src/figure/", "src/lecture/", "src/reference/", "src/"];
+
+/// The floors of the program's own crate, from the ground up.
+const FLOORS: [&[&str]; 5] = [&["model"], &["view"], &["report"], &["ui", "cli"], &["platform"]];
+
+/// Adds the paths in `rest`, which follows `before`, with those in braces written out. Returns what is left.
+fn expand<'a>(before: &str, rest: &'a str, found: &mut BTreeSet<String>) -> &'a str {
+    let rest = rest.trim_start();
+    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    let (path, rest) = (format!("{before}{}", &rest[..end]), &rest[end..]);
+    match rest.strip_prefix("::") {
+        Some(rest) => expand(&format!("{path}::"), rest, found),
+        None if end == 0 && rest.starts_with('{') => {
+            let mut rest = rest;
+            while let Some(item) = rest.strip_prefix(['{', ',']) {
+                rest = expand(before, item, found).trim_start();
+            }
+            rest.strip_prefix('}').unwrap_or(rest)
+        }
+        None => {
+            found.insert(path);
+            rest
+        }
+    }
+}
+
+/// Returns the paths of a file that begin at its crate.
+fn paths(text: &str) -> BTreeSet<String> {
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let code = lines.collect::<Vec<_>>().join(" ");
+    let mut found = BTreeSet::new();
+    for part in code.split("crate::").skip(1) {
+        expand("", part, &mut found);
+    }
+    found
+}
+
+/// Returns for each room, a module of a crate or of a floor, those that it uses: `src/view/derive` uses
+/// `src/view/plot`. Names that a floor or crate passes on count as those of the room that they come from.
+fn rooms() -> BTreeMap<String, BTreeSet<String>> {
     let is_apart = |name: &str| {
         ["/tests/", "/benches/", "/examples/"].iter().any(|folder| name.contains(folder))
     };
-    sources("src").into_iter().filter(|(name, _)| !is_apart(name)).collect()
+    let files: Vec<_> = sources("src").into_iter().filter(|(name, _)| !is_apart(name)).collect();
+    let room_of = |file: &str| {
+        let root = CRATES.into_iter().find(|root| file.starts_with(root)).unwrap();
+        let parts: Vec<&str> = file[root.len()..].trim_end_matches(".rs").split('/').collect();
+        let room = &parts[..parts.len().min(if root == "src/" { 2 } else { 1 })];
+        (root, format!("{root}{}", room.join("/")))
+    };
+    let known: BTreeSet<String> = files.iter().map(|(name, _)| room_of(name).1).collect();
+    let mut passed_on = BTreeMap::new();
+    for (name, text) in &files {
+        let Some(home) = ["mod.rs", "lib.rs"].iter().find_map(|page| name.strip_suffix(page))
+        else {
+            continue;
+        };
+        for part in text.split("pub use ").chain(text.split("pub(crate) use ")).skip(1) {
+            let mut found = BTreeSet::new();
+            expand("", part, &mut found);
+            for path in found {
+                let (room, item) = (path.split("::").next().unwrap(), path.rsplit("::").next());
+                passed_on.insert(format!("{home}{}", item.unwrap()), format!("{home}{room}"));
+            }
+        }
+    }
+    let mut uses = BTreeMap::<String, BTreeSet<String>>::new();
+    for (name, text) in &files {
+        let (root, from) = room_of(name);
+        for path in paths(text) {
+            let place = format!("{root}{}", path.replace("::", "/"));
+            let prefixes = place.match_indices('/').map(|(end, _)| &place[..end]);
+            let passed = prefixes.chain([&*place]).find_map(|prefix| passed_on.get(prefix));
+            let to = room_of(passed.unwrap_or(&place)).1;
+            if known.contains(&to) && to != from {
+                uses.entry(from.clone()).or_default().insert(to);
+            }
+        }
+    }
+    uses
 }
 
 #[test]
 fn nothing_reaches_up() {
-    let faults = floors::faults_of_floors(&uses::uses(&program()));
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let floor_of = |room: &str| {
+        let name = room.strip_prefix("src/")?.split('/').next()?;
+        FLOORS.iter().position(|floor| floor.contains(&name))
+    };
+    let rooms = rooms();
+    assert!(rooms["src/view/derive"].contains("src/model/session"), "{rooms:#?}");
+    for (from, uses) in &rooms {
+        for to in uses {
+            let floors = (floor_of(from), floor_of(to));
+            assert!(!matches!(floors, (Some(from), Some(to)) if from < to), "{from} uses {to}");
+        }
+    }
 }
 
 #[test]
-fn no_circle_runs_between_folders() {
-    let circles = floors::circles_of_folders(&uses::uses(&program()));
-    assert!(circles.is_empty(), "{}", circles.join("\n"));
+fn no_circle_runs_between_rooms() {
+    let mut rooms = rooms();
+    // A room that uses none of those that are left is in no circle.
+    while let Some(free) = {
+        let is_free = |uses: &BTreeSet<String>| uses.iter().all(|to| !rooms.contains_key(to));
+        rooms.iter().find(|(_, uses)| is_free(uses)).map(|(room, _)| room.clone())
+    } {
+        rooms.remove(&free);
+    }
+    assert!(rooms.is_empty(), "in a circle, or using one: {rooms:#?}");
 }
 
 #[test]

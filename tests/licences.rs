@@ -169,7 +169,7 @@ fn no_crate_is_there_in_two_versions_for_no_reason() {
 #[test]
 fn everything_is_from_crates_io() {
     let lock = toml("Cargo.lock");
-    let own = ["pinhole", "core", "exchange", "lecture", "page", "reference"];
+    let own = ["pinhole", "core", "exchange", "figure", "lecture", "page", "reference"];
     for package in lock["package"].as_array_of_tables().unwrap() {
         let name = package["name"].as_str().unwrap();
         match package.get("source").map(|source| source.as_str().unwrap()) {

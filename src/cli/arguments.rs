@@ -7,10 +7,10 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ContextKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_figure::overlay::Style;
 
-use crate::figures::FigureSubject;
 use crate::model::lessons::LessonArgument;
-use crate::view::overlay::Style;
+use crate::view::figure_order::FigureSubject;
 use pinhole_exchange::{Conventions, Format, SceneSource};
 
 /// See what a pinhole camera sees, and why.

@@ -6,13 +6,15 @@ use std::path::Path;
 
 use pinhole_core::ImageSize;
 use pinhole_exchange::{Document, atomic};
+use pinhole_figure::export::FigureFormat;
+use pinhole_figure::overlay::observer_of;
+use pinhole_figure::{Item, ViewSize};
 
 use super::console::{CommandError, is_standard, scene_fault, unmade};
 use super::load::{deliver, files_of, follow, load, pose, selection_of, size};
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Content, FigureFormat, FigureSubject, Order};
-use crate::model::{Item, Session, ViewSize};
-use crate::view::overlay::observer_of;
+use crate::model::Session;
+use crate::view::figure_order::{Content, FigureSubject, Order, derivation_of, scale_of};
 
 /// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];
@@ -41,9 +43,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
     let bytes = match content {
-        Content::Text(markup) => {
-            figures::derivation_of(&document, &session).written_in(markup).into_bytes()
-        }
+        Content::Text(markup) => derivation_of(&document, &session).written_in(markup).into_bytes(),
         Content::Figure(format) => {
             let why = |problem| scene_fault(&arguments.scene, problem);
             let mut figure = order.figure(&document, &session).map_err(why)?;
@@ -98,7 +98,7 @@ fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, Comm
     let size = [size.width(), size.height()];
     let least = size[0].min(size[1]) as f32;
     let scale = match subject {
-        FigureSubject::World | FigureSubject::Camera => figures::scale_of(size),
+        FigureSubject::World | FigureSubject::Camera => scale_of(size),
         FigureSubject::Derivation => least / DERIVATION_POINTS,
         FigureSubject::Lines => least / LINES_POINTS,
     };

@@ -14,14 +14,15 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::images::exr;
 use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, limits};
+use pinhole_figure::overlay::{Style, observer_of};
+use pinhole_figure::{Item, OverlayItems, ViewSize};
 
 use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout, warn};
 use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
-use crate::figures::{FigureSubject, Order, scale_of};
-use crate::model::{Item, OverlayItems, Session, Setup, Shown, ViewSize};
-use crate::view::overlay::{Style, observer_of};
+use crate::model::{Session, Setup, Shown};
+use crate::view::figure_order::{FigureSubject, Order, scale_of};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {

@@ -5,16 +5,17 @@ use std::path::{Path, PathBuf};
 
 use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::scenes::BuiltinScene;
+use pinhole_figure::export::FigureFormat;
 
 use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_stdout, unmade};
 use super::load::{files_of, load, pose, refuse_overwriting};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
-use crate::figures::{FigureFormat, by_ending};
 use crate::report::measure::Measurement;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
 use crate::report::{plot, table};
+use crate::view::figure_order::by_ending;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     check(arguments)?;

@@ -1,31 +1,9 @@
-//! Invalid documents, and internal errors of the program (panics): both are reported as messages instead of
-//! ending the program.
+//! Internal errors of the program (panics), which are reported as messages instead of ending the program.
 
 use std::any::Any;
 use std::cell::RefCell;
-use std::fmt;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-use pinhole_core::{CameraError, SceneError};
-
-/// An error in a document that prevents a new picture from being drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
-    /// The camera is invalid.
-    Camera(CameraError),
-    /// An object is invalid.
-    Scene(SceneError),
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Fault::Camera(e) => e.fmt(f),
-            Fault::Scene(e) => e.fmt(f),
-        }
-    }
-}
 
 thread_local! {
     /// The message of this thread's last panic, with its location in the source code.

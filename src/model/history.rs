@@ -190,7 +190,7 @@ mod names_tests {
     use pinhole_exchange::document::Item;
 
     use super::*;
-    use crate::model::Observer;
+    use pinhole_figure::Observer;
 
     fn scene() -> Document {
         let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };

@@ -9,9 +9,8 @@ use pinhole_exchange::format::{
 };
 use pinhole_exchange::programs::{FORMATS, Importer, UNKNOWN, file_text};
 use pinhole_exchange::{Document, FileError, limits};
+use pinhole_figure::symbols::{bold, italic};
 use pinhole_lecture::numbers::{equated_tuple, written_whole};
-
-use crate::model::symbols::{bold, italic};
 
 /// Maximum number of objects that are written and displayed.
 pub const MOST_OBJECTS: usize = 500;

@@ -9,15 +9,17 @@ use pinhole_core::{Shade, Sphere};
 use pinhole_exchange::SceneSource;
 use pinhole_exchange::host::host;
 use pinhole_exchange::link::Link;
+use pinhole_figure::derivation::Markup;
+use pinhole_figure::observer::WorldAxis;
+use pinhole_figure::overlay::PointShown;
+use pinhole_figure::{Given, Item, Scheme};
 use pinhole_lecture::{Exercise, Mistake};
 
-use crate::figures::{Frames, Order};
-use crate::model::observer::WorldAxis;
 use crate::model::play::Kind;
 use crate::model::session::presenting::Pen;
-use crate::model::{Given, Item, Scheme, Session, StepId, ThemeName, ViewLayout};
-use crate::view::derivation::Markup;
-use crate::view::overlay::PointShown;
+use crate::model::{Session, StepId, ThemeName, ViewLayout};
+use crate::view::animation::Frames;
+use crate::view::figure_order::Order;
 
 /// An action that leaves the open scene. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,19 +11,18 @@ use egui::{
     Ui, pos2, vec2,
 };
 use pinhole_exchange::document::Document;
-
-use crate::model::{
-    Concept, DerivationSection, Givens, HoverSource, Hovered, Session, Shown, ViewLayout,
-};
-use crate::ui::action::{Action, request};
-use crate::ui::widgets::{NumberField, ResponseExt as _};
-use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
-use crate::view::formula::GivenBox;
-use crate::view::typesetting::derivation::{
+use pinhole_figure::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
+use pinhole_figure::formula::GivenBox;
+use pinhole_figure::typesetting::derivation::{
     BEFORE_SECTION, BETWEEN_LINES, Inks, LaidLine, NOTE, SIZE, baseline_of, laid_lines, meaning_at,
     paint_line,
 };
-use crate::view::typesetting::theme;
+use pinhole_figure::typesetting::theme;
+use pinhole_figure::{Concept, DerivationSection, Givens, HoverSource, Hovered};
+
+use crate::model::{Session, Shown, ViewLayout};
+use crate::ui::action::{Action, request};
+use crate::ui::widgets::{NumberField, ResponseExt as _};
 
 /// The derivation's layout, and what was shown of it last.
 #[derive(Default)]

@@ -2,11 +2,12 @@
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
 use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
+use pinhole_figure::Hovered;
+use pinhole_figure::NumberStyle;
+use pinhole_figure::typesetting::theme::{self, STACKED};
 
-use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::{Session, Split, ViewLayout};
-use crate::model::{Hovered, NumberStyle};
 use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::gallery::Gallery;
 use crate::ui::practice::{answers, class, mistakes};
@@ -17,7 +18,7 @@ use crate::ui::tools::accuracy::{self, Measuring};
 use crate::ui::tools::translator;
 use crate::ui::widgets::{ViewTexture, clipped, inside};
 use crate::view::derive::{Derived, SecondPicture};
-use crate::view::typesetting::theme::{self, STACKED};
+use crate::view::figure_order::FigureSubject;
 
 /// A page of a workspace.
 pub(crate) struct Page {

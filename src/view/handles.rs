@@ -12,11 +12,11 @@
 
 use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_figure::overlay::{self, HandleMark, Handles, Knob, KnobState};
+use pinhole_figure::{Concept, Item, OverlayItems};
 use pinhole_lecture::numbers::{equated, equated_tuple};
 
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
-use crate::model::{Concept, Item, OverlayItems};
-use crate::view::overlay::{self, HandleMark, Handles, Knob, KnobState};
 
 /// Distance from the tip of the up arrow to the handle beyond it, in points.
 const BEYOND: f64 = 10.0;

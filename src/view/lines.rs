@@ -10,17 +10,17 @@ use egui::{
     UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::DVec2;
+use pinhole_figure::chart::{self, SOLID, Scale, Tick};
+use pinhole_figure::overlay::Colors;
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
+use pinhole_figure::typesetting::notation;
+use pinhole_figure::typesetting::theme::{self, STACKED, error_color, text_size};
 use pinhole_lecture::Rounding;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::{equated, sum, written as number};
 
 use crate::model::lines::{LineHandle, LinesLab, ShownLines, Window};
-use crate::model::symbols::typeset_message;
-use crate::view::chart::{self, SOLID, Scale, Tick};
-use crate::view::overlay::Colors;
-use crate::view::typesetting::labels::{Font, LabelLayout, around};
-use crate::view::typesetting::notation;
-use crate::view::typesetting::theme::{self, STACKED, error_color, text_size};
 
 /// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;

@@ -3,15 +3,10 @@
 
 pub mod accuracy;
 pub mod adaptive_resolution;
-pub(crate) mod chart;
-pub mod derivation;
+pub mod animation;
 pub mod derive;
-pub mod formula;
+pub mod figure_order;
 pub mod handle_drag;
 pub mod handles;
-pub mod headless;
 pub mod lines;
-pub mod overlay;
-pub mod painter;
 pub mod plot;
-pub mod typesetting;

@@ -7,10 +7,9 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
+use pinhole_figure::inspection::Inspection;
 use pinhole_lecture::numbers::{equated, written as number};
 use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting};
-
-use crate::model::inspection::Inspection;
 
 /// Maximum number of curves in the plot: more dash patterns could not be told apart.
 pub const MOST: usize = 8;

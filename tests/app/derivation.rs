@@ -5,12 +5,12 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::concept::{Concept, HoverSource, Hovered};
 use pinhole::model::lessons::LessonArgument;
 use pinhole::model::session::{Settings, Setup, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::Shape;
+use pinhole_figure::concept::{Concept, HoverSource, Hovered};
+use pinhole_figure::overlay::Shape;
 
 use super::harness::{assert_says, says, texts_with, type_into, unfolded, window_with};
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::fault::Fault;
 use pinhole::model::session::ViewLayout;
+use pinhole_figure::Fault;
 
 use super::harness::{assert_says, choose_object, show, texts_with, type_into, window};
 

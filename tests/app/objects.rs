@@ -4,15 +4,15 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole::model::observer::Observer;
-use pinhole::model::overlay_items::OverlayItems;
 use pinhole::model::session::{Session, Setup, Shown};
 use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
-use pinhole::view::overlay::Style;
 use pinhole_core::{Camera, DVec3, NO_OBJECT, Plane, Scene, Shade, Sphere};
 use pinhole_exchange::csv;
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
+use pinhole_figure::observer::Observer;
+use pinhole_figure::overlay::Style;
+use pinhole_figure::overlay_items::OverlayItems;
 
 const SIZES: ViewSizes = ViewSizes {
     covered: [None; 4],

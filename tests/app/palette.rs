@@ -4,11 +4,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::overlay_items::Item;
-use pinhole::model::session::Scheme;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole::ui::commands_table;
+use pinhole_figure::Scheme;
+use pinhole_figure::overlay_items::Item;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 

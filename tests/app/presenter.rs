@@ -6,10 +6,11 @@ use egui::{Key, Modifiers, Rect, Theme, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::session::presenting::{WRITTEN, zoom};
+use pinhole::model::session::presenting::zoom;
 use pinhole::model::session::{Preferences, Settings, ThemeName, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
+use pinhole_figure::typesetting::theme::WRITTEN;
 use pinhole_lecture::exercises::Exercise;
 
 use super::painted_texts::{Run, texts};

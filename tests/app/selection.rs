@@ -2,8 +2,8 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::concept::Concept;
 use pinhole_core::{Pixel, Selection};
+use pinhole_figure::concept::Concept;
 
 use super::harness::{assert_says, click_at, type_into, window};
 
@@ -102,7 +102,7 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     let (resolved, frame) = (derived.resolved.unwrap(), derived.world_frame.clone().unwrap());
     let wanted = Pixel { row: 300, column: 120 };
     let point = resolved.viewport_point(resolved.uv_of_pixel(wanted));
-    let [x, y] = pinhole::view::overlay::world_position_of(&frame, point).unwrap();
+    let [x, y] = pinhole_figure::overlay::world_position_of(&frame, point).unwrap();
     let at = rect.min + egui::vec2(x, y);
     window.drag_at(at);
     window.run();
@@ -113,7 +113,7 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     };
     // Seen from the side, a dot covers several pixels.
     let point = resolved.viewport_point(resolved.uv_of_pixel(pixel));
-    let [x, y] = pinhole::view::overlay::world_position_of(&frame, point).unwrap();
+    let [x, y] = pinhole_figure::overlay::world_position_of(&frame, point).unwrap();
     let off = (rect.min + egui::vec2(x, y)).distance(at);
     assert!(off <= 1.0, "{pixel:?} is not {wanted:?}: {off} dots away");
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use egui::Color32;
-use pinhole::view::overlay::Style;
+use pinhole_figure::overlay::Style;
 
 use super::figure_read_back::decoded;
 use super::{Run, entries, run_in};

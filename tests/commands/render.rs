@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use pinhole::cli::arguments::RenderArguments;
 use pinhole::cli::render::Picture;
-use pinhole::figures::FigureSubject;
+use pinhole::view::figure_order::FigureSubject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::BuiltinScene;
@@ -138,7 +138,7 @@ fn the_overlay_marks_the_top_edge_and_leaves_the_rest_of_the_picture() {
     let (_, _, plain) = decode(&folder.path().join("plain.png"));
     let (w, h, overlay) = decode(&folder.path().join("overlay.png"));
     assert_eq!((w, h), (400, 400));
-    let mark = pinhole::view::overlay::Style::Light.colors().mark;
+    let mark = pinhole_figure::overlay::Style::Light.colors().mark;
     assert_eq!(count(&plain, mark), 0);
     assert!(count(&overlay, mark) > 300, "the bar along the top edge, and the label's words");
     let lower_half = 200 * 400..;
@@ -154,7 +154,7 @@ fn the_world_view_shows_the_camera_only_with_its_overlay() {
     let (_, _, plain) = decode(&folder.path().join("plain.png"));
     let (w, h, world) = decode(&folder.path().join("world.png"));
     assert_eq!((w, h), (600, 400));
-    let colors = pinhole::view::overlay::Style::Light.colors();
+    let colors = pinhole_figure::overlay::Style::Light.colors();
     for vector in colors.basis {
         // A shaded sphere may have a dot of the arrow's very colour.
         assert!(count(&world, vector) > count(&plain, vector) + 20, "the arrow and its label");

@@ -1,9 +1,9 @@
 //! The built-in scenes show what their notes say.
 
-use pinhole::model::inspection::Inspection;
 use pinhole_core::{Basis, DVec2, DVec3, Orientation, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::BuiltinScene;
+use pinhole_figure::inspection::Inspection;
 
 fn inspect(name: &str, uv: [f64; 2]) -> (Document, Inspection) {
     let document = BuiltinScene::find(name).unwrap().load().unwrap();

@@ -5,15 +5,15 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{
     AskedExercise, LessonArgument, Step, StepId, Which, builtin, load, parse,
 };
-use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::ViewLayout;
 use pinhole_core::{DVec2, DVec3, Pixel, Selection, Sphere};
 use pinhole_exchange::scene_file::with_table;
 use pinhole_exchange::{Document, SceneSource};
+use pinhole_figure::concept::Concept;
+use pinhole_figure::overlay_items::{Item, OverlayItems};
 use pinhole_lecture::exercises::Exercise;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Pixels that are known beforehand.
 
-use pinhole::view::painter::Canvas;
+use pinhole_figure::painter::Canvas;
 
 use super::*;
 

@@ -1,9 +1,9 @@
 //! The painter drawing what egui makes of a user interface.
 
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
-use pinhole::view::headless::UiPass;
-use pinhole::view::painter::SoftwarePainter;
-use pinhole::view::typesetting::theme;
+use pinhole_figure::headless::UiPass;
+use pinhole_figure::painter::SoftwarePainter;
+use pinhole_figure::typesetting::theme;
 
 use crate::support;
 

@@ -7,7 +7,7 @@ mod random;
 
 use egui::epaint::{ClippedPrimitive, ImageDelta, Primitive, Vertex, textures::TexturesDelta};
 use egui::{Color32, ColorImage, Mesh, Pos2, Rect, TextureId, TextureOptions, pos2};
-use pinhole::view::painter::SoftwarePainter;
+use pinhole_figure::painter::SoftwarePainter;
 
 const WHITE_TEXTURE: TextureId = TextureId::Managed(0);
 const PICTURE: TextureId = TextureId::Managed(1);

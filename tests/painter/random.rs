@@ -2,7 +2,7 @@
 
 use egui::epaint::WHITE_UV;
 use egui::vec2;
-use pinhole::view::painter::Canvas;
+use pinhole_figure::painter::Canvas;
 use proptest::prelude::*;
 
 use super::*;

@@ -1,8 +1,8 @@
 //! The plot.
 
-use pinhole::figures::{Figure, FigureFormat};
 use pinhole::report::model::Report;
 use pinhole::report::plot;
+use pinhole_figure::export::{Figure, FigureFormat};
 
 use super::sample;
 

@@ -11,7 +11,7 @@ use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};
 use egui_kittest::{HarnessBuilder, SnapshotOptions, TestRenderer};
 use image::RgbaImage;
-use pinhole::view::painter::SoftwarePainter;
+use pinhole_figure::painter::SoftwarePainter;
 
 /// Draws egui_kittest's pictures with the program's own painter: no driver, no display, and the
 /// same bytes on every machine.

@@ -1,10 +1,11 @@
 //! Applies a lesson's step to what is shown.
 
 use pinhole_exchange::document::Document;
+use pinhole_figure::{Item, Observer, OverlayItems};
 
 use super::keys::KEYS;
 use super::lesson::Step;
-use crate::model::{Exercises, Item, Observer, OverlayItems, Session, Shown};
+use crate::model::{Exercises, Session, Shown};
 
 /// Shows the step. What it does not say stays unchanged, including the answers typed for its question.
 pub fn apply(step: &Step, session: &mut Session) {

@@ -6,15 +6,15 @@ use pinhole_core::{DVec2, Shade};
 use pinhole_exchange::FileError;
 use pinhole_exchange::fields::{Section, TomlField};
 use pinhole_exchange::scene_file::{observer, observer_fields};
+use pinhole_figure::{
+    Concept, DerivationSection, DerivationSections, Formulas, Item, Observer, OverlayItems,
+};
 use pinhole_lecture::{ImplicitLine, Mistake, ParametricLine};
 
 use super::lesson::Step;
 use crate::model::lines::{ShownLines, Trail};
 use crate::model::session::{DIGITS, ViewLayout};
-use crate::model::{
-    Concept, DerivationSection, DerivationSections, Formulas, Item, LinesLab, MistakesView,
-    Observer, OverlayItems, Shown,
-};
+use crate::model::{LinesLab, MistakesView, Shown};
 
 /// A key of a step that sets a part of what is shown.
 pub(super) struct StepKey {

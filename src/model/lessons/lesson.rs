@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use pinhole_exchange::{Document, FileError};
+use pinhole_figure::OverlayItems;
 use pinhole_lecture::Exercise;
 
 use crate::model::lessons::{builtin, read};
 use crate::model::play::Kind;
-use crate::model::{OverlayItems, Shown, ViewLayout};
+use crate::model::{Shown, ViewLayout};
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,13 +7,14 @@ use pinhole_core::{DVec2, ImageSize, Pixel, Selection};
 use pinhole_exchange::fields::{Section, TomlField, TomlSource};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
+use pinhole_figure::{Concept, Observer, OverlayItems};
 use pinhole_lecture::Exercise;
 
 use super::keys::{KEYS, choice, is_in_scene, items};
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};
 use crate::model::play::Kind;
 use crate::model::practice::LARGEST_SEED;
-use crate::model::{Concept, Ghost, Observer, OverlayItems, Shown};
+use crate::model::{Ghost, Shown};
 
 /// The version of the lesson format that this program reads.
 pub const VERSION: i64 = 1;

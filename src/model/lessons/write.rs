@@ -5,13 +5,14 @@ use std::path::Path;
 use pinhole_core::Selection;
 use pinhole_exchange::scene_file::{TABLES, path_from, to_text, with_table};
 use pinhole_exchange::{BuiltinScene, Document, SceneSource};
+use pinhole_figure::Concept;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item as TomlItem, Table, Value, value};
 
 use super::keys::{KEYS, StepKey, is_in_scene};
 use super::lesson::Lesson;
 use super::read::{VERSION, parse};
 use crate::model::files::{OpenDocument, Origin};
-use crate::model::{Concept, Shown, ViewLayout};
+use crate::model::{Shown, ViewLayout};
 
 /// Returns the text of a lesson file to whose end a step is added that shows what the window shows, and the
 /// lesson that it is read as. The `text` of the file so far is kept as it is; `None` begins a lesson.

@@ -8,10 +8,11 @@ use std::f64::consts::{PI, TAU};
 
 use pinhole_core::steering::SteerError;
 use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Selection, Viewport};
+use pinhole_figure::Inspection;
 
 pub use player::Player;
 
-use crate::model::{Inspection, Session};
+use crate::model::Session;
 use pinhole_exchange::document::Document;
 
 pinhole_core::texts! {

@@ -2,10 +2,10 @@
 
 use pinhole_core::Camera;
 use pinhole_core::steering::SteerError;
+use pinhole_figure::observer::Observer;
 use pinhole_lecture::numbers::{equated, grouped};
 
 use super::{Kind, Start, Still};
-use crate::model::observer::Observer;
 
 /// Maximum time in seconds by which one frame advances the animation. An animation thus goes on where it
 /// was after the window has been hidden.

@@ -311,7 +311,7 @@ mod tests {
     #[test]
     fn u_and_v_are_not_measured_where_they_are_asked_for() {
         let legs = |exercises: &Exercises| {
-            let usual = crate::model::OverlayItems::NONE.with(crate::model::Item::UvLegs, true);
+            let usual = pinhole_figure::OverlayItems::NONE.with(pinhole_figure::Item::UvLegs, true);
             exercises.items(usual) == usual
         };
         assert!(legs(&Exercises::open(Exercise::WarmUpRay, None)));

@@ -1,9 +1,9 @@
 //! Hints to an exercise: the lines of the derivation that lead to what is not right yet, one after the other.
 
+use pinhole_figure::{Concept, EquationStep};
 use pinhole_lecture::exercises::{Asked, Given};
 
 use super::exercises::{Exercises, Feedback};
-use crate::model::{Concept, EquationStep};
 
 /// The hints that were given.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,8 +2,7 @@
 
 use pinhole_core::{Camera, DVec2, DVec3, Object, Selection, Viewport};
 use pinhole_exchange::document::Document;
-
-use crate::model::overlay_items::Item;
+use pinhole_figure::overlay_items::Item;
 
 /// A handle in the world view. Variants for an object hold its index in the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,18 +4,18 @@
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
+use pinhole_figure::Scheme;
+use pinhole_figure::{Concept, HoverSource, Hovered};
 use serde::{Deserialize, Serialize};
 
 use crate::model::practice::class::ClassCodes;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
-use crate::model::{
-    Concept, Exercises, HandleState, HoverSource, Hovered, Progress, StudentAnswers, Translator,
-};
+use crate::model::{Exercises, HandleState, Progress, StudentAnswers, Translator};
 
 pub use shown::{Setup, Shown};
 
 pub use choices::{
-    Scheme, Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
+    Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
 };
 
 mod choices;

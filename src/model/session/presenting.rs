@@ -1,6 +1,8 @@
 //! Presenter mode: its theme, the size of its text, the state to which it returns, and the pen's strokes
 //! over the views.
 
+use pinhole_figure::typesetting::theme::WRITTEN;
+
 use crate::model::session::{ThemeName, ViewLayout};
 
 /// Presenter mode while it is on.
@@ -62,9 +64,6 @@ pub struct Range {
 
 /// The range of [`crate::model::session::Preferences::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 20.0, most: 36.0, step: 2.0 };
-
-/// Size of the smallest text in the window without zoom, in points: that of a subscript in a fraction.
-pub const WRITTEN: f32 = 12.0;
 
 /// The window size to which [`crate::model::session::Preferences::smallest_text`] refers, in points: that of a
 /// projector.

@@ -1,12 +1,12 @@
 //! What is shown of a document, and how: all that a lesson's step, a link and undo set.
 
 use pinhole_core::{Selection, Shade};
+use pinhole_figure::typesetting::theme;
+use pinhole_figure::{Concept, DerivationSections, Formulas, NumberStyle, Observer, OverlayItems};
 use serde::{Deserialize, Serialize};
 
 use crate::model::session::ViewLayout;
-use crate::model::{
-    Concept, DerivationSections, Formulas, Ghost, LinesLab, MistakesView, Observer, OverlayItems,
-};
+use crate::model::{Ghost, LinesLab, MistakesView};
 
 /// What is shown of a document, and how. A lesson's step is one, restoring it is an assignment, and a change of it
 /// is a difference.
@@ -59,12 +59,19 @@ with_defaults! {
         /// True if rows and columns are counted from 1, as in the course.
         pub count_from_one: bool = false,
         /// Number of significant digits of the readouts.
-        pub digits: usize = 5,
+        pub digits: usize = theme::DIGITS,
         /// True if distance, width and height of the viewport change together, so that the picture stays the
         /// same.
         pub keep_picture: bool = false,
         /// True if the teaching part of the camera panel is unfolded.
         pub teaching: bool = false,
+    }
+}
+
+impl Setup {
+    /// Returns the format in which numbers are written.
+    pub fn number_style(&self) -> NumberStyle {
+        NumberStyle { digits: self.digits, count_from_one: self.count_from_one }
     }
 }
 

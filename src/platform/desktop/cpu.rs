@@ -5,13 +5,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::{Color32, ColorImage};
+use pinhole_figure::painter::{Canvas, PixelRect, SoftwarePainter};
 use rayon::prelude::*;
 use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
 use super::surface::{MAX_TEXTURE_SIDE, PATIENCE, WindowFrame, WindowSurface};
-use crate::view::painter::{Canvas, PixelRect, SoftwarePainter};
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
 type DisplayBuffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;

@@ -3,7 +3,7 @@
 //! [`run`] opens the window and shows the app in it. The window is drawn by:
 //!
 //! - a hardware graphics adapter, through wgpu, if there is one;
-//! - otherwise [`painter`](crate::view::painter), on the CPU. It is also used if the adapter fails to
+//! - otherwise [`painter`](pinhole_figure::painter), on the CPU. It is also used if the adapter fails to
 //!   start, or is itself software, because software drivers take many times as long for the same
 //!   picture. If the adapter fails later, the painter takes over the open window.
 //!

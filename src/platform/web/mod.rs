@@ -19,6 +19,7 @@ use eframe::{CreationContext, WebOptions, WebRunner};
 use egui::{Context, FullOutput, RawInput, Ui, ViewportCommand, ViewportId};
 use pinhole_exchange::page::PagePart;
 use pinhole_exchange::{FileError, host, limits};
+use pinhole_figure::typesetting::theme::{self, Look};
 use wasm_bindgen::JsCast as _;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
@@ -29,7 +30,6 @@ use crate::model::{Remembered, Store, fault};
 use crate::ui::app::{App, SpokenAbout};
 use crate::ui::dialogs::{FileAnswer, FileRequest};
 use crate::ui::widgets::number;
-use crate::view::typesetting::theme::{self, Look};
 
 /// The identifier of the page's canvas.
 const CANVAS: &str = "canvas";

@@ -14,13 +14,13 @@ mod panel;
 mod table;
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Vec2, pos2, vec2};
+use pinhole_figure::chart::GridInk;
+use pinhole_figure::export::Figure;
+use pinhole_figure::typesetting::theme;
 
 use self::panel::Errors;
 use super::model::{Digits, Report};
 use super::summary::{self, Summary};
-use crate::figures::Figure;
-use crate::view::chart::GridInk;
-use crate::view::typesetting::theme;
 
 const TITLE: &str = "Error against run time";
 

@@ -2,12 +2,12 @@
 //! makes it easier or harder).
 
 use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Stroke, StrokeKind, pos2};
+use pinhole_figure::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
 
 use super::marker::{self, marker_of};
 use super::{FRAME, GRID, SMALL, TEXT, WEAK, plain};
 use crate::report::model::{Case, Digits, NO_DIGIT, SINGLE};
 use crate::report::summary::{MethodSummary, Outcome, Summary, outcome};
-use crate::view::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
 use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);

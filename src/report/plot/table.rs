@@ -3,13 +3,13 @@
 //! row also shows the method's errors and times, each as a line from the smallest to the largest value.
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
+use pinhole_figure::chart::{Scale, columns};
 use pinhole_lecture::numbers::grouped;
 
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
 use crate::report::summary::{MethodOverall, MethodSummary, Overall, Summary, least_middle_most};
 use crate::report::table::lines;
-use crate::view::chart::{Scale, columns};
 use pinhole_lecture::numbers::short_plain;
 
 /// Width of the table without errors and times, in points.

@@ -7,11 +7,14 @@ use egui::{Context, Event, Id, Popup, ThemePreference, ViewportCommand};
 use pinhole_core::Selection;
 use pinhole_exchange::legible;
 use pinhole_exchange::scenes::SceneSource;
+use pinhole_figure::typesetting::theme::{self, Look};
 
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
-use crate::model::session::{Session, ThemeName, ViewLayout, Workspace, ZOOM};
+use crate::model::session::{
+    Preferences, Session, Settings, ThemeName, ViewLayout, Workspace, ZOOM,
+};
 use crate::model::translator::{Notice, Taken, imported, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
@@ -24,7 +27,6 @@ use crate::ui::dialogs::{Dialog, FileQuestion, Question};
 use crate::ui::practice::vote;
 use crate::ui::widgets::may_explain;
 use crate::view::derive::Deriver;
-use crate::view::typesetting::theme::{self, Look};
 
 const OPEN: FileQuestion = FileQuestion {
     title: "Open a scene",
@@ -508,6 +510,12 @@ fn present_or_end(session: &mut Session) {
 /// Delay of tooltips that do not appear, in seconds; egui takes no infinite one.
 const NEVER: f32 = 86_400.0;
 
+/// Returns the look that the settings ask for.
+pub(super) fn look_of(settings: &Settings, presenting: bool) -> Look {
+    let Settings { setup, preferences: Preferences { scheme, reduced_motion, .. } } = *settings;
+    Look { scheme, presenting, by_touch: false, reduced_motion, digits: setup.digits }
+}
+
 /// Applies the settings' theme, text size and zoom to the window.
 pub(super) fn follow_look(ctx: &Context, session: &Session) {
     let settings = &session.preferences;
@@ -517,7 +525,7 @@ pub(super) fn follow_look(ctx: &Context, session: &Session) {
         ThemeName::Light => ThemePreference::Light,
     });
     let presenting = session.presenting.is_some();
-    let look = Look::new(&session.settings(), presenting);
+    let look = look_of(&session.settings(), presenting);
     theme::install(ctx, Look { by_touch: is_by_touch(ctx), ..look });
     let usual = egui::style::Interaction::default().tooltip_delay;
     let delay = if may_explain(ctx) { usual } else { NEVER };

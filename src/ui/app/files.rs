@@ -11,8 +11,9 @@ use pinhole_exchange::programs::is_gltf;
 use pinhole_exchange::{
     Document, ExportScene, Exported, SceneSource, answers, legible_name, limits, link,
 };
+use pinhole_figure::export::Figure;
+use pinhole_figure::overlay::Style;
 
-use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
 use crate::model::practice::code::codes_in;
 use crate::model::translator::with;
@@ -25,7 +26,7 @@ use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, Question};
 use crate::ui::ray::lines;
 use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
-use crate::view::overlay::Style;
+use crate::view::figure_order::{Content, FigureSubject, MARGIN, Order, derivation_of};
 
 /// Returns the action for a text that was pasted while no text field had the focus: a link is opened, codes of
 /// answers are counted, and of anything else, the camera is read.

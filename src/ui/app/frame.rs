@@ -11,11 +11,13 @@ use egui::{
 };
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
+use pinhole_figure::Hovered;
+use pinhole_figure::typesetting::theme;
 use pinhole_lecture::numbers::grouped;
 
 use crate::model::fault::caught;
 use crate::model::session::Split;
-use crate::model::{Hovered, NumberStyle, Session, Shown, ViewLayout, Workspace};
+use crate::model::{Session, Shown, ViewLayout, Workspace};
 use crate::ui::action::{
     Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
@@ -31,7 +33,6 @@ use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
-use crate::view::typesetting::theme;
 
 /// Minimum width of the window in which the panel is beside the views, in points.
 const LEAST_WIDTH: f32 = 640.0;
@@ -273,7 +274,7 @@ impl App {
         // The ray's numbers may be the answer to the question.
         if !*is_asking {
             let uv = resolved.as_ref().map(|resolved| selection.uv(resolved));
-            let uv = uv.map(|uv| NumberStyle::new(setup).uv(uv));
+            let uv = uv.map(|uv| setup.number_style().uv(uv));
             section(
                 ui,
                 "Selected ray",
@@ -393,7 +394,7 @@ impl App {
             stage.show_ground(ui);
         }
         self.show_views(ui, rects, stage.is_some());
-        let style = NumberStyle::new(&self.scene.session.shown.setup);
+        let style = self.scene.session.shown.setup.number_style();
         let is_changed = self.scene.differs_from_step();
         // Practice has its own exercise, which is not the step's.
         let is_practice =

@@ -2,8 +2,9 @@
 //! another view that the user asks for, so that a class sees how one picture becomes the other.
 
 use egui::Context;
+use pinhole_figure::Observer;
 
-use crate::model::{Observer, OpenLesson};
+use crate::model::OpenLesson;
 
 /// Duration of a glide, in seconds.
 const DURATION: f64 = 0.4;

@@ -6,15 +6,16 @@ use std::sync::Arc;
 use pinhole_exchange::host::host;
 use pinhole_exchange::scene_file::with_table;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
+use pinhole_figure::Observer;
+use pinhole_figure::derivation::Derivation;
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
-use crate::model::{Observer, Session, Shown, ViewLayout, Workspace};
+use crate::model::{Session, Shown, ViewLayout, Workspace};
 use crate::ui::dialogs::Question;
 use crate::ui::stage::column::OpenStep;
-use crate::view::derivation::Derivation;
 
 /// The open lesson, and the state to restore when it closes.
 #[derive(Clone, Debug, Default)]

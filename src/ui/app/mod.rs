@@ -25,7 +25,9 @@ use std::time::Duration;
 
 use egui::Context;
 use pinhole_exchange::document::Document;
+use pinhole_figure::typesetting::theme;
 
+use self::apply::look_of;
 use self::history::SceneHistory;
 use self::over::Overlays;
 use self::playback::Playback;
@@ -43,7 +45,6 @@ use crate::ui::scene::dragging::Dragging;
 use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
-use crate::view::typesetting::theme::{self, Look};
 
 pub use self::spoken::SpokenAbout;
 pub use self::window::complain;
@@ -121,7 +122,7 @@ impl App {
             // screen.
             options.zoom_factor = settings.preferences.zoom.clamp(ZOOM.0, ZOOM.1);
         });
-        theme::install(ctx, Look::new(settings, false));
+        theme::install(ctx, look_of(settings, false));
     }
 
     /// Sets the renderer's name, which bug reports and the next run use.

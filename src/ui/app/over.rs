@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use egui::{Area, Color32, Context, CursorIcon, Event, Id, Order, Sense, Ui};
 use pinhole_exchange::scenes::SceneSource;
+use pinhole_figure::typesetting::theme;
 
 use super::App;
 use super::scene::OpenScene;
@@ -14,7 +15,6 @@ use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::share::ShownCode;
 use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
 use crate::ui::widgets::ResponseExt as _;
-use crate::view::typesetting::theme;
 
 /// The overlays that are open.
 #[derive(Default)]

@@ -4,15 +4,16 @@
 use std::path::PathBuf;
 
 use egui::{Context, Panel, Ui};
+use pinhole_figure::Observer;
 
 use super::App;
 use super::scene::OpenScene;
-use crate::figures::{Animation, Frames, Order, Recorder};
-use crate::model::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
 use crate::ui::action::PlayAction;
 use crate::ui::dialogs::Dialog;
 use crate::ui::panels::play;
+use crate::view::animation::{Animation, Frames, Recorder};
+use crate::view::figure_order::Order;
 
 /// The open animation, and the one being exported.
 #[derive(Default)]

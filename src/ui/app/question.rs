@@ -1,9 +1,10 @@
 //! The scene of the open exercise, which the views show in place of the open scene.
 
 use pinhole_core::Selection;
+use pinhole_figure::Formulas;
 
 use super::scene::OpenScene;
-use crate::model::{Formulas, Live, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
+use crate::model::{Live, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
 
 /// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
 pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {

@@ -6,23 +6,22 @@ use std::sync::Arc;
 use egui::Context;
 use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::{FileError, SceneSource};
+use pinhole_figure::given::{self, Given};
+use pinhole_figure::observer::{Drawn, ORDINARY_ASPECT};
+use pinhole_figure::overlay::{GhostCamera, Under, drawn, drawn_of};
+use pinhole_figure::{Item, Observer, OverlayItems, ViewSize};
 use pinhole_lecture::exercises::Asked;
 use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use super::lessons::Lessons;
-use crate::model::given::{self, Given};
 use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
 use crate::model::lessons::{self, OpenLesson, StepId, Which, apply};
-use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
-use crate::model::{
-    Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, ViewLayout, ViewSize,
-};
+use crate::model::{Ghost, Live, OpenDocument, Session, ViewLayout};
 use crate::ui::action::{GhostAction, ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
-use crate::view::overlay::{GhostCamera, Under, drawn, drawn_of};
 
 /// The open scene, and everything that undo restores when it returns to a scene.
 #[derive(Clone, Debug)]

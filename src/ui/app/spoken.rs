@@ -2,18 +2,17 @@
 
 use std::sync::Arc;
 
+use pinhole_figure::typesetting::notation::without_marks;
+use pinhole_figure::{Fault, Inspection};
 use pinhole_lecture::exercises;
 
 use crate::model::files::title_of;
-use crate::model::readings::{Reading, of_basis};
-use crate::model::{
-    Exercises, Fault, Inspection, MistakesView, NumberStyle, Settings, ViewLayout, Workspace,
-};
+use crate::model::{Exercises, MistakesView, Settings, ViewLayout, Workspace};
 use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
 use crate::ui::practice::{answers, class, mistakes, vote};
 use crate::ui::scene::views;
-use crate::view::typesetting::notation::without_marks;
+use pinhole_figure::readings::{Reading, of_basis};
 
 /// What the contents in words depend on: the words without the numbers, and what the numbers are of.
 #[derive(PartialEq)]
@@ -79,14 +78,14 @@ impl App {
 
     /// Returns what the selected ray hits.
     pub(super) fn hit(&self) -> String {
-        let style = NumberStyle::new(&self.scene.session.shown.setup);
+        let style = self.scene.session.shown.setup.number_style();
         views::spoken(&self.views.derived, &self.scene.open.document, style)
     }
 
     /// Tells the numbers of the selected ray and of its camera.
     fn numbers(&self, lines: &mut Vec<String>) {
         let derived = &self.views.derived;
-        let style = NumberStyle::new(&self.scene.session.shown.setup);
+        let style = self.scene.session.shown.setup.number_style();
         lines.push(self.hit());
         let line = |reading: &Reading| {
             format!("{} {}", without_marks(reading.long_name), style.equated_value(&reading.value))

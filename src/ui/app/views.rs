@@ -4,13 +4,14 @@ use std::time::Duration;
 
 use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 use pinhole_core::Selection;
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::{Fault, ViewSize};
 
 use super::App;
 use super::glide::Glide;
 use super::question::in_views;
 use crate::model::practice::answer_marks;
-use crate::model::symbols::typeset_message;
-use crate::model::{Fault, Session, Shown, ViewSize};
+use crate::model::{Session, Shown};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, gizmo, views};
 use crate::ui::widgets::ViewTexture;

@@ -7,9 +7,9 @@
 use std::sync::LazyLock;
 
 use egui::{Context, Event, Key, Modifiers};
+use pinhole_figure::typesetting::theme;
 
 use crate::ui::action::{Action, CameraMove, Observe, Steer, VoteAction};
-use crate::view::typesetting::theme;
 
 pub use search::found;
 pub use table::GESTURES;

@@ -4,20 +4,21 @@
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_exchange::{BuiltinScene, SceneSource};
+use pinhole_figure::Item;
+use pinhole_figure::Scheme;
+use pinhole_figure::derivation::Markup;
+use pinhole_figure::observer::WorldAxis;
 use pinhole_lecture::{Exercise, Mistake};
 
-use crate::model::Item;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
-use crate::model::observer::WorldAxis;
 use crate::model::play::Kind;
-use crate::model::session::{Scheme, TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, CameraMove, ExchangeAction, FigureAction, FileAction, GhostAction,
     HelpAction, HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction,
     ShareAction, Steer, Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
-use crate::view::derivation::Markup;
 
 /// Builds commands from the rows of a table.
 macro_rules! commands {

@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
+use pinhole_figure::Scheme;
+use pinhole_figure::overlay::Style;
+use pinhole_figure::typesetting::theme::error_color;
 
-use crate::figures::{Content, FigureSubject, Frames, Order, check_animation_path};
 use crate::model::play::Kind;
-use crate::model::session::Scheme;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::path_field::{FileQuestion, PathField};
 use crate::ui::widgets::ResponseExt as _;
-use crate::view::overlay::Style;
-use crate::view::typesetting::theme::error_color;
+use crate::view::animation::{Frames, check_animation_path};
+use crate::view::figure_order::{Content, FigureSubject, Order};
 
 /// Maximum side of a figure, in pixels.
 const LARGEST: u32 = 16_384;

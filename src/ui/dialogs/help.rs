@@ -1,8 +1,8 @@
 //! The Help menu's contents: the list of all keys, the lecture's conventions, and the text about the program.
 
 use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui, vec2};
+use pinhole_figure::typesetting::theme::WRITTEN;
 
-use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 use crate::ui::dialogs::Dialog;
 use crate::ui::widgets::{cell, column_of};

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, Key, RichText, ScrollArea, Ui};
 use pinhole_exchange::host::host;
+use pinhole_figure::typesetting::theme::error_color;
 
 use crate::ui::widgets::{ResponseExt as _, line_field};
-use crate::view::typesetting::theme::error_color;
 
 /// A question that asks for a file to read or to write.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -8,8 +8,8 @@ use egui::{
     pos2, vec2,
 };
 use pinhole_exchange::link;
+use pinhole_figure::export::QrCode;
 
-use crate::figures::QrCode;
 use crate::ui::action::{Action, ShareAction};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, fault_text, line_field, text_width};
 

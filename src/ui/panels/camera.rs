@@ -7,14 +7,13 @@ use pinhole_core::{
     BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
     Viewport,
 };
+use pinhole_figure::symbols::{SymbolKind, meaning, typeset_message};
+use pinhole_figure::typesetting::theme::error_color;
 use pinhole_lecture::numbers::written;
 
 use super::{section, teaching};
-use crate::model::NumberStyle;
 use crate::model::session::{Preferences, Session, Settings};
-use crate::model::symbols::{SymbolKind, meaning, typeset_message};
 use crate::ui::widgets::{NumberField, ResponseExt as _, vector_color, vector_row};
-use crate::view::typesetting::theme::error_color;
 
 /// Maximum number of significant digits in the heading of a folded section.
 const HEADING_DIGITS: usize = 3;
@@ -23,7 +22,7 @@ const HEADING_DIGITS: usize = 3;
 /// pixels: the viewport's width / height, divided by the image's W / H. The setting `keep_picture` locks the
 /// ratios of the viewport's distance, width and height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, session: &mut Session) {
-    let style = NumberStyle::new(&session.shown.setup).at_most(HEADING_DIGITS);
+    let style = session.shown.setup.number_style().at_most(HEADING_DIGITS);
     let eye = format!("eye {}", style.vector(camera.eye));
     let mut unfolded = session.preferences.unfolded.camera || camera.basis().is_err();
     let header = section(ui, "Camera", &eye, &mut unfolded, |ui| {

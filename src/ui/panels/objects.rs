@@ -3,11 +3,11 @@
 use egui::{Button, Response, ScrollArea, Ui};
 use pinhole_core::{DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, SharedList};
+use pinhole_figure::typesetting::theme;
 
 use crate::ui::action::ObjectAction;
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{NumberField, ResponseExt as _, fault_text, line_field, vector_row};
-use crate::view::typesetting::theme;
 
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;

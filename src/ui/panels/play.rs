@@ -1,12 +1,12 @@
 //! The strip with the controls of the open animation.
 
 use egui::{Checkbox, RichText, Slider, Ui};
+use pinhole_figure::typesetting::theme::{STACKED, error_color};
 
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{FigureAction, PlayAction, request};
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{ResponseExt as _, combo};
-use crate::view::typesetting::theme::{STACKED, error_color};
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;

@@ -6,12 +6,14 @@ use egui::containers::menu::{MenuButton, MenuConfig, SubMenuButton, is_in_menu};
 use egui::{MenuBar, PopupCloseBehavior, RichText, Ui};
 use pinhole_core::Shade;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
+use pinhole_figure::Scheme;
+use pinhole_figure::derivation::Markup;
+use pinhole_figure::overlay_items::Item;
 
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
-use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::session::{DIGITS, Scheme, TOOLS, ThemeName, ViewLayout, Workspace, shade_label};
+use crate::model::session::{DIGITS, TOOLS, ThemeName, ViewLayout, Workspace, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
     HelpAction, HistoryAction, Leave, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
@@ -19,7 +21,6 @@ use crate::ui::action::{
 };
 use crate::ui::commands_table::{command_of, hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, button_width};
-use crate::view::derivation::Markup;
 
 /// Shows the menu entries of these commands, with their names. A semicolon stands for a line between them.
 macro_rules! entries {

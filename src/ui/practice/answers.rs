@@ -6,15 +6,15 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
 };
 use pinhole_core::Selection;
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::typesetting::theme::error_color;
 use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::Session;
-use crate::model::symbols::typeset_message;
 use crate::ui::action::{AnswersAction, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::{Derived, SecondPicture};
-use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

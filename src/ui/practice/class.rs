@@ -6,11 +6,11 @@ use egui::{
     Align, Align2, CornerRadius, FontId, Layout, Rect, RichText, ScrollArea, Sense, Stroke,
     StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
+use pinhole_figure::typesetting::theme::{self, STACKED, error_color};
 
 use crate::model::Session;
 use crate::model::practice::class::{ClassAnswers, ClassExercise, RIGHT};
 use crate::ui::widgets::{ResponseExt as _, clipped, fault_text, marked_text};
-use crate::view::typesetting::theme::{self, STACKED, error_color};
 
 /// Size of the text, in points, and of the labels of the bars.
 const TEXT: f32 = 15.0;

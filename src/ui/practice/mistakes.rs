@@ -7,17 +7,19 @@ use egui::{
     UiBuilder, pos2,
 };
 use pinhole_exchange::document::Document;
+use pinhole_figure::Concept;
+use pinhole_figure::NumberStyle;
+use pinhole_figure::typesetting::theme::{STACKED, error_color, text_size};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
-use crate::model::readings::ReadingValue;
-use crate::model::{Concept, MistakesView, NumberStyle, Session};
+use crate::model::{MistakesView, Session};
 use crate::ui::practice::gallery::{CELL, Gallery};
 use crate::ui::practice::vote;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{self, ResponseExt as _, cell, combo, sign, vector_color};
 use crate::view::derive::{Derived, SecondPicture};
-use crate::view::typesetting::theme::{STACKED, error_color, text_size};
+use pinhole_figure::readings::ReadingValue;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
@@ -142,7 +144,7 @@ pub(crate) fn ui(
     session: &mut Session,
     gallery: &mut Gallery,
 ) {
-    let style = NumberStyle::new(&session.shown.setup);
+    let style = session.shown.setup.number_style();
     let mistakes_view = &mut session.shown.mistakes_view;
     let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
     let inputs = inputs.map(|(resolved, scene)| (&document.camera, resolved, scene));

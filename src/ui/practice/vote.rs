@@ -7,19 +7,19 @@ use egui::{
     Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
+use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::error_color;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::mistakes::failing;
 use crate::model::practice::MistakesView;
 use crate::model::practice::vote::OpenVote;
 use crate::model::session::Session;
-use crate::model::session::presenting::WRITTEN;
 use crate::ui::action::{LookAction, VoteAction};
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{
     ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
 };
-use crate::view::typesetting::theme::error_color;
 
 /// The question's text.
 pub(crate) const ASKED: &str = "Which mistake made the wrong picture?";

@@ -7,17 +7,18 @@ use egui::{
     Align2, Color32, Context, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider,
     Stroke, Ui, Vec2, pos2, vec2,
 };
+use pinhole_figure::chart::{self, GridInk, SOLID, Scale, Tick};
+use pinhole_figure::overlay::Colors;
+use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
+use pinhole_figure::typesetting::notation::{self, formula};
+use pinhole_figure::typesetting::theme::{self, STACKED};
+use pinhole_figure::{Concept, HoverSource, Hovered, Inspection};
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
-use crate::model::{Concept, HoverSource, Hovered, Inspection, Session};
+use crate::model::Session;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
-use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
-use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
-use crate::view::typesetting::labels::{Font, LabelLayout, around};
-use crate::view::typesetting::notation::{self, formula};
-use crate::view::typesetting::theme::{self, STACKED};
 
 /// Size of the text, in points; it is legible from the back row of a classroom.
 const TEXT: f32 = 15.5;

@@ -4,14 +4,16 @@
 use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, CameraDifference, DVec3, Orientation, ResolvedCamera, Root, Viewport};
 use pinhole_exchange::document::Document;
+use pinhole_figure::Inspection;
+use pinhole_figure::NumberStyle;
+use pinhole_figure::typesetting::theme::STACKED;
 use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
-use crate::model::{Ghost, Inspection, NumberStyle, Session};
+use crate::model::{Ghost, Session};
 use crate::ui::action::GhostAction;
 use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
-use crate::view::typesetting::theme::STACKED;
 
 /// Size of the text, in points, where the tables are side by side and where they are stacked.
 const TEXT: [f32; 2] = [15.5, 12.0];
@@ -61,7 +63,7 @@ fn share_that_differs(against: &AgainstGhost) -> String {
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
-    let (ghost, style) = (session.shown.ghost.as_ref(), NumberStyle::new(&session.shown.setup));
+    let (ghost, style) = (session.shown.ghost.as_ref(), session.shown.setup.number_style());
     let is_stacked = ui.available_width() < STACKED;
     let size = TEXT[usize::from(is_stacked)];
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));

@@ -6,6 +6,7 @@ use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec
 use pinhole_core::steering::SteerError;
 use pinhole_core::{Camera, DVec2, DVec3, NO_OBJECT, ResolvedCamera};
 use pinhole_exchange::document::Document;
+use pinhole_figure::overlay::{self, pick};
 
 use super::steps::RecentSteps;
 use crate::model::interaction::{CLICK, FINGER_REACH, HANDLE_REACH, RAY_POINT_REACH};
@@ -14,7 +15,6 @@ use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
 use crate::view::handle_drag::HandleDrag;
 use crate::view::handles::{HandleInputs, PlacedHandle, hit, placed};
-use crate::view::overlay::{self, pick};
 
 /// The input state of the world view and the camera view that persists between egui passes: the drag in
 /// progress, and recent steps by keys and wheel.

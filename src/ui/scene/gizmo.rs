@@ -3,12 +3,12 @@
 use egui::accesskit::Role;
 use egui::{Align2, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
 use pinhole_core::{Basis, DVec3};
+use pinhole_figure::observer::WorldAxis;
+use pinhole_figure::typesetting::theme;
 
 use super::view_rects::STRIP;
-use crate::model::observer::WorldAxis;
 use crate::ui::action::Observe;
 use crate::ui::widgets::ResponseExt as _;
-use crate::view::typesetting::theme;
 
 /// The axes, each with its letter and the view along it.
 const AXES: [(WorldAxis, &str, &str); 3] = [

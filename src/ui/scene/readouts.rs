@@ -10,17 +10,17 @@ use egui::{
 };
 use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps};
 use pinhole_exchange::document::Document;
+use pinhole_figure::concept::{HoverSource, Hovered};
+use pinhole_figure::inspection::Inspection;
+use pinhole_figure::typesetting::notation::{self, formula};
+use pinhole_figure::typesetting::theme;
+use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::{Item, OverlayItems};
 use pinhole_lecture::numbers::grouped;
 
-use crate::model::concept::{HoverSource, Hovered};
-use crate::model::inspection::Inspection;
-use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
-use crate::model::session::presenting::WRITTEN;
-use crate::model::{Item, OverlayItems};
 use crate::ui::widgets::{ResponseExt as _, vector_color};
 use crate::view::derive::Derived;
-use crate::view::typesetting::notation::{self, formula};
-use crate::view::typesetting::theme;
+use pinhole_figure::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 
 /// Minimum width of the block that lists the hits, in points.
 const HITS: f32 = 280.0;

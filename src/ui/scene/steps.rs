@@ -12,11 +12,11 @@ use egui::{
 use pinhole_core::steering::{SteerError, rounded_to};
 use pinhole_core::{Basis, Camera, DVec2, DVec3, ResolvedCamera};
 use pinhole_exchange::document::Document;
+use pinhole_figure::{HoverSource, Hovered, Item};
 
 use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
 use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session};
-use crate::model::{HoverSource, Hovered, Item};
 use crate::ui::action::{CameraMove, Steer};
 use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};

@@ -3,10 +3,10 @@
 use egui::accesskit::Role;
 use egui::{CursorIcon, Pos2, Rect, Sense, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
+use pinhole_figure::typesetting::theme::STACKED;
 
 use crate::model::session::{Split, Splits};
 use crate::ui::widgets::{ResponseExt as _, arrows, inside, keep_arrows};
-use crate::view::typesetting::theme::STACKED;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;

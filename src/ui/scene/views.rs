@@ -13,15 +13,17 @@ use egui::{
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_figure::NumberStyle;
+use pinhole_figure::overlay::{self, PointShown, Under};
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::typesetting::notation::unbroken;
+use pinhole_figure::typesetting::{labels, theme};
+use pinhole_figure::{Concept, HoverSource, Hovered, Item, Observer, ViewSize};
 use pinhole_lecture::numbers::grouped;
 
 use crate::model::interaction::{HANDLE_REACH, MARK_REACH, WHEEL_ZOOM};
-use crate::model::readings::ReadingValue;
 use crate::model::session::presenting::{PEN_COLORS, Pen};
-use crate::model::symbols::typeset_message;
-use crate::model::{
-    Concept, HoverSource, Hovered, Item, NumberStyle, Observer, Session, ViewLayout, ViewSize,
-};
+use crate::model::{Session, ViewLayout};
 use crate::ui::action::{LookAction, Observe, Switch, request};
 use crate::ui::commands_table::{self, When, instruction};
 use crate::ui::scene::dragging::{dragged_ray_point, sphere_at};
@@ -29,9 +31,7 @@ use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::scene::{gizmo, readouts};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, FinishedView, ViewSizes};
-use crate::view::overlay::{self, PointShown, Under};
-use crate::view::typesetting::notation::unbroken;
-use crate::view::typesetting::{labels, theme};
+use pinhole_figure::readings::ReadingValue;
 
 /// Name of the world view, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";
@@ -358,7 +358,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
     if !may_explain(ui.ctx()) {
         return;
     }
-    let style = NumberStyle::new(&session.shown.setup);
+    let style = session.shown.setup.number_style();
     let words = match (session.live.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (

@@ -1,17 +1,17 @@
 //! The answer fields of an exercise: each with the sign of its verdict and what is said of its answer.
 
 use egui::{Align, Color32, Context, FontId, Id, Key, Label, Layout, RichText, Stroke, Ui, vec2};
+use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::{self, error_color};
 use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{QuestionPart, Verdict};
 
 use super::exercises::row;
-use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Feedback, Session, TypedAnswer};
 use crate::ui::action::LookAction;
 use crate::ui::widgets::{
     ResponseExt as _, line_field, marked_text, sign, text_width, vector_color,
 };
-use crate::view::typesetting::theme::{self, error_color};
 
 /// Describes what the user may type.
 const HINT: &str =

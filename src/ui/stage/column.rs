@@ -6,17 +6,18 @@ use egui::{
     Align, Color32, FontId, Frame, Id, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
     WidgetInfo, vec2,
 };
+use pinhole_figure::typesetting::theme;
+use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::{Concept, Formulas};
 
 use super::{Stage, exercises, navigation};
 use crate::model::lessons::{Lesson, OpenLesson};
-use crate::model::session::presenting::WRITTEN;
-use crate::model::{Concept, Formulas, Session, ViewLayout};
+use crate::model::{Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
 use crate::ui::practice::mistakes;
 use crate::ui::widgets::{inside, marked_text};
 use crate::ui::workspaces::PageContext;
 use crate::view::lines::substitution;
-use crate::view::typesetting::theme;
 
 /// Distance between the column's edge and its contents, in points.
 const MARGIN: [f32; 2] = [14.0, 6.0];

@@ -4,6 +4,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use egui::{FontId, Sense, Ui, vec2};
+use pinhole_figure::derivation::Derivation;
+use pinhole_figure::typesetting::theme;
+use pinhole_figure::typesetting::theme::WRITTEN;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
@@ -11,7 +14,6 @@ use super::answer_fields;
 use super::column::SIZES;
 use crate::model::lines::{LinesLab, Window};
 use crate::model::practice::{LARGEST_SEED, next_seed};
-use crate::model::session::presenting::WRITTEN;
 use crate::model::{Exercises, Session};
 use crate::ui::action::{AnswersAction, ShareAction};
 use crate::ui::derivation::DerivationPanel;
@@ -19,10 +21,8 @@ use crate::ui::practice::seed_field;
 use crate::ui::scene::views;
 use crate::ui::widgets::{self, ResponseExt as _, button_width, combo, inside, marked_text};
 use crate::ui::workspaces::PageContext;
-use crate::view::derivation::Derivation;
 use crate::view::derive::Derived;
 use crate::view::lines::{self, draw_exercise, substitution};
-use crate::view::typesetting::theme;
 
 /// The button for a hint.
 const GIVE_HINT: &str = "Hint";

@@ -8,13 +8,13 @@
 use column::OpenStep;
 use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
+use pinhole_figure::typesetting::theme;
 
 use crate::model::ViewLayout;
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{PageContext, foot, hidden, page};
-use crate::view::typesetting::theme;
 
 mod answer_fields;
 pub(crate) mod column;

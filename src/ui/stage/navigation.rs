@@ -5,13 +5,13 @@ use egui::{
     Align2, Area, Button, Context, Event, Id, Order, Pos2, Rect, RichText, ScrollArea, Ui, Vec2,
     vec2,
 };
+use pinhole_figure::typesetting::theme;
 
 use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
 use crate::ui::commands_table::{hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, column_of};
-use crate::view::typesetting::theme;
 
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;

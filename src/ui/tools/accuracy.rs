@@ -15,6 +15,7 @@ use egui::{
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{Camera, NO_OBJECT, Outputs, Raster, Scene, trace};
 use pinhole_exchange::document::Document;
+use pinhole_figure::typesetting::theme::{self, error_color};
 use pinhole_lecture::numbers::{grouped, short, written_whole};
 
 use crate::model::session::Session;
@@ -27,7 +28,6 @@ use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, clipped, combo, inside};
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, SecondPicture};
-use crate::view::typesetting::theme::{self, error_color};
 
 #[cfg(feature = "report")]
 use crate::report::measure::Measurement;

@@ -13,13 +13,13 @@ use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::typesetting::theme::error_color;
 
 use crate::model::session::Session;
-use crate::model::symbols::typeset_message;
 use crate::model::translator::{ConventionRow, MOST_OBJECTS, Notice, Translation, Translator};
 use crate::ui::action::ExchangeAction;
 use crate::ui::widgets::{ResponseExt as _, cell};
-use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;

@@ -4,13 +4,13 @@
 
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
+use pinhole_figure::symbols;
+use pinhole_figure::typesetting::notation::{unbroken, without_marks};
+use pinhole_figure::typesetting::theme;
 
 use super::ResponseExt as _;
 use super::number::vector_color;
-use crate::model::symbols;
 use crate::ui::commands_table::instruction;
-use crate::view::typesetting::notation::{unbroken, without_marks};
-use crate::view::typesetting::theme;
 
 /// Shows the text, typeset and wrapped. Screen readers and tests receive it without the asterisks that mark
 /// symbols.

@@ -11,10 +11,10 @@ use egui::{
     Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer, TextEdit, TextStyle,
     TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
+use pinhole_figure::symbols::typeset_message;
+use pinhole_figure::typesetting::theme::{self, error_color};
 
-use crate::model::symbols::typeset_message;
 use crate::ui::action::{Action, request};
-use crate::view::typesetting::theme::{self, error_color};
 
 pub mod marked_text;
 pub mod number;

@@ -10,11 +10,11 @@ use egui::{
     Color32, Context, DragValue, FontId, Id, Rect, Response, RichText, Ui, UiBuilder, Vec2, vec2,
 };
 use pinhole_core::{DVec3, shortest};
+use pinhole_figure::typesetting::theme::{self, error_color};
 use pinhole_lecture::numbers::{written, written_whole};
 
 use super::ResponseExt as _;
 use crate::model::expression::evaluate;
-use crate::view::typesetting::theme::{self, error_color};
 
 /// Minimum number of significant digits.
 const LEAST_DIGITS: usize = 2;

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
+use pinhole_figure::overlay::{Drawing, Style};
 
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{FinishedView, OnWork, WorkKind, watched};
-use crate::view::overlay::{Drawing, Style};
 
 /// A cache of the last value that was computed, and of the key (the inputs) from which it was computed.
 #[derive(Debug)]

@@ -7,12 +7,13 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
+use pinhole_figure::derivation::Derivation;
+use pinhole_figure::overlay::{Highlighted, Label, Mark, Style};
+use pinhole_figure::{AnswerMark, Fault, Inspection};
 use pinhole_lecture::mistakes::ComparedCamera;
 
-use crate::model::{AnswerMark, Fault, Inspection, Session};
+use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derivation::Derivation;
-use crate::view::overlay::{Highlighted, Label, Mark, Style};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
@@ -175,7 +176,7 @@ pub struct ViewSizes {
     /// Whether the pictures are for the window or for a figure.
     pub purpose: Purpose,
     /// The rectangles of the world view, in physical pixels, that other content covers; see
-    /// [`WorldView::covered`](crate::view::overlay::WorldView).
+    /// [`WorldView::covered`](pinhole_figure::overlay::WorldView).
     pub covered: [Option<[f32; 4]>; 4],
     /// The subsampling of new pictures of the scene.
     pub subsampling: Subsampling,
@@ -263,7 +264,7 @@ pub struct FinishedView {
     /// The marks, which are painted into the image or, for a figure, drawn separately. Those with a concept
     /// react to the pointer.
     pub marks: Arc<Vec<Mark>>,
-    /// See [`Drawing::spheres`](crate::view::overlay::Drawing).
+    /// See [`Drawing::spheres`](pinhole_figure::overlay::Drawing).
     pub spheres: Arc<Vec<Ellipse>>,
 }
 

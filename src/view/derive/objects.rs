@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use pinhole_core::{Object, Rgb, Scene, SceneError};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
-
-use crate::model::observer::{hidden, traced_scene};
-use crate::model::session::Scheme;
+use pinhole_figure::Scheme;
+use pinhole_figure::observer::{hidden, traced_scene};
 
 /// The scene and its objects' colours, from the last document whose objects were all valid.
 #[derive(Clone, Debug)]

@@ -11,13 +11,13 @@ use pinhole_core::{
     Counts, Depth, Frame, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Selection,
     Shade, Steps, retrace_painted, shade, trace, trace_painted,
 };
+use pinhole_figure::overlay::{Loupe, Picture, Same, loupe_window};
+use pinhole_figure::{Inspection, Item};
 use pinhole_lecture::numbers::grouped;
 
-use crate::model::{Inspection, Item};
 use crate::view::accuracy::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
-use crate::view::overlay::{Loupe, Picture, Same, loupe_window};
 
 /// Maximum number of ray-object tests that a method may do for one picture. They take about a second,
 /// during which the window does not respond.

@@ -10,19 +10,20 @@ use pinhole_core::{
     Selection, Shade,
 };
 use pinhole_exchange::{Document, answers};
+use pinhole_figure::overlay::{self, CameraView, GhostCamera, Picture, Same};
+use pinhole_figure::{AnswerMark, Inspection, Item, MarkShape};
 use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 use pinhole_lecture::mistakes::{
     ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
 };
 
+use crate::model::StudentAnswers;
 use crate::model::session::{ViewLayout, resolve};
-use crate::model::{AnswerMark, Inspection, Item, MarkShape, StudentAnswers};
 use crate::view::accuracy;
 use crate::view::derive::{
     Compared, Derived, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, OnWork, SpareImages,
     WorkKind, camera_view, highlighted, opaque, trace_picture, watched,
 };
-use crate::view::overlay::{self, CameraView, GhostCamera, Picture, Same};
 
 pinhole_core::texts! {
     /// The kind of a second picture.
@@ -366,7 +367,7 @@ mod tests {
     use crate::model::practice::AnswersFile;
     use crate::model::session::Session;
     use crate::view::derive::{Deriver, ViewSizes};
-    use crate::view::overlay::Style;
+    use pinhole_figure::overlay::Style;
 
     #[test]
     fn a_grade_follows_a_colour_that_the_scheme_replaces() {

@@ -14,25 +14,25 @@ use pinhole_core::{
     Shade, edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
+use pinhole_figure::Concept;
+use pinhole_figure::derivation::sections::{DerivationSections, Formulas};
+use pinhole_figure::derivation::{
+    Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
+};
+use pinhole_figure::observer::enclosing;
+use pinhole_figure::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use pinhole_lecture::exercises::Given;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
-use crate::model::Concept;
-use crate::model::derivation_sections::{DerivationSections, Formulas};
-use crate::model::observer::enclosing;
 use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derivation::{
-    Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
-};
 use crate::view::derive::{
     Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork,
     Purpose, SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted,
     trace_picture, watched,
 };
 use crate::view::handles::{self, HandleInputs};
-use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
 /// A cache of the world view and of the pictures over which it is drawn.

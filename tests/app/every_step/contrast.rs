@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use egui::{Color32, ColorImage, Pos2, Theme};
-use pinhole::model::Item;
-use pinhole::model::session::Scheme;
-use pinhole::model::session::presenting::WRITTEN;
-use pinhole::view::overlay::{self, Style, contrast_ratio};
+use pinhole_figure::Item;
+use pinhole_figure::Scheme;
+use pinhole_figure::overlay::{self, Style, contrast_ratio};
+use pinhole_figure::typesetting::theme::WRITTEN;
 
 use super::Seen;
 use crate::app::painted_texts::{Run, over, texts};

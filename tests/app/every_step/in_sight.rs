@@ -1,9 +1,9 @@
 //! What the world view draws is in sight, and its labels are legible.
 
 use egui::{Pos2, Rect, Vec2, pos2};
-use pinhole::model::overlay_items::Item;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::{Mark, Shape};
+use pinhole_figure::overlay::{Mark, Shape};
+use pinhole_figure::overlay_items::Item;
 
 use super::Seen;
 

@@ -7,10 +7,11 @@ use egui::accesskit::Role;
 use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{FigureFormat, FigureSubject, Order};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::Style;
+use pinhole::view::figure_order::{FigureSubject, Order};
+use pinhole_figure::export::FigureFormat;
+use pinhole_figure::overlay::Style;
 
 use crate::harness::{
     assert_says, copied_text, export_to, says, show, texts_with, type_into, window,

@@ -6,10 +6,11 @@ use egui::Color32;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::figures::{Figure, FigureSubject, Order};
 use pinhole::model::play::Kind;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::Style;
+use pinhole::view::figure_order::{FigureSubject, Order};
+use pinhole_figure::export::Figure;
+use pinhole_figure::overlay::Style;
 
 use crate::harness::{SIZE, assert_says, export_to, says, texts_with, type_into, window};
 use crate::support::Gif;

@@ -198,8 +198,8 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let path = folder.path().join("state.json");
     let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
     right.settings.setup.digits = 9;
-    right.settings.preferences.scheme = pinhole::model::session::Scheme::Grey;
-    right.settings.setup.items.set(pinhole::model::overlay_items::Item::Labels, false);
+    right.settings.preferences.scheme = pinhole_figure::Scheme::Grey;
+    right.settings.setup.items.set(pinhole_figure::overlay_items::Item::Labels, false);
     right.selection =
         Some(pinhole_core::Selection::Pixel(pinhole_core::Pixel { row: 3, column: 4 }));
     Store::at(&path).save(&Remembered::default(), &right).unwrap();
@@ -216,7 +216,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
         let mut expected = right.clone();
         expected.settings.setup.digits = digits;
         if value == "\"Grey\"" {
-            expected.settings.preferences.scheme = pinhole::model::session::Scheme::Standard;
+            expected.settings.preferences.scheme = pinhole_figure::Scheme::Standard;
         }
         assert_eq!(read, expected, "{by}");
     }

@@ -6,13 +6,13 @@ use egui::accesskit::Role;
 use egui::{Event, Key};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::figures::QrCode;
 use pinhole::model::ViewLayout;
 use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, Selection};
 use pinhole_exchange::{Document, scene_file};
+use pinhole_figure::export::QrCode;
 
 use super::scene_files::drop_file;
 use crate::app::presenter::{press, resize};

@@ -4,10 +4,10 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui::epaint::Shape;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::derivation_sections::DerivationSection;
 use pinhole::model::lessons::{LessonArgument, StepId, Which};
-use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
+use pinhole_figure::derivation::sections::DerivationSection;
+use pinhole_figure::overlay_items::Item;
 
 use super::{Window, at_step, go_to, key, press};
 use crate::harness::{assert_says, says, show, texts_with, type_into, window};

@@ -7,8 +7,8 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
-use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
+use pinhole_figure::overlay_items::Item;
 
 use super::{Window, at_step, go_to, key, press, shown_step};
 use crate::app::practice::exercises::answers;

@@ -4,9 +4,10 @@ use std::fs;
 use std::path::Path;
 
 use egui::Key;
+use pinhole::model::ViewLayout;
 use pinhole::model::lessons::load;
-use pinhole::model::{Item, ViewLayout};
 use pinhole_exchange::BuiltinScene;
+use pinhole_figure::Item;
 
 use super::{Window, at_step, key, press};
 use crate::app::files::scene_files::drop_file;

@@ -3,15 +3,15 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::Concept;
 use pinhole::model::lessons::{AskedExercise, Step, builtin};
-use pinhole::model::observer::Observer;
-use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::practice::exercises::Exercises;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::Shape;
 use pinhole_core::{DVec2, DVec3};
+use pinhole_figure::Concept;
+use pinhole_figure::observer::Observer;
+use pinhole_figure::overlay::Shape;
+use pinhole_figure::overlay_items::{Item, OverlayItems};
 
 use super::{Window, answer, at_step, key, press, shown_step};
 use crate::harness::{assert_says, command, drag_from, show, texts_with, type_into};

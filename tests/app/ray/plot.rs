@@ -7,12 +7,12 @@ use egui::epaint::Shape;
 use egui::{Key, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::overlay_items::Item;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::world_position_of;
+use pinhole_figure::concept::Concept;
+use pinhole_figure::overlay::world_position_of;
+use pinhole_figure::overlay_items::Item;
 
 use crate::harness::{assert_reads, assert_says, says, show, type_into, window};
 

@@ -5,11 +5,11 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::concept::Concept;
-use pinhole::model::overlay_items::Item;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::{Mark, Shape};
 use pinhole_core::steering::Keep;
+use pinhole_figure::concept::Concept;
+use pinhole_figure::overlay::{Mark, Shape};
+use pinhole_figure::overlay_items::Item;
 
 use super::{at_of, camera};
 use crate::harness::{assert_says, says, window};

@@ -7,13 +7,13 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::fault::Fault;
-use pinhole::model::overlay_items::Item;
 use pinhole::model::session::{Preferences, Settings, Setup};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{BasisError, Camera, CameraError, DVec3, Selection};
 use pinhole_exchange::document::Document;
+use pinhole_figure::Fault;
+use pinhole_figure::overlay_items::Item;
 
 use super::{at_of, camera};
 use crate::harness::{
@@ -339,7 +339,7 @@ fn every_handle_is_moved_by_keys() {
 #[test]
 fn handles_that_are_switched_off_are_not_there() {
     let mut settings = Settings::default();
-    settings.setup.items.set(pinhole::model::overlay_items::Item::Handles, false);
+    settings.setup.items.set(pinhole_figure::overlay_items::Item::Handles, false);
     let remembered = Remembered { settings, ..Remembered::default() };
     let at = node_at(&window("canonical"), "eye handle");
     let mut harness = window_with("canonical", remembered, None);

@@ -4,12 +4,12 @@ use egui::accesskit::Role;
 use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::overlay_items::Item;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
-use pinhole::view::overlay::Shape;
+use pinhole_figure::concept::Concept;
+use pinhole_figure::overlay::Shape;
+use pinhole_figure::overlay_items::Item;
 
 use crate::harness::window_with;
 

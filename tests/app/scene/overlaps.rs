@@ -5,12 +5,12 @@ use egui::accesskit::Role;
 use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::overlay_items::Item;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::FinishedView;
-use pinhole::view::overlay::Shape;
 use pinhole_exchange::scenes::BuiltinScene;
+use pinhole_figure::overlay::Shape;
+use pinhole_figure::overlay_items::Item;
 
 use crate::harness::window_with;
 

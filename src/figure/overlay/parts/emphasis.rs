@@ -1,0 +1,138 @@
+//! How strongly a part is drawn. A highlighted concept is drawn thicker and on top, even if its overlay item is
+//! switched off, together with what it is made from. If the derivation or a lesson refers to the concept, everything
+//! else is faded. If the pointer only hovers over it in a view, nothing is.
+
+use egui::Color32;
+use pinhole_core::Camera;
+use pinhole_lecture::numbers::equated;
+
+use super::{Form, Part, When};
+use crate::overlay::{Colors, DIMMED, Drawing, LABEL_DIGITS, LEGIBLE, Label, Request, VISIBLE};
+use crate::{Concept, OverlayItems};
+
+/// The highlighted concept, and the inputs for drawing it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Highlighted {
+    /// The concept.
+    pub concept: Concept,
+    /// The edited camera as the user gives it.
+    pub camera: Camera,
+    /// Number of significant digits.
+    pub digits: usize,
+    /// True if everything else is faded.
+    pub dims: bool,
+}
+
+impl Highlighted {
+    /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
+    pub(crate) fn equated(&self, x: f64) -> String {
+        equated(x, self.digits.min(LABEL_DIGITS))
+    }
+}
+
+/// Width of highlighted lines, in points.
+pub(crate) const STRONG: f32 = 5.0;
+/// Minimum width of the lines from which a highlighted one is made, in points.
+pub(crate) const ACCOMPANYING: f32 = 3.0;
+/// Radius of highlighted points, in points.
+const STRONG_POINT: f32 = 8.0;
+
+/// How strongly a part is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Emphasis {
+    /// Thick and on top, because its concept is highlighted.
+    Strong,
+    /// On top, because the highlighted concept is made from it.
+    Accompanying,
+    /// Without emphasis.
+    Plain,
+    /// Close to the background, because another concept is highlighted.
+    Faded,
+}
+
+impl Part {
+    /// Returns how strongly the part is drawn; `None` if it is not drawn.
+    pub(crate) fn emphasis(
+        &self,
+        items: OverlayItems,
+        highlighted: Option<Highlighted>,
+    ) -> Option<Emphasis> {
+        let is_shown = items.shows(self.pen.item);
+        let plain = (is_shown && self.when != When::Lit).then_some(Emphasis::Plain);
+        let Some(lit) = highlighted else { return plain };
+        let is_lit = self.pen.concept == Some(lit.concept);
+        let made_from = lit.concept.made_from();
+        let accompanies = self.pen.concept.is_some_and(|own| made_from.contains(&own));
+        match self.when {
+            When::Shown | When::Lit if is_lit => Some(Emphasis::Strong),
+            When::Unlit if is_lit => None,
+            When::Shown | When::Lit if accompanies => Some(Emphasis::Accompanying),
+            _ if lit.dims => plain.map(|_| Emphasis::Faded),
+            _ => plain,
+        }
+    }
+
+    /// Returns the part restyled by its emphasis.
+    pub(crate) fn emphasized(mut self, emphasis: Emphasis) -> Part {
+        match emphasis {
+            Emphasis::Strong => {
+                self.pen = self.pen.on_top();
+                self.pen.width = self.strong;
+                if let Form::Point(radius) = &mut self.form {
+                    *radius = STRONG_POINT;
+                }
+            }
+            Emphasis::Accompanying => {
+                self.pen = self.pen.on_top();
+                self.pen.width = self.pen.width.max(ACCOMPANYING);
+            }
+            Emphasis::Plain | Emphasis::Faded => {}
+        }
+        self
+    }
+}
+
+impl Emphasis {
+    /// Returns true if the part is drawn on top, even if its overlay item is switched off.
+    pub(crate) fn is_on_top(self) -> bool {
+        matches!(self, Emphasis::Strong | Emphasis::Accompanying)
+    }
+}
+
+impl Colors {
+    /// Returns the colour of a mark that is faded.
+    pub(crate) fn faded(&self, color: Color32) -> Color32 {
+        match color.is_opaque() {
+            true => self.dimmed(color, VISIBLE),
+            false => color.gamma_multiply(DIMMED),
+        }
+    }
+
+    /// Fades a label.
+    pub(crate) fn fade(&self, label: &mut Label) {
+        label.color = self.dimmed(label.color, LEGIBLE);
+    }
+}
+
+/// Fades the marks and labels that stand for other concepts than the highlighted one, and removes its own.
+pub(crate) fn dim(
+    drawing: &mut Drawing,
+    requests: &mut Vec<Request>,
+    Highlighted { concept, dims, .. }: Highlighted,
+    colors: &Colors,
+) {
+    drawing.marks.retain(|mark| mark.concept != Some(concept));
+    requests.retain(|request| request.concept != Some(concept));
+    if dims {
+        drawing.marks.iter_mut().for_each(|mark| mark.color = colors.faded(mark.color));
+        requests.iter_mut().for_each(|request| colors.fade(&mut request.label));
+    }
+}
+
+/// Puts the labels of highlighted parts before the others, so that they get the best positions, and removes others
+/// with the same text.
+pub(crate) fn first(mut labels: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    labels.iter_mut().for_each(|request| request.rank = 0);
+    others.retain(|other| labels.iter().all(|request| request.label.text != other.label.text));
+    labels.into_iter().chain(others).collect()
+}

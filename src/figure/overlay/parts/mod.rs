@@ -1,0 +1,257 @@
+//! The parts of the figure: all that is drawn of the camera, its selected ray, what is compared with them, the world's
+//! axes, the spheres that are cut away, and a highlighted object. A
+//! part says what it is in space, to which overlay item it belongs, which concept it stands for, and its label.
+//!
+//! The list is made without knowing who looks at it. The world view draws it as the observer sees it, the camera
+//! view draws the highlighted parts as the camera sees them, and the observer is fitted to it.
+
+pub(super) mod camera;
+pub(super) mod compared;
+pub(super) mod emphasis;
+pub(super) mod ray;
+pub(super) mod sight;
+mod sphere_figure;
+
+use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
+
+use crate::observer::{Length, Place};
+use crate::overlay::{Colors, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG};
+use crate::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
+
+/// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
+/// reaches beyond, and among which the one closest to the ray is looked for.
+pub(super) const ASKED_SPHERES: usize = 1024;
+
+/// What a part makes of its places.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Form {
+    /// A polyline.
+    Line,
+    /// An arrow.
+    Arrow(Head),
+    /// A line with an arrowhead at each end.
+    Dimension,
+    /// The sides of a polygon.
+    Sides,
+    /// A flat polygon through which one sees, with its sides.
+    Area,
+    /// A side of a solid, through which one sees. It is drawn if it faces the observer, unlike this point inside.
+    Face(DVec3),
+    /// A disc of this radius in points.
+    Point(f32),
+    /// A thin ring around this radius in points: a point of a student's answer.
+    Ring(f32),
+    /// A thick ring inside this radius in points: a root that is not the first hit.
+    Hole(f32),
+    /// The outline of a sphere as the observer sees it.
+    Outline(Sphere),
+    /// The box that stands for a camera too small to be seen.
+    Body,
+    /// The marks of the image's top edge and of pixel (0, 0).
+    Marks,
+    /// The numbers of rows and columns.
+    PixelNumbers,
+}
+
+/// When a part is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum When {
+    /// If its item is shown and, strongly, if its concept is highlighted.
+    Shown,
+    /// If its item is shown, but not while its concept is highlighted: other parts then stand for it.
+    Unlit,
+    /// While its concept is highlighted.
+    Lit,
+}
+
+/// The label of a part.
+#[derive(Clone, Debug)]
+pub(crate) struct PartLabel {
+    pub(crate) text: String,
+    pub(crate) font: LabelFont,
+    /// The point that the label names; `None` for the middle of a line, or the tip of an arrow.
+    pub(crate) at: Option<Place>,
+    pub(crate) toward: Toward,
+}
+
+/// The preferred direction from a part to its label.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Toward {
+    /// A direction on the screen.
+    Screen(DVec2),
+    /// The sum of the directions on the screen that these vectors have there, each times a weight.
+    World([(f64, DVec3); 2]),
+    /// The direction of the arrow, or the side to which the part is moved.
+    Onward,
+}
+
+/// A part of the figure.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) form: Form,
+    pub(crate) places: Vec<Place>,
+    pub(crate) pen: LineStyle,
+    pub(crate) when: When,
+    pub(crate) label: Option<PartLabel>,
+    /// The width of its lines while its concept is highlighted.
+    pub(crate) strong: f32,
+    /// Set if the part is drawn beside its place, as a dimension line is. If the vector is not zero, the part is on
+    /// the other side.
+    pub(crate) beside: Option<DVec3>,
+    /// True if it need not be in sight as a whole.
+    pub(crate) is_endless: bool,
+}
+
+impl Part {
+    fn when(&mut self, when: When) -> &mut Part {
+        self.when = when;
+        self
+    }
+
+    /// Keeps the part's lines as wide as they are while its concept is highlighted.
+    fn as_wide(&mut self) -> &mut Part {
+        self.strong = self.pen.width;
+        self
+    }
+
+    fn endless(&mut self) -> &mut Part {
+        self.is_endless = true;
+        self
+    }
+
+    /// Gives the part a label.
+    fn labelled(&mut self, text: impl Into<String>, font: LabelFont, toward: Toward) -> &mut Part {
+        self.label = Some(PartLabel { text: text.into(), font, at: None, toward });
+        self
+    }
+
+    /// Gives the part a label at a place of its own.
+    fn labelled_at(
+        &mut self,
+        at: impl Into<Place>,
+        text: impl Into<String>,
+        font: LabelFont,
+        toward: Toward,
+    ) -> &mut Part {
+        self.label = Some(PartLabel { text: text.into(), font, at: Some(at.into()), toward });
+        self
+    }
+
+    /// Gives an arrow a label at its tip.
+    fn named(&mut self, text: impl Into<String>, font: LabelFont) -> &mut Part {
+        self.labelled(text, font, Toward::Onward)
+    }
+
+    /// Gives a point a label in this direction on the screen.
+    fn named_toward(&mut self, text: impl Into<String>, x: f64, y: f64) -> &mut Part {
+        self.labelled(text, POINT, Toward::Screen(DVec2::new(x, y)))
+    }
+}
+
+impl Toward {
+    /// The direction on the screen of one vector.
+    fn along(vector: DVec3) -> Toward {
+        Toward::World([(1.0, vector), (0.0, DVec3::ZERO)])
+    }
+}
+
+/// Of what the parts are made.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Figure<'a> {
+    pub(crate) camera: &'a Camera,
+    /// The camera, if it has a basis.
+    pub(crate) resolved: Option<&'a ResolvedCamera>,
+    pub(crate) scene: &'a Scene,
+    /// The selected ray and its hits.
+    pub(crate) inspection: Option<&'a Inspection>,
+    pub(crate) ray_point_t: Option<f64>,
+    pub(crate) ghost: Option<&'a GhostCamera>,
+    pub(crate) answers: &'a [AnswerMark],
+    /// Spheres that are cut away, with their indices and colours.
+    pub(crate) cut_away: &'a [(u32, Sphere, egui::Color32)],
+    pub(crate) items: OverlayItems,
+    pub(crate) highlighted: Option<Highlighted>,
+    pub(crate) names_all: bool,
+    pub(crate) shows_normal: bool,
+    /// Length in the world of the up arrow while its tip is dragged.
+    pub(crate) up: Option<f64>,
+    /// True for the camera view, where arrows from the eye have length 1 at most.
+    pub(crate) is_flat: bool,
+    /// The observer, on whose distance it depends how far endless lines go.
+    pub(crate) observer: Observer,
+    pub(crate) colors: &'static Colors,
+}
+
+/// The list of parts while it is made.
+pub(crate) struct Parts<'a> {
+    figure: Figure<'a>,
+    list: Vec<Part>,
+}
+
+impl Figure<'_> {
+    /// Returns all parts, from back to front, and how many of the first ones belong to the ghost and to spheres that
+    /// are cut away.
+    pub(crate) fn parts(self) -> (Vec<Part>, usize) {
+        let mut parts = Parts { figure: self, list: Vec::new() };
+        parts.cut_away();
+        // The camera's own marks cover those of the ghost.
+        if let Some(ghost) = self.ghost {
+            parts.ghost(ghost);
+        }
+        let behind = parts.list.len();
+        parts.camera();
+        parts.answers();
+        parts.object();
+        (parts.list, behind)
+    }
+
+    fn is_lit(&self, concept: Concept) -> bool {
+        self.highlighted.is_some_and(|lit| lit.concept == concept)
+    }
+
+    /// Returns where an endless line ends.
+    fn far(&self) -> f64 {
+        100.0 * self.observer.distance()
+    }
+
+    /// Returns true if an item is shown.
+    fn shows(&self, item: Item) -> bool {
+        self.items.shows(item)
+    }
+}
+
+impl Parts<'_> {
+    fn add(&mut self, form: Form, places: &[Place], pen: LineStyle) -> &mut Part {
+        let (places, when, strong) = (places.to_vec(), When::Shown, STRONG);
+        let part =
+            Part { form, places, pen, when, label: None, strong, beside: None, is_endless: false };
+        self.list.push(part);
+        let last = self.list.len() - 1;
+        &mut self.list[last]
+    }
+
+    fn line<const N: usize>(&mut self, points: [impl Into<Place>; N], pen: LineStyle) -> &mut Part {
+        self.add(Form::Line, &points.map(Into::into), pen)
+    }
+
+    fn arrow(&mut self, ends: [impl Into<Place>; 2], head: Head, pen: LineStyle) -> &mut Part {
+        self.add(Form::Arrow(head), &ends.map(Into::into), pen)
+    }
+
+    /// Adds an arrow from a point, whose vector is in units of the basis arrows' length.
+    fn arrow_from(&mut self, at: DVec3, along: DVec3, head: Head, pen: LineStyle) -> &mut Part {
+        self.arrow([at.into(), Place { at, along, length: Length::Arrow }], head, pen)
+    }
+
+    fn dimension(&mut self, ends: [DVec3; 2], pen: LineStyle) -> &mut Part {
+        self.add(Form::Dimension, &ends.map(Into::into), pen)
+    }
+
+    fn sides(&mut self, corners: [DVec3; 4], pen: LineStyle) -> &mut Part {
+        self.add(Form::Sides, &corners.map(Into::into), pen)
+    }
+
+    fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> &mut Part {
+        self.add(Form::Point(radius), &[at.into()], pen)
+    }
+}

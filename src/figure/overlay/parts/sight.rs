@@ -1,0 +1,109 @@
+//! What of the parts must be in sight, so that an observer can be found who sees it.
+
+use pinhole_core::{Camera, Scene, Selection};
+use pinhole_exchange::document::Document;
+
+use super::{Figure, Form, Part};
+use crate::observer::{Drawn, Length, Place, ViewSize};
+use crate::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Style};
+use crate::{Concept, Inspection, Item, Observer, OverlayItems};
+
+/// Depth behind the eye that is kept free for the camera's body, which is drawn if the viewport is small, as a multiple of
+/// the basis arrows' length.
+const BODY_ROOM: f64 = 0.5;
+
+/// Returns what is drawn with the `items`: of the camera and, if there is a `ray` with the t of the point marked on it,
+/// of that, of the highlighted concept, and of the ghost.
+pub fn drawn(
+    camera: &Camera,
+    scene: &Scene,
+    items: OverlayItems,
+    ray: Option<(Selection, Option<f64>)>,
+    highlighted: Option<Concept>,
+    ghost: Option<&GhostCamera>,
+) -> Drawn {
+    let resolved = camera.resolve().ok();
+    let inspection = resolved
+        .zip(ray)
+        .map(|(resolved, (selection, _))| Inspection::new(&resolved, scene, selection));
+    // Objects must be in sight anyway, but for planes, which have no end.
+    let lit = highlighted.map(Concept::in_views);
+    let lit = lit.filter(|concept| !matches!(concept, Concept::Object(_)));
+    let highlighted = lit.map(|concept| Highlighted {
+        concept,
+        camera: *camera,
+        digits: LABEL_DIGITS,
+        dims: false,
+    });
+    let near = resolved.map_or(1.0, |resolved| {
+        let viewport = resolved.viewport();
+        viewport.width.max(viewport.height).max(viewport.distance)
+    });
+    // The axes take no room if the camera is elsewhere.
+    let has_axes = camera.eye.length() <= near;
+    let items = items.with(Item::Axes, items.shows(Item::Axes) && has_axes);
+    let (parts, _) = Figure {
+        camera,
+        resolved: resolved.as_ref(),
+        scene,
+        inspection: inspection.as_ref(),
+        ray_point_t: ray.and_then(|(_, t)| t),
+        ghost,
+        answers: &[],
+        cut_away: &[],
+        items,
+        highlighted,
+        names_all: true,
+        shows_normal: false,
+        up: None,
+        is_flat: false,
+        observer: Observer::new(camera.eye, 0.0, 0.0, near),
+        colors: Style::default().colors(),
+    }
+    .parts();
+    let shown = parts.iter().filter(|part| part.emphasis(items, highlighted).is_some());
+    let has_frustum = items.shows(Item::Frustum);
+    Drawn { has_frustum, places: shown.flat_map(|part| part.in_sight(camera)).collect() }
+}
+
+/// Returns the observer with which a document opens in a view of this size: its own, or one that is fitted to its
+/// scene.
+pub fn observer_of(document: &Document, scene: &Scene, size: ViewSize) -> Observer {
+    let camera = &document.camera;
+    let fitted = || Observer::frame_all(camera, scene, size, &drawn_of(camera, scene));
+    document.observer.map_or_else(fitted, Observer::from)
+}
+
+/// Returns what is drawn of a camera without a ray.
+pub fn drawn_of(camera: &Camera, scene: &Scene) -> Drawn {
+    drawn(camera, scene, OverlayItems::default(), None, None, None)
+}
+
+impl Part {
+    /// Returns the places of the part that must be in sight, each with whether it has a label.
+    fn in_sight(&self, camera: &Camera) -> Vec<(Place, bool)> {
+        let count = self.places.len();
+        let shown = match self.form {
+            Form::Body => {
+                let along = -BODY_ROOM * camera.view().normalize_or_zero();
+                return vec![(Place { at: camera.eye, along, length: Length::Arrow }, false)];
+            }
+            // Of the frustum, what is drawn nearer.
+            Form::Face(_) => 0,
+            Form::Sides if self.is_endless => 0,
+            _ if self.is_endless => count - 1,
+            _ => count,
+        };
+        let label = self.label.as_ref();
+        let is_named = label.is_some_and(|label| label.at.is_none())
+            && (matches!(self.form, Form::Arrow(_)) || self.pen.item == Item::Eye);
+        let places = self.places.iter().take(shown).enumerate();
+        // Somewhere beside a dimension line is its label.
+        let has_label = |k: usize| match self.form {
+            Form::Dimension => true,
+            _ => is_named && k + 1 == count,
+        };
+        let places = places.map(|(k, place)| (*place, has_label(k)));
+        places.chain(label.and_then(|label| Some((label.at?, true)))).collect()
+    }
+}
