@@ -1,25 +1,27 @@
 //! Pinhole shows what a pinhole camera sees, and why. This library is the program behind `src/main.rs`,
 //! so that tests can drive it. This page is a map of the source code.
 //!
-//! # Layers
+//! # Rooms
 //!
-//! Each folder uses only folders below it; in addition, `exchange` uses `lecture`, and `report` uses
-//! `figures`. No two folders use one another. `tests/layout.rs` checks this from the code's own `use`
-//! lines.
+//! The crates know no window and no session; Cargo keeps each of them to those below it. Above them are the rooms of
+//! the program. Each uses only rooms below it, and no two rooms use one another: `tests/layout.rs` checks this.
 //!
 //! ```text
 //! platform                         a window, drawn by wgpu or the CPU; a page of a browser
-//! ui, cli                          what is in the window; the commands, a file each
-//! figures, report                  SVG, PDF and PNG; error against run time
-//! view                             from document and session to what is shown: pure
-//! model                            what is edited and remembered
+//! ui, cli                          the window and its parts; the commands, a file each
+//! features                         exercises, votes, the plot, animations, figures as files, ...: a folder each
+//! report, view                     error against run time; from document and session to what is shown: pure
+//! model                            what is edited and remembered: session, lessons, history, files
+//!
+//! figure                           crate: what is drawn: parts and views, formulas, charts, pixels, SVG and PDF
 //! lecture, exchange                crates: every step with its numbers; files on disk
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
-//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests
-//! use it, and of the program only `pinhole report`.
+//! In a feature's folder, `state.rs` is what it remembers, which the session or a lesson's step holds, and `ui.rs` is what
+//! it shows. The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
+//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests use it,
+//! and of the program only `pinhole report`.
 //!
 //! # The path of one edit
 //!
@@ -59,7 +61,7 @@
 //! 3. `ui/panels/camera.rs`: the button that switches to it; `figure/given.rs`: its vectors as fields that
 //!    can be typed and pasted;
 //! 4. patterns that match only the variants with *at* or *up*: `core/camera/difference.rs`,
-//!    `core/steering/handles.rs`, `view/handles.rs`, `figure/overlay/parts/camera.rs`,
+//!    `core/steering/handles.rs`, `features/handles/placed.rs`, `figure/overlay/parts/camera.rs`,
 //!    `lecture/exercises/solve.rs`, `ui/scene/compare.rs`;
 //! 5. the oracle's own `Orientation` in `reference/camera.rs`; `report/measure/subject.rs` converts it.
 //!
@@ -71,59 +73,38 @@
 //! 2. `core/render/`: a kernel for a row, and the kind's entry in `plan.rs`;
 //! 3. `exchange/scene_file/read.rs` and `write.rs`: its table; `exchange/template.rs` and each file of
 //!    `exchange/templates/`: a section `@kind`, or a note that the program cannot show it;
-//! 4. `ui/panels/objects.rs`: its button and fields; `figure/given.rs` and `view/handles.rs`: what can be
+//! 4. `ui/panels/objects.rs`: its button and fields; `figure/given.rs` and `features/handles/placed.rs`: what can be
 //!    typed and dragged;
 //! 5. `lecture/derivation.rs` and `figure/derivation/objects.rs`: how the t of a hit is derived;
 //!    `reference/object.rs`: the oracle's own roots.
 //!
 //! # Where to look
 //!
-//! Paths are below `src/`, except for `tests/` and `assets/`.
+//! Paths are below `src/`, except for `assets/`.
 //!
 //! | for | open |
 //! | --- | --- |
-//! | how a hit gets its colour | `core/render/shade/shade_rows.rs`, for single hits `core/render/shade/mod.rs`; the kinds of shading in `core/render/shade/paint.rs` |
-//! | the error bound of the `f32` row kernel | `core/render/rows/span.rs`; kept by `core/render/outline/mod.rs` |
-//! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
-//! | a mistake, its name and its texts | `lecture/mistakes/table.rs`; its thumbnail in the gallery: `ui/practice/gallery.rs` |
-//! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `texts.rs` in the same folder |
-//! | a line of the derivation | `figure/derivation/camera.rs` and `figure/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
-//! | the format of scene files | `exchange/scene_file/mod.rs` |
-//! | what a lesson's step sets, and its keys | `model/session/shown.rs`; `model/lessons/keys.rs`, and the head of `assets/lessons/01-canonical-camera.toml` |
-//! | a chart: scales, ticks, strokes | `figure/chart.rs`; error against run time in `report/plot/mod.rs` |
-//! | another export format | `exchange/programs/writers.rs`, a language `exchange/code.rs`; the text of each in `exchange/templates/` |
-//! | panes, the floor and its drop lines | `figure/overlay/world_view/ground.rs`; smooth borders of balls: `core/render/edges.rs`, in vector figures `figure/export/spheres.rs` |
-//! | from where the world view is seen | `figure/observer/fit.rs`; what must be in sight: `figure/observer/subject.rs`, `figure/overlay/parts/sight.rs`; kept in the scene, or as a step of a lesson: `ui/app/keep.rs`, `model/lessons/write.rs` |
-//! | where a label stands | `figure/overlay/labels.rs`; numbers of rows and columns: `figure/overlay/pixel_numbers.rs` |
-//! | a mark over a view, and the concept that it stands for | `figure/overlay/parts/`; its emphasis in `figure/overlay/parts/emphasis.rs`, what a concept is made from in `figure/concept.rs`; of the camera view alone: `figure/overlay/camera_view/mod.rs`; its switch in `figure/overlay_items.rs` |
-//! | the numbers of the selected ray, each with its name, concept and meaning | `figure/readings.rs`; shown in `ui/scene/readouts.rs` |
-//! | the labels, names and texts of an enum | the macro in `core/texts.rs`, used where the enum is |
-//! | how a number is written, and read | `lecture/numbers.rs`; `model/expression.rs` |
-//! | a finger: larger buttons, swipes, and what it has while presenting | `is_by_touch` in `ui/app/apply.rs`, `ui/stage/navigation.rs`; narrow areas: `STACKED` in `figure/typesetting/theme.rs` |
-//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/views.rs`, `ui/scene/steps.rs`, `ui/scene/gizmo.rs`; what is under the pointer: `figure/overlay/world_view/under_pointer.rs`; how far they move: `model/interaction.rs` |
-//! | a workspace of the window | `ui/workspaces.rs`; where its views, column and numbers are: `ui/scene/view_rects.rs` |
-//! | the stage of a lesson's step: figure, inset, column, card of formulas | `ui/stage/`; which formulas: `formulas` in the lesson's file; the glide to the next step or view: `ui/app/glide.rs` |
-//! | an exercise on the stage | `ui/stage/exercises.rs`, its fields and what is said at them: `ui/stage/answer_fields.rs`; *Show me*, a mistake as a ghost in it: `model/practice/show_me.rs`; its scene, observer and solution: `ui/app/question.rs`; which exercises are done: `model/practice/progress.rs`; hints: `model/practice/hints.rs` |
-//! | the vote, its rounds and hands | `model/practice/vote.rs`, `ui/practice/vote.rs` |
-//! | codes of answers, and the mistakes of a class | `model/practice/code.rs`, `model/practice/class.rs`, `ui/practice/class.rs`, `cli/check_class.rs` |
-//! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
-//! | a handle and what its drag changes | `model/session/handles.rs`, `view/handles.rs`, `view/handle_drag.rs` |
-//! | a link and its QR code | `exchange/link.rs`, `figure/export/qr.rs`; what it is a link to: `model/link.rs`; `ui/app/share.rs` |
-//! | a command and its key | `ui/commands_table/table.rs`; its place in a menu: `ui/panels/top_bar.rs` |
-//! | what the window opens with | `platform/mod.rs`, `platform/desktop/mod.rs`, `platform/web/mod.rs` |
-//! | files, where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
-//! | the page of a browser, and a scene or lesson in it | `assets/page.js`; `exchange/page.rs`, `model/page_part.rs` |
-//! | presenting, colours and zoom of the window | `ui/app/apply.rs`; undo: `ui/app/history.rs`, `model/history.rs` |
-//! | unsaved changes, and what the next run knows | when they are written: `ui/app/writing.rs`; what: `model/recovery.rs`, `model/store.rs` |
-//! | the dialog for a file | the window's list in `ui/dialogs/path_field.rs`, the desktop's in `platform/desktop/file_dialog/` |
-//! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name; `export` and `import` in `cli/other_programs.rs` |
-//! | the built-in scenes and lessons | `exchange/scenes/builtin/`, listed in `exchange/scenes.rs`; `assets/lessons/`, listed in `model/lessons/builtin.rs` |
-//! | tests | `tests/` for the program, `tests/` or `tests.rs` in the folder of each crate |
+//! | how a pixel gets its colour, and the error bounds | the page of `core/render/mod.rs` |
+//! | a mistake; an exercise | `lecture/mistakes/table.rs`; `lecture/exercises/question.rs`, and its window in `features/exercises/` |
+//! | a line of the derivation | `figure/derivation/camera.rs`, `figure/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
+//! | what is written to a file, and read | the page of `exchange/lib.rs`; another program's format: `exchange/templates/` |
+//! | an option of a command | `cli/arguments.rs`; carried out in the file of the command's name |
+//! | a command of the window, its key and its place in a menu | `ui/commands_table/table.rs`, `ui/panels/top_bar.rs` |
+//! | what a lesson's step sets, and its keys | `model/session/shown.rs`, `model/lessons/keys.rs`; the lessons: `assets/lessons/` |
+//! | a mark over a view: its length, concept and label | `figure/overlay/parts/`; concepts: `figure/concept.rs`; switches: `figure/overlay_items.rs` |
+//! | where a label may stand | `figure/overlay/labels.rs` |
+//! | from where the world view is seen | `figure/observer/`; what must be in sight: `figure/overlay/parts/sight.rs`; the glide: `ui/app/glide.rs` |
+//! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/steps.rs`; handles: `features/handles/` |
+//! | the side panel and its width; the stage of a lesson's step | `ui/app/frame.rs`, `ui/panels/`; `ui/stage/` |
+//! | what is kept, and when it is written | `model/store.rs`, `model/recovery.rs`, `ui/app/writing.rs` |
+//! | a setting, its default and its range | `model/session/mod.rs`, `model/session/choices.rs` |
+//! | where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
 //!
 //! Pure functions are in the middle; clocks, files and the display are at the edge (`model/files.rs`,
 //! `model/store.rs`, `model/recovery.rs`, `cli`, `platform`).
 
 pub mod cli;
+pub mod features;
 pub mod model;
 pub mod platform;
 pub mod report;

@@ -9,8 +9,8 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 use pinhole_figure::overlay::Style;
 
+use crate::features::export::order::FigureSubject;
 use crate::model::lessons::LessonArgument;
-use crate::view::figure_order::FigureSubject;
 use pinhole_exchange::{Conventions, Format, SceneSource};
 
 /// See what a pinhole camera sees, and why.

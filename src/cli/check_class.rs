@@ -18,7 +18,7 @@ use super::check::{CheckOutcome, Task, status, to_value};
 use super::console::{CommandError, columns, read, to_json, warn};
 use super::progress::Progress;
 use crate::cli::arguments::CheckArguments;
-use crate::model::practice::class::{
+use crate::features::class::state::{
     ClassAnswers, INCOMPLETE, NOT_JUDGED, RIGHT, Tally, outcomes_of_grade,
 };
 

@@ -13,8 +13,8 @@ use pinhole_figure::{Item, ViewSize};
 use super::console::{CommandError, is_standard, scene_fault, unmade};
 use super::load::{deliver, files_of, follow, load, pose, selection_of, size};
 use crate::cli::arguments::FigureArguments;
+use crate::features::export::order::{Content, FigureSubject, Order, derivation_of, scale_of};
 use crate::model::Session;
-use crate::view::figure_order::{Content, FigureSubject, Order, derivation_of, scale_of};
 
 /// The default size of a figure of the world view, in pixels.
 const WORLD: [u32; 2] = [1920, 1080];

@@ -21,8 +21,8 @@ use super::console::{CommandError, is_standard, named, not_built, scene_fault, t
 use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
+use crate::features::export::order::{FigureSubject, Order, scale_of};
 use crate::model::{Session, Setup, Shown};
-use crate::view::figure_order::{FigureSubject, Order, scale_of};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {

@@ -11,11 +11,11 @@ use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_
 use super::load::{files_of, load, pose, refuse_overwriting};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
+use crate::features::export::order::by_ending;
 use crate::report::measure::Measurement;
 use crate::report::model::Report;
 use crate::report::plot::PNG_SCALE;
 use crate::report::{plot, table};
-use crate::view::figure_order::by_ending;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     check(arguments)?;

@@ -9,9 +9,9 @@ use pinhole_figure::export::QrCode;
 use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
 use super::load::{deliver, files_of, load, pose, selection_of};
 use crate::cli::arguments::ShareArguments;
+use crate::features::export::order::by_ending;
+use crate::features::share::link::of_step;
 use crate::model::lessons::{LessonArgument, OpenLesson};
-use crate::model::link::of_step;
-use crate::view::figure_order::by_ending;
 
 pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
     let (scene, document, shown) = shown(arguments)?;

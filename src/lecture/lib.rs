@@ -39,7 +39,7 @@ pub use derivation::{
     PlaneDerivation, PlaneMeeting, RayDerivation, SphereDerivation, SphereMeeting, UnitOrigin,
     VectorAndLength,
 };
-pub use exercises::Exercise;
+pub use exercises::{Exercise, LARGEST_SEED, next_seed};
 pub use forms::{NumberForm, VectorForm};
 pub use grading::AnswerKind;
 pub use lines::{ImplicitLine, ParametricLine};

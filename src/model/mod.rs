@@ -33,27 +33,14 @@ pub mod files;
 pub mod history;
 pub mod interaction;
 pub mod lessons;
-pub mod lines;
-pub mod link;
 pub mod page_part;
-pub mod play;
-pub mod practice;
 pub mod recovery;
 pub mod session;
 pub mod store;
-pub mod translator;
 
 pub use files::OpenDocument;
 pub use lessons::{Lesson, OpenLesson, StepId};
-pub use lines::LinesLab;
-pub use play::Player;
-pub use practice::exercises::Exercises;
-pub(crate) use practice::exercises::{Feedback, TypedAnswer};
-pub use practice::progress::Progress;
-pub use practice::{AnswersFile, MistakesView, StudentAnswers};
-pub use session::handles::HandleState;
 pub use session::{
     Ghost, Live, Preferences, Session, Settings, Setup, Shown, ThemeName, ViewLayout, Workspace,
 };
 pub use store::{Remembered, Store, WindowGeometry};
-pub use translator::Translator;

@@ -13,9 +13,9 @@ use pinhole_exchange::{FileError, limits};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::features::exercises::progress::Progress;
 use crate::model::files::remember;
 use crate::model::lessons::{StepId, Which};
-use crate::model::practice::progress::Progress;
 use crate::model::session::Settings;
 
 /// The remembered state as stored on disk.

@@ -15,11 +15,11 @@ use pinhole_figure::overlay::PointShown;
 use pinhole_figure::{Given, Item, Scheme};
 use pinhole_lecture::{Exercise, Mistake};
 
-use crate::model::play::Kind;
+use crate::features::export::animation::Frames;
+use crate::features::export::order::Order;
+use crate::features::play::state::Kind;
 use crate::model::session::presenting::Pen;
 use crate::model::{Session, StepId, ThemeName, ViewLayout};
-use crate::view::animation::Frames;
-use crate::view::figure_order::Order;
 
 /// An action that leaves the open scene. The user is first asked about unsaved changes.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,5 @@
-//! The window's contents: the order of a frame ([`app`]), the workspaces' pages and their parts ([`scene`],
-//! [`derivation`], [`ray`], [`practice`], [`tools`]), the panels around them, dialogs, widgets, and the table
-//! of commands.
+//! The window's contents: the order of a frame ([`app`]), the views ([`scene`]), the [`derivation`], the panels
+//! around them, dialogs, widgets, and the table of commands. What a feature shows is in [`crate::features`].
 
 pub mod action;
 pub mod app;
@@ -9,11 +8,8 @@ pub mod derivation;
 pub mod dialogs;
 pub mod frame_times;
 pub mod panels;
-pub mod practice;
-pub mod ray;
 pub mod scene;
 pub(crate) mod second_picture;
 pub(crate) mod stage;
-pub mod tools;
 pub mod widgets;
 pub(crate) mod workspaces;

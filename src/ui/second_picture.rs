@@ -3,9 +3,8 @@
 
 use egui::{Rect, Ui};
 
-use crate::ui::practice::{answers, mistakes};
+use crate::features::{accuracy, answers, mistakes};
 use crate::ui::scene::{compare, views};
-use crate::ui::tools::accuracy;
 use crate::ui::widgets::no_picture;
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
@@ -14,7 +13,7 @@ use crate::view::derive::SecondPicture;
 /// wrong.
 pub(crate) fn name(second: SecondPicture, is_asking: bool) -> &'static str {
     match second {
-        SecondPicture::WrongCamera if is_asking => mistakes::HEADINGS[1],
+        SecondPicture::WrongCamera if is_asking => mistakes::ui::HEADINGS[1],
         named => named.name(),
     }
 }
@@ -33,22 +32,22 @@ pub(crate) fn show(
     let (mut spoken, mut why_not) = (None, None);
     match second {
         SecondPicture::ErrorMap => {
-            accuracy::strip(ui, area, &mut session.preferences.compared);
+            accuracy::ui::strip(ui, area, &mut session.preferences.compared);
             if let (Some(compared), Some(_)) = (derived.compared.as_deref(), view) {
-                spoken = Some(accuracy::summary(compared));
-                accuracy::legend(ui, area, compared);
+                spoken = Some(accuracy::ui::summary(compared));
+                accuracy::ui::legend(ui, area, compared);
             }
             why_not = derived.too_many.map(|why| format!("No error map: {why}"));
         }
         SecondPicture::WrongCamera => {
             let mistakes_view = &mut session.shown.mistakes_view;
             match on_stage {
-                Some(camera) => mistakes::headings(ui, [camera, area], session.shown.is_asking),
-                None => mistakes::strip(ui, area, mistakes_view),
+                Some(camera) => mistakes::ui::headings(ui, [camera, area], session.shown.is_asking),
+                None => mistakes::ui::strip(ui, area, mistakes_view),
             }
             if let Some(wrong) = derived.wrong_camera.as_deref() {
-                spoken = Some(mistakes::spoken(wrong, mistakes_view, session.shown.is_asking));
-                why_not = mistakes::why_not(wrong, mistakes_view);
+                spoken = Some(mistakes::ui::spoken(wrong, mistakes_view, session.shown.is_asking));
+                why_not = mistakes::ui::why_not(wrong, mistakes_view);
             }
         }
         SecondPicture::Ghost => {
@@ -59,9 +58,9 @@ pub(crate) fn show(
         SecondPicture::Answers => {
             let graded = derived.grading.as_ref().and_then(|graded| graded.as_ref().ok());
             let map = graded.map(|graded| &**graded).filter(|_| view.is_some());
-            answers::strip(ui, area, session, map);
-            spoken = Some(answers::spoken(derived, session));
-            why_not = Some(answers::why_not(derived, session).to_owned());
+            answers::ui::strip(ui, area, session, map);
+            spoken = Some(answers::ui::spoken(derived, session));
+            why_not = Some(answers::ui::why_not(derived, session).to_owned());
         }
     }
     if let Some(spoken) = spoken {

@@ -6,19 +6,17 @@ use pinhole_figure::Hovered;
 use pinhole_figure::NumberStyle;
 use pinhole_figure::typesetting::theme::{self, STACKED};
 
+use crate::features::accuracy::ui::Measuring;
+use crate::features::export::order::FigureSubject;
+use crate::features::mistakes::ui_gallery::Gallery;
+use crate::features::{accuracy, answers, class, lines, mistakes, plot, translator};
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::{Session, Split, ViewLayout};
 use crate::ui::derivation::{self, DerivationPanel};
-use crate::ui::practice::gallery::Gallery;
-use crate::ui::practice::{answers, class, mistakes};
-use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
-use crate::ui::tools::accuracy::{self, Measuring};
-use crate::ui::tools::translator;
 use crate::ui::widgets::{ViewTexture, clipped, inside};
 use crate::view::derive::{Derived, SecondPicture};
-use crate::view::figure_order::FigureSubject;
 
 /// A page of a workspace.
 pub(crate) struct Page {
@@ -119,15 +117,15 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 let (left, right) = divider.across(views, Split::Views, "views handle");
                 Areas { world: Some(left), camera: Some(right), second: None, rest }
             },
-            rest: |ui, context| plot::ui(ui, context.session, context.derived),
-            hovered: |ctx, _, derived| plot::hovered(ctx, derived),
+            rest: |ui, context| plot::ui::ui(ui, context.session, context.derived),
+            hovered: |ctx, _, derived| plot::ui::hovered(ctx, derived),
             ..Page::VIEWS
         },
         ViewLayout::Lines => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
             rest: |ui, context| {
-                lines::ui(ui, &mut context.session.shown.lines, context.style.digits)
+                lines::ui::ui(ui, &mut context.session.shown.lines, context.style.digits)
             },
             figure: FigureSubject::Lines,
             ..Page::VIEWS
@@ -137,7 +135,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             second: Some(SecondPicture::WrongCamera),
             rest: |ui, context| {
                 let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
-                mistakes::ui(ui, context.derived, document, context.session, gallery);
+                mistakes::ui::ui(ui, context.derived, document, context.session, gallery);
             },
             figure: FigureSubject::Camera,
             ..Page::VIEWS
@@ -152,7 +150,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         },
         ViewLayout::Translator => Page {
             areas: |divider| divider.stack_beside(),
-            rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
+            rest: |ui, context| translator::ui::ui(ui, &context.open.document, context.session),
             ..Page::VIEWS
         },
         ViewLayout::Exercises => Page {
@@ -164,21 +162,21 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::Answers => Page {
             areas: |divider| divider.three_above(Split::Answers),
             second: Some(SecondPicture::Answers),
-            rest: |ui, context| answers::ui(ui, context.derived, context.session),
+            rest: |ui, context| answers::ui::ui(ui, context.derived, context.session),
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
         ViewLayout::Class => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
-            rest: |ui, context| class::ui(ui, context.session),
+            rest: |ui, context| class::ui::ui(ui, context.session),
             ..Page::VIEWS
         },
         ViewLayout::Accuracy => Page {
             areas: |divider| {
                 let (views, rest) = divider.above(Split::Accuracy);
                 // Both pictures leave space for the error map's legend, so that they have the same size.
-                let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
+                let bottom = (views.bottom() - accuracy::ui::LEGEND).max(views.top() + STRIP + 1.0);
                 let (left, right) =
                     halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
                 Areas { world: None, camera: Some(left), second: Some(right), rest }
@@ -188,7 +186,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
                 let name = title_of(context.open.origin());
                 measuring.step(ui.ctx(), &name, &document.camera, context.derived);
-                accuracy::ui(ui, measuring, context.derived, document, context.session);
+                accuracy::ui::ui(ui, measuring, context.derived, document, context.session);
             },
             figure: FigureSubject::Camera,
             ..Page::VIEWS

@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::play::Kind;
+use pinhole::features::play::state::Kind;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, Selection};
 

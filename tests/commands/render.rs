@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use pinhole::cli::arguments::RenderArguments;
 use pinhole::cli::render::Picture;
-use pinhole::view::figure_order::FigureSubject;
+use pinhole::features::export::order::FigureSubject;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::BuiltinScene;

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use pinhole::features::translator::state::pasted;
 use pinhole::model::expression::evaluate;
 use pinhole::model::lessons::{builtin, parse};
 use pinhole::model::store::{Remembered, Store};
-use pinhole::model::translator::pasted;
 use pinhole_core::Camera;
 
 use crate::mutants::{Reader, fuzz};

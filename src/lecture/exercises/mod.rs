@@ -15,6 +15,15 @@ pub use judge::Verdict;
 pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart};
 pub use texts::{follows, question};
 
+/// Maximum seed of a question or a vote, far below 2^53, up to which the seed's `f64` number field is
+/// exact.
+pub const LARGEST_SEED: u64 = 1_000_000_000;
+
+/// Returns the next seed. The maximum is followed by 0.
+pub fn next_seed(seed: u64) -> u64 {
+    if seed < LARGEST_SEED { seed + 1 } else { 0 }
+}
+
 impl Question {
     /// Creates the lecture's own question or, if there is a seed, a similar one. The same seed gives
     /// the same question on every machine.

@@ -271,6 +271,11 @@ pub struct ComparedPicture<P> {
 }
 
 impl ComparedCamera {
+    /// Returns the checks that fail for the wrong camera.
+    pub fn failing(&self) -> impl Iterator<Item = &Checked> {
+        self.checks.iter().filter(|checked| !checked.passes)
+    }
+
     /// Makes a mistake in a camera, and compares the resulting camera with the right one: its numbers
     /// and, if it has a picture, the picture.
     pub fn new<P: Clone + Send + Sync>(

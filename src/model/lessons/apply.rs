@@ -5,7 +5,8 @@ use pinhole_figure::{Item, Observer, OverlayItems};
 
 use super::keys::KEYS;
 use super::lesson::Step;
-use crate::model::{Exercises, Session, Shown};
+use crate::features::exercises::Exercises;
+use crate::model::{Session, Shown};
 
 /// Shows the step. What it does not say stays unchanged, including the answers typed for its question.
 pub fn apply(step: &Step, session: &mut Session) {

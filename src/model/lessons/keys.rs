@@ -12,9 +12,11 @@ use pinhole_figure::{
 use pinhole_lecture::{ImplicitLine, Mistake, ParametricLine};
 
 use super::lesson::Step;
-use crate::model::lines::{ShownLines, Trail};
+use crate::features::lines::LinesLab;
+use crate::features::lines::state::{ShownLines, Trail};
+use crate::features::mistakes::MistakesView;
+use crate::model::Shown;
 use crate::model::session::{DIGITS, ViewLayout};
-use crate::model::{LinesLab, MistakesView, Shown};
 
 /// A key of a step that sets a part of what is shown.
 pub(super) struct StepKey {

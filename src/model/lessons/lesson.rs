@@ -8,8 +8,8 @@ use pinhole_exchange::{Document, FileError};
 use pinhole_figure::OverlayItems;
 use pinhole_lecture::Exercise;
 
+use crate::features::play::state::Kind;
 use crate::model::lessons::{builtin, read};
-use crate::model::play::Kind;
 use crate::model::{Shown, ViewLayout};
 
 /// A lesson: a list of steps.

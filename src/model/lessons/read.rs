@@ -9,11 +9,11 @@ use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
 use pinhole_figure::{Concept, Observer, OverlayItems};
 use pinhole_lecture::Exercise;
+use pinhole_lecture::LARGEST_SEED;
 
 use super::keys::{KEYS, choice, is_in_scene, items};
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};
-use crate::model::play::Kind;
-use crate::model::practice::LARGEST_SEED;
+use crate::features::play::state::Kind;
 use crate::model::{Ghost, Shown};
 
 /// The version of the lesson format that this program reads.

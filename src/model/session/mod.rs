@@ -8,9 +8,12 @@ use pinhole_figure::Scheme;
 use pinhole_figure::{Concept, HoverSource, Hovered};
 use serde::{Deserialize, Serialize};
 
-use crate::model::practice::class::ClassCodes;
+use crate::features::answers::StudentAnswers;
+use crate::features::class::state::ClassCodes;
+use crate::features::exercises::{Exercises, Progress};
+use crate::features::handles::HandleState;
+use crate::features::translator::Translator;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
-use crate::model::{Exercises, HandleState, Progress, StudentAnswers, Translator};
 
 pub use shown::{Setup, Shown};
 
@@ -19,7 +22,6 @@ pub use choices::{
 };
 
 mod choices;
-pub mod handles;
 pub mod presenting;
 mod shown;
 

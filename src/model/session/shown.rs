@@ -5,8 +5,10 @@ use pinhole_figure::typesetting::theme;
 use pinhole_figure::{Concept, DerivationSections, Formulas, NumberStyle, Observer, OverlayItems};
 use serde::{Deserialize, Serialize};
 
+use crate::features::lines::LinesLab;
+use crate::features::mistakes::MistakesView;
+use crate::model::Ghost;
 use crate::model::session::ViewLayout;
-use crate::model::{Ghost, LinesLab, MistakesView};
 
 /// What is shown of a document, and how. A lesson's step is one, restoring it is an assignment, and a change of it
 /// is a difference.

@@ -8,7 +8,7 @@ use winit::error::EventLoopError;
 use winit::event_loop::EventLoop;
 
 use crate::model::fault::text_of;
-use crate::ui::dialogs::path_field::FileAnswer;
+use crate::ui::widgets::path_field::FileAnswer;
 
 /// An event that wakes the event loop, other than the window's own events.
 #[derive(Debug)]

@@ -22,7 +22,8 @@ use etcetera::{BaseStrategy as _, choose_base_strategy};
 
 use crate::cli::arguments::{Arguments, WindowArguments};
 use crate::cli::{self, CommandError};
-use crate::model::{Store, fault, link};
+use crate::features::share;
+use crate::model::{Store, fault};
 use crate::platform::desktop::frames::FrameLog;
 
 mod cpu;
@@ -107,7 +108,7 @@ fn run(arguments: &WindowArguments) -> Result<(), CommandError> {
     }
     let geometry = remembered.window;
     let lesson = lesson.as_ref().map(|lesson| lesson.load()).transpose()?;
-    let link = scene.as_deref().and_then(link::of_argument).transpose()?;
+    let link = scene.as_deref().and_then(share::link::of_argument).transpose()?;
     let scene = scene.as_deref().filter(|_| link.is_none());
     let mut app = super::start(scene, lesson, store, remembered)?;
     if let Some(link) = link {

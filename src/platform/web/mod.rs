@@ -28,8 +28,8 @@ use crate::model::lessons::{Lesson, LessonArgument, OpenLesson, StepId};
 use crate::model::recovery::{Slot, Unsaved};
 use crate::model::{Remembered, Store, fault};
 use crate::ui::app::{App, SpokenAbout};
-use crate::ui::dialogs::{FileAnswer, FileRequest};
 use crate::ui::widgets::number;
+use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
 
 /// The identifier of the page's canvas.
 const CANVAS: &str = "canvas";

@@ -9,13 +9,14 @@ use pinhole_exchange::legible;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_figure::typesetting::theme::{self, Look};
 
+use crate::features::mistakes::MistakesView;
+use crate::features::translator::state::{Notice, Taken, imported, pasted};
+use crate::features::vote;
 use crate::model::files::{OpenDocument, title_of};
-use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
 use crate::model::session::{
     Preferences, Session, Settings, ThemeName, ViewLayout, Workspace, ZOOM,
 };
-use crate::model::translator::{Notice, Taken, imported, pasted};
 use crate::ui::action::{
     Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
     ShareAction,
@@ -23,9 +24,9 @@ use crate::ui::action::{
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
-use crate::ui::dialogs::{Dialog, FileQuestion, Question};
-use crate::ui::practice::vote;
+use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::widgets::may_explain;
+use crate::ui::widgets::path_field::FileQuestion;
 use crate::view::derive::Deriver;
 
 const OPEN: FileQuestion = FileQuestion {
@@ -124,7 +125,7 @@ impl App {
             }
             Action::Vote(action) => {
                 Popup::close_all(ctx);
-                vote::apply(ctx, &mut self.scene.session, action);
+                vote::ui::apply(ctx, &mut self.scene.session, action);
             }
             Action::Help(action) => self.over.apply(action),
         }

@@ -14,19 +14,22 @@ use pinhole_exchange::{
 use pinhole_figure::export::Figure;
 use pinhole_figure::overlay::Style;
 
+use crate::features::answers::{AnswersFile, StudentAnswers};
+use crate::features::class::code::codes_in;
+use crate::features::exercises::{Exercises, Progress};
+use crate::features::export::order::{Content, FigureSubject, MARGIN, Order, derivation_of};
+use crate::features::export::ui::{ExportForm, OnScreen};
+use crate::features::translator::state::with;
+use crate::features::{lines, translator};
 use crate::model::page_part;
-use crate::model::practice::code::codes_in;
-use crate::model::translator::with;
-use crate::model::{AnswersFile, Exercises, Progress, Session, StudentAnswers, ViewLayout};
+use crate::model::{Session, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
-use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, Question};
-use crate::ui::ray::lines;
-use crate::ui::tools::translator;
+use crate::ui::dialogs::{Dialog, Question};
+use crate::ui::widgets::path_field::FileQuestion;
 use crate::ui::workspaces::page;
-use crate::view::figure_order::{Content, FigureSubject, MARGIN, Order, derivation_of};
 
 /// Returns the action for a text that was pasted while no text field had the focus: a link is opened, codes of
 /// answers are counted, and of anything else, the camera is read.
@@ -54,7 +57,7 @@ pub(super) fn notice(ui: &Ui, scene: &mut OpenScene) {
     if camera.is_some_and(|camera| camera != scene.open.document.camera) {
         *notice = None;
     }
-    translator::notice(ui, notice);
+    translator::ui::notice(ui, notice);
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {
@@ -311,7 +314,7 @@ impl App {
                 let width = self.tools.derivation.width().map(|width| width + 2.0 * MARGIN);
                 [width.unwrap_or(DERIVATION[0]), DERIVATION[1]]
             }
-            FigureSubject::Lines => lines::size(ctx).unwrap_or(LINES),
+            FigureSubject::Lines => lines::ui::size(ctx).unwrap_or(LINES),
         };
         OnScreen { subject, points, scale }
     }

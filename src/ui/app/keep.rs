@@ -10,7 +10,8 @@ use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::{Lesson, with_step};
 use crate::ui::action::FileAction;
-use crate::ui::dialogs::{Dialog, FileQuestion, PathField};
+use crate::ui::dialogs::Dialog;
+use crate::ui::widgets::path_field::{FileQuestion, PathField};
 
 const SAVE_STEP: FileQuestion = FileQuestion {
     title: "Save this view at the end of a lesson, or begin one",

@@ -8,13 +8,14 @@ use pinhole_figure::typesetting::theme;
 
 use super::App;
 use super::scene::OpenScene;
+use crate::features::share::ui::ShownCode;
 use crate::model::lessons::Which;
 use crate::ui::action::{HelpAction, Leave};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
-use crate::ui::dialogs::share::ShownCode;
-use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
+use crate::ui::dialogs::{self, Dialog, help};
 use crate::ui::widgets::ResponseExt as _;
+use crate::ui::widgets::path_field::FileAnswer;
 
 /// The overlays that are open.
 #[derive(Default)]

@@ -8,12 +8,13 @@ use pinhole_figure::Observer;
 
 use super::App;
 use super::scene::OpenScene;
-use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
+use crate::features::export::animation::{Animation, Frames, Recorder};
+use crate::features::export::order::Order;
+use crate::features::play;
+use crate::features::play::Player;
+use crate::features::play::state::{Kind, Start, Still, ray_point_end};
 use crate::ui::action::PlayAction;
 use crate::ui::dialogs::Dialog;
-use crate::ui::panels::play;
-use crate::view::animation::{Animation, Frames, Recorder};
-use crate::view::figure_order::Order;
 
 /// The open animation, and the one being exported.
 #[derive(Default)]
@@ -52,7 +53,7 @@ impl App {
         player.start.end = ray_point_end(self.views.derived.inspection.as_deref());
         player.reduced = self.scene.session.preferences.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
-        Panel::bottom("play").show(ui, |ui| play::ui(ui, player));
+        Panel::bottom("play").show(ui, |ui| play::ui::ui(ui, player));
         if player.running {
             ctx.request_repaint();
         }

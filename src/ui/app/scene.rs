@@ -14,9 +14,9 @@ use pinhole_lecture::exercises::Asked;
 use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use super::lessons::Lessons;
+use crate::features::play::state::Kind;
 use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
 use crate::model::lessons::{self, OpenLesson, StepId, Which, apply};
-use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{Ghost, Live, OpenDocument, Session, ViewLayout};
 use crate::ui::action::{GhostAction, ObjectAction, Observe};

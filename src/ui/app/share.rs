@@ -6,11 +6,11 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::App;
 use super::scene::{OpenScene, Opened};
+use crate::features::share::link::{layout_of, read, to_window};
+use crate::features::share::ui::{ShareForm, ShownCode};
 use crate::model::lessons::{StepId, Which};
-use crate::model::link::{layout_of, read, to_window};
 use crate::model::{OpenDocument, ViewLayout};
 use crate::ui::action::{Leave, ShareAction};
-use crate::ui::dialogs::share::{ShareForm, ShownCode};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::stage::Stage;
 

@@ -6,11 +6,13 @@ use pinhole_figure::typesetting::notation::without_marks;
 use pinhole_figure::{Fault, Inspection};
 use pinhole_lecture::exercises;
 
+use crate::features::exercises::Exercises;
+use crate::features::mistakes::MistakesView;
+use crate::features::{answers, class, mistakes, vote};
 use crate::model::files::title_of;
-use crate::model::{Exercises, MistakesView, Settings, ViewLayout, Workspace};
+use crate::model::{Settings, ViewLayout, Workspace};
 use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
-use crate::ui::practice::{answers, class, mistakes, vote};
 use crate::ui::scene::views;
 use pinhole_figure::readings::{Reading, of_basis};
 
@@ -68,8 +70,10 @@ impl App {
             match session.shown.setup.layout {
                 ViewLayout::Exercises => exercise(&session.exercises, &mut lines),
                 ViewLayout::Mistakes => self.mistake(&session.shown.mistakes_view, &mut lines),
-                ViewLayout::Answers => lines.push(answers::spoken(&self.views.derived, session)),
-                ViewLayout::Class => lines.extend(class::spoken(&session.class.answers)),
+                ViewLayout::Answers => {
+                    lines.push(answers::ui::spoken(&self.views.derived, session))
+                }
+                ViewLayout::Class => lines.extend(class::ui::spoken(&session.class.answers)),
                 _ => {}
             }
         }
@@ -102,11 +106,11 @@ impl App {
     /// Tells the comparison with a wrong camera, or the vote on it.
     fn mistake(&self, view: &MistakesView, lines: &mut Vec<String>) {
         if let Some(open) = &view.open_vote {
-            lines.push(vote::ASKED.to_owned());
-            lines.extend((0..open.vote.options.len()).map(|index| vote::named(open, index)));
+            lines.push(vote::ui::ASKED.to_owned());
+            lines.extend((0..open.vote.options.len()).map(|index| vote::ui::named(open, index)));
         }
         let wrong = self.views.derived.wrong_camera.as_deref();
-        lines.extend(wrong.map(|wrong| mistakes::spoken(wrong, view, false)));
+        lines.extend(wrong.map(|wrong| mistakes::ui::spoken(wrong, view, false)));
     }
 }
 

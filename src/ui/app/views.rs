@@ -10,7 +10,7 @@ use pinhole_figure::{Fault, ViewSize};
 use super::App;
 use super::glide::Glide;
 use super::question::in_views;
-use crate::model::practice::answer_marks;
+use crate::features::exercises;
 use crate::model::{Session, Shown};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, gizmo, views};
@@ -98,7 +98,7 @@ impl App {
     fn spoken_in_views(&self) -> String {
         match (&self.question, self.scene.session.shown.is_asking) {
             (Some(asked), _) => {
-                let marks = answer_marks::spoken(&self.views.derived.answer_marks);
+                let marks = exercises::marks::spoken(&self.views.derived.answer_marks);
                 let has_ghost = asked.session.exercises.ghost().is_some();
                 if has_ghost { format!("{marks}, wrong camera (dashed)") } else { marks }
             }

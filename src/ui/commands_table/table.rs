@@ -10,8 +10,8 @@ use pinhole_figure::derivation::Markup;
 use pinhole_figure::observer::WorldAxis;
 use pinhole_lecture::{Exercise, Mistake};
 
+use crate::features::play::state::Kind;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
-use crate::model::play::Kind;
 use crate::model::session::{TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, CameraMove, ExchangeAction, FigureAction, FileAction, GhostAction,

@@ -6,18 +6,15 @@ use std::path::{Path, PathBuf};
 use egui::{Context, Id, Modal, ProgressBar, ScrollArea, Ui, Vec2};
 use pinhole_exchange::legible;
 
+use crate::features::export::ui::ExportForm;
+use crate::features::share::ui::ShareForm;
 use crate::ui::action::{Action, request};
-use crate::ui::dialogs::share::ShareForm;
 
-pub mod export;
 pub mod help;
 pub mod palette;
-pub mod path_field;
-pub mod share;
 
-pub(crate) use export::{ExportForm, OnScreen};
-pub(crate) use path_field::PathField;
-pub use path_field::{FileAnswer, FileQuestion, FileRequest};
+use crate::ui::widgets::path_field::{FileAnswer, FileQuestion};
+use crate::ui::widgets::path_field::PathField;
 
 /// The open dialog.
 pub(crate) enum Dialog {

@@ -3,7 +3,6 @@
 
 pub(crate) mod camera;
 pub(crate) mod objects;
-pub(crate) mod play;
 mod teaching;
 pub(crate) mod top_bar;
 

@@ -10,9 +10,9 @@ use pinhole_figure::Scheme;
 use pinhole_figure::derivation::Markup;
 use pinhole_figure::overlay_items::Item;
 
+use crate::features::play::state::Kind;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
-use crate::model::play::Kind;
 use crate::model::session::{DIGITS, TOOLS, ThemeName, ViewLayout, Workspace, shade_label};
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,

@@ -1,6 +1,6 @@
 //! Mouse input on the handles of the world view, and in the camera view, where drags look around and orbit.
 //! The input is applied before anything is drawn, so that the frame already shows its effect. The effects of
-//! drags are computed in [`crate::view::handles`] and [`pinhole_core::steering`].
+//! drags are computed in [`crate::features::handles::placed`] and [`pinhole_core::steering`].
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Ui, Vec2};
 use pinhole_core::steering::SteerError;
@@ -9,12 +9,12 @@ use pinhole_exchange::document::Document;
 use pinhole_figure::overlay::{self, pick};
 
 use super::steps::RecentSteps;
+use crate::features::handles::drag::HandleDrag;
+use crate::features::handles::placed::{HandleInputs, PlacedHandle, hit, placed};
+use crate::features::handles::state::{Drag, Grabbed, Handle, HandleValues};
 use crate::model::interaction::{CLICK, FINGER_REACH, HANDLE_REACH, RAY_POINT_REACH};
-use crate::model::session::handles::{Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{Session, Settings};
 use crate::view::derive::Derived;
-use crate::view::handle_drag::HandleDrag;
-use crate::view::handles::{HandleInputs, PlacedHandle, hit, placed};
 
 /// The input state of the world view and the camera view that persists between egui passes: the drag in
 /// progress, and recent steps by keys and wheel.

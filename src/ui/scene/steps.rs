@@ -14,16 +14,17 @@ use pinhole_core::{Basis, Camera, DVec2, DVec3, ResolvedCamera};
 use pinhole_exchange::document::Document;
 use pinhole_figure::{HoverSource, Hovered, Item};
 
+use crate::features::handles::drag::{Dragged, step_of};
+use crate::features::handles::placed::{PlacedHandle, label, value};
+use crate::features::handles::state::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
-use crate::model::session::handles::{Corner, Drag, Grabbed, Handle, HandleValues};
 use crate::model::session::{LOUPE_PIXELS, Session};
 use crate::ui::action::{CameraMove, Steer};
+use crate::ui::scene::Dragging;
 use crate::ui::scene::views::{CAMERA, WORLD};
-use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};
+use crate::ui::scene::{ViewInput, ViewRects, WorldArea};
 use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
 use crate::view::derive::Derived;
-use crate::view::handle_drag::{Dragged, step_of};
-use crate::view::handles::{PlacedHandle, label, value};
 
 /// The recent steps of the camera by wheel or keys.
 #[derive(Debug)]

@@ -10,14 +10,14 @@ use pinhole_figure::typesetting::theme;
 use pinhole_figure::typesetting::theme::WRITTEN;
 use pinhole_figure::{Concept, Formulas};
 
-use super::{Stage, exercises, navigation};
+use super::{Stage, navigation};
+use crate::features::lines::view::substitution;
+use crate::features::{exercises, mistakes};
 use crate::model::lessons::{Lesson, OpenLesson};
 use crate::model::{Session, ViewLayout};
 use crate::ui::derivation::DerivationPanel;
-use crate::ui::practice::mistakes;
 use crate::ui::widgets::{inside, marked_text};
 use crate::ui::workspaces::PageContext;
-use crate::view::lines::substitution;
 
 /// Distance between the column's edge and its contents, in points.
 const MARGIN: [f32; 2] = [14.0, 6.0];
@@ -32,7 +32,7 @@ const BEFORE_BUTTONS: f32 = 12.0;
 /// Radius of the dot for the lecturer, in points.
 const DOT: f32 = 3.0;
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
-pub(super) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
+pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
 /// The open lesson.
 pub(crate) struct OpenStep<'a> {
@@ -57,11 +57,11 @@ pub(crate) fn show(
     let has_foot = step.is_some() || theme::installed(ui.ctx()).presenting;
     let foot = if has_foot { FOOT.max(ui.spacing().interact_size.y) } else { 0.0 };
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - foot);
-    let choice = exercises::choice_height(ui, context.session, step.is_some());
+    let choice = exercises::ui::choice_height(ui, context.session, step.is_some());
     let (choice, above) = above.split_top_bottom_at_y(above.top() + choice);
     if choice.height() > 0.0 {
         inside(ui, choice, |ui| {
-            exercises::choice(ui, context.session, step.is_some());
+            exercises::ui::choice(ui, context.session, step.is_some());
         });
     }
     let has_two_parts = stage.is_above_column()
@@ -154,7 +154,7 @@ fn paragraphs(open: Option<&OpenLesson>, session: &Session) -> Vec<String> {
     let step = open.map(OpenLesson::step);
     let asked = step.and_then(|step| step.question.as_ref()).map(|question| &question.ask);
     let of_step = step.map(|step| &step.text).into_iter().chain(asked).cloned();
-    of_step.chain(exercises::texts(session)).collect()
+    of_step.chain(exercises::ui::texts(session)).collect()
 }
 
 /// Returns the answer to the step's question.
@@ -212,12 +212,12 @@ fn about(session: &Session) -> &[Concept] {
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     if context.session.shows_exercise() {
-        return exercises::height(ui, context.session, context.derived, [width, size]);
+        return exercises::ui::height(ui, context.session, context.derived, [width, size]);
     }
     match (context.session.shown.setup.layout, &context.derived.derivation) {
-        (ViewLayout::Lines, _) => exercises::SUBSTITUTION * marked_text::row_height(ui, size),
+        (ViewLayout::Lines, _) => exercises::ui::SUBSTITUTION * marked_text::row_height(ui, size),
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
-            let rows = mistakes::card_rows(wrong, about(context.session)) as f32;
+            let rows = mistakes::ui::card_rows(wrong, about(context.session)) as f32;
             rows * 1.2 * marked_text::row_height(ui, size)
         }),
         (layout, Some(derivation)) if has_card(layout) => {
@@ -231,7 +231,7 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
 /// other, or the checks that catch a mistake.
 fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bool) {
     if context.session.shows_exercise() {
-        return exercises::ui(ui, context, size, is_lesson);
+        return exercises::ui::ui(ui, context, size, is_lesson);
     }
     let PageContext { session, derived, open, style, tools, .. } = context;
     let is_asking = session.shown.is_asking;
@@ -242,7 +242,7 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bo
         }
         (ViewLayout::Mistakes, _) if !is_asking => {
             if let Some(wrong) = &derived.wrong_camera {
-                mistakes::card(ui, wrong, *style, about(session), size);
+                mistakes::ui::card(ui, wrong, *style, about(session), size);
             }
         }
         (layout, Some(derivation)) if has_card(layout) => {
@@ -266,7 +266,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
             }
             if context.session.shows_exercise() {
                 ui.add_space(BEFORE_BUTTONS);
-                exercises::buttons(ui, context);
+                exercises::ui::buttons(ui, context);
             }
         });
         return;

@@ -10,15 +10,13 @@ use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 use pinhole_figure::typesetting::theme;
 
+use crate::features::{exercises, lines, plot};
 use crate::model::ViewLayout;
-use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
 use crate::ui::workspaces::{PageContext, foot, hidden, page};
 
-mod answer_fields;
 pub(crate) mod column;
-mod exercises;
 pub(crate) mod navigation;
 
 /// Width of the main figure, as a fraction of a wide window's.
@@ -121,13 +119,13 @@ impl Stage {
         let (layout, is_asking) = (self.layout, context.session.shown.is_asking);
         let is_composed = self.areas(context.open.document.camera.image).is_some();
         clipped(ui, rest, |ui| match layout {
-            ViewLayout::Plot => plot::graph(ui, context.session, context.derived),
+            ViewLayout::Plot => plot::ui::graph(ui, context.session, context.derived),
             ViewLayout::Lines if context.session.shows_exercise() => {
-                exercises::plane(ui, context.session);
+                exercises::ui::plane(ui, context.session);
             }
-            ViewLayout::Lines if is_asking => lines::asked(ui, &context.session.shown.lines),
+            ViewLayout::Lines if is_asking => lines::ui::asked(ui, &context.session.shown.lines),
             ViewLayout::Lines => {
-                lines::figure(ui, &mut context.session.shown.lines, context.style.digits)
+                lines::ui::figure(ui, &mut context.session.shown.lines, context.style.digits)
             }
             ViewLayout::Mistakes | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}

@@ -7,17 +7,19 @@ use std::time::Duration;
 
 use egui::accesskit::{Node, Role};
 use egui::{
-    Align, Align2, Color32, ColorImage, ComboBox, Context, EventFilter, FontId, FontSelection, Key,
-    Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer, TextEdit, TextStyle,
-    TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Color32, ColorImage, ComboBox, Context, DragValue, EventFilter, FontId,
+    FontSelection, Key, Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer,
+    TextEdit, TextStyle, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::typesetting::theme::{self, error_color};
+use pinhole_lecture::LARGEST_SEED;
 
 use crate::ui::action::{Action, request};
 
 pub mod marked_text;
 pub mod number;
+pub mod path_field;
 
 pub(crate) use number::{NumberField, vector_color, vector_row};
 
@@ -228,4 +230,9 @@ impl ViewTexture {
         }
         self.texture.as_ref().map(TextureHandle::id).unwrap_or_default()
     }
+}
+/// Shows the field for a seed. The seed takes effect once it is typed in full.
+pub(crate) fn seed_field(ui: &mut Ui, seed: &mut u64, name: &str, hint: &str) {
+    let field = DragValue::new(seed).speed(0.1).range(0..=LARGEST_SEED);
+    ui.add(field.update_while_editing(false)).on_hover_text(hint).named(name);
 }

@@ -12,9 +12,9 @@ use pinhole_figure::overlay::{Highlighted, Label, Mark, Style};
 use pinhole_figure::{AnswerMark, Fault, Inspection};
 use pinhole_lecture::mistakes::ComparedCamera;
 
+use crate::features::plot::curves::Plot;
 use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};

@@ -15,7 +15,7 @@ use pinhole_figure::overlay::{Loupe, Picture, Same, loupe_window};
 use pinhole_figure::{Inspection, Item};
 use pinhole_lecture::numbers::grouped;
 
-use crate::view::accuracy::Comparison;
+use crate::features::accuracy::comparison::Comparison;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
 

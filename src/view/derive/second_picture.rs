@@ -17,9 +17,9 @@ use pinhole_lecture::mistakes::{
     ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
 };
 
-use crate::model::StudentAnswers;
+use crate::features::accuracy;
+use crate::features::answers::StudentAnswers;
 use crate::model::session::{ViewLayout, resolve};
-use crate::view::accuracy;
 use crate::view::derive::{
     Compared, Derived, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, OnWork, SpareImages,
     WorkKind, camera_view, highlighted, opaque, trace_picture, watched,
@@ -132,7 +132,13 @@ impl SecondPictures {
                 let drawing = overlay::camera(view, scene, pixels);
                 if let Some(compared) = compared {
                     let (raster, width) = (&view.picture.raster, size[0] as usize);
-                    accuracy::mark_wrong(&compared.comparison, raster, width, sizes.scale, pixels);
+                    accuracy::comparison::mark_wrong(
+                        &compared.comparison,
+                        raster,
+                        width,
+                        sizes.scale,
+                        pixels,
+                    );
                 }
                 drawing
             })
@@ -145,7 +151,7 @@ impl SecondPictures {
         Some(self.error_map.get(Same(compared), |compared| {
             self.count += 1;
             let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
-            picture(raster, image, accuracy::colors(&compared.comparison))
+            picture(raster, image, accuracy::comparison::colors(&compared.comparison))
         }))
     }
 
@@ -364,7 +370,7 @@ mod tests {
     use pinhole_exchange::images::png;
 
     use super::*;
-    use crate::model::practice::AnswersFile;
+    use crate::features::answers::AnswersFile;
     use crate::model::session::Session;
     use crate::view::derive::{Deriver, ViewSizes};
     use pinhole_figure::overlay::Style;

@@ -25,6 +25,11 @@ use pinhole_lecture::exercises::Given;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
+use crate::features::handles;
+use crate::features::handles::placed::HandleInputs;
+use crate::features::plot::curves::{
+    Curve, Named, Plot, Samples, curves, range, samples, shown, values,
+};
 use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{
@@ -32,8 +37,6 @@ use crate::view::derive::{
     Purpose, SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted,
     trace_picture, watched,
 };
-use crate::view::handles::{self, HandleInputs};
-use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 
 /// A cache of the world view and of the pictures over which it is drawn.
 #[derive(Debug, Default)]
@@ -112,7 +115,7 @@ fn described(
         ghost: ghost_camera(inputs, derived),
         answer_marks: Arc::clone(&derived.answer_marks),
         highlighted: highlighted(inputs),
-        handles: handles::drawn(&placing, &session.live.handles, &session.spoken_of()),
+        handles: handles::placed::drawn(&placing, &session.live.handles, &session.spoken_of()),
         is_clear: sizes.purpose.is_clear(),
         names_all: session.shown.spoken.is_some() || without_marks,
         shows_normal: is_highlighted(Concept::Normal)

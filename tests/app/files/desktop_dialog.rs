@@ -7,7 +7,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
-use pinhole::ui::dialogs::path_field::FileAnswer;
+use pinhole::ui::widgets::path_field::FileAnswer;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 

@@ -7,9 +7,9 @@ use egui::accesskit::Role;
 use egui::{Color32, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::features::export::order::{FigureSubject, Order};
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
-use pinhole::view::figure_order::{FigureSubject, Order};
 use pinhole_figure::export::FigureFormat;
 use pinhole_figure::overlay::Style;
 

@@ -6,9 +6,9 @@ use egui::Color32;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::play::Kind;
+use pinhole::features::export::order::{FigureSubject, Order};
+use pinhole::features::play::state::Kind;
 use pinhole::ui::app::App;
-use pinhole::view::figure_order::{FigureSubject, Order};
 use pinhole_figure::export::Figure;
 use pinhole_figure::overlay::Style;
 

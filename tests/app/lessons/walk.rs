@@ -3,8 +3,8 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::features::exercises::state::Exercises;
 use pinhole::model::lessons::{AskedExercise, Step, builtin};
-use pinhole::model::practice::exercises::Exercises;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::{DVec2, DVec3};

@@ -5,9 +5,9 @@ use egui::epaint::Shape;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::lessons::{StepId, Which};
-use pinhole::model::practice::LARGEST_SEED;
 use pinhole::model::session::{ThemeName, ViewLayout};
 use pinhole::ui::app::App;
+use pinhole_lecture::LARGEST_SEED;
 use pinhole_lecture::exercises::{Exercise, Given, Question, question};
 
 use crate::harness::{

@@ -4,7 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::practice::vote::OpenVote;
+use pinhole::features::vote::state::OpenVote;
 use pinhole::ui::app::App;
 
 use crate::harness::{assert_says, command, says, texts_with, window};

@@ -4,7 +4,7 @@ use egui::accesskit::{Role, Toggled};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::practice::vote::OpenVote;
+use pinhole::features::vote::state::OpenVote;
 use pinhole::model::session::ViewLayout;
 use pinhole::model::session::presenting::{self, SMALLEST_TEXT};
 use pinhole::ui::app::App;

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::lines::LinesLab;
+use pinhole::features::lines::state::LinesLab;
 use pinhole::model::session::ViewLayout;
 use pinhole::ui::app::App;
 use pinhole_core::DVec2;

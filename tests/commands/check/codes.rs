@@ -1,7 +1,7 @@
 //! Codes of a class's answers to exercises.
 
 use expect_test::expect;
-use pinhole::model::Exercises;
+use pinhole::features::exercises::Exercises;
 use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{Answer, Exercise, Question};
 

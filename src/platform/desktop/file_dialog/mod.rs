@@ -29,7 +29,7 @@ const AT_ONCE: std::time::Duration = std::time::Duration::from_millis(500);
 mod without {
     use winit::window::Window;
 
-    use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
+    use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
 
     /// An open dialog; there is none.
     pub(crate) struct FileDialog;

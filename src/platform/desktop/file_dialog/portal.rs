@@ -21,7 +21,7 @@ use zbus::zvariant::{OwnedObjectPath, OwnedValue, Value};
 use zbus::{Connection, MatchRule, Message, MessageStream};
 
 use super::AT_ONCE;
-use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
+use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
 
 const PORTAL: &str = "org.freedesktop.portal.Desktop";
 const OBJECT: &str = "/org/freedesktop/portal/desktop";

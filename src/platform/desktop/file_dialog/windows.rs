@@ -6,7 +6,7 @@ use std::time::Instant;
 use winit::window::Window;
 
 use super::AT_ONCE;
-use crate::ui::dialogs::path_field::{FileAnswer, FileRequest};
+use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
 
 /// An open dialog. It cannot be closed by the program, whose window takes no input meanwhile.
 pub(crate) struct FileDialog;

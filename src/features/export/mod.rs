@@ -1,0 +1,5 @@
+//! Figures and animations as files.
+
+pub mod animation;
+pub mod order;
+pub mod ui;

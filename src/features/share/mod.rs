@@ -1,0 +1,4 @@
+//! Links to what is shown, with their QR codes.
+
+pub mod link;
+pub mod ui;

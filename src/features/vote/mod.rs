@@ -1,0 +1,6 @@
+//! A vote on which mistake a picture shows.
+
+pub mod state;
+pub mod ui;
+
+pub use state::OpenVote;

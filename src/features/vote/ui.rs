@@ -1,0 +1,355 @@
+//! A classroom vote on which mistake made the wrong picture, with four large options, a bar for the hands
+//! that were raised for each, and two rounds. Once the answer is revealed, the page shows the right option
+//! and its explanation.
+
+use egui::accesskit::Role;
+use egui::{
+    Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::error_color;
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
+
+use crate::features::mistakes::MistakesView;
+use crate::features::vote::state::OpenVote;
+use crate::model::session::Session;
+use crate::ui::action::{LookAction, VoteAction};
+use crate::ui::commands_table::hint;
+use crate::ui::widgets::{
+    ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
+};
+
+/// The question's text.
+pub(crate) const ASKED: &str = "Which mistake made the wrong picture?";
+/// The letters of the options.
+const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
+
+/// Size of the question's text, in points.
+const QUESTION: f32 = 20.0;
+/// Size of an option's letter, in points.
+const LETTER: f32 = 30.0;
+/// Size of a mistake's name, in points.
+const NAME: f32 = 20.0;
+/// Size of a formula, in points.
+const FORMULA: f32 = 15.0;
+/// Size of the reason's text, in points.
+const REASON: f32 = 16.0;
+
+/// Height of the question, in points.
+const HEAD: f32 = 28.0;
+/// Minimum height of the reason, in points: below the options, and beside them.
+const WHY: [f32; 2] = [96.0, 36.0];
+/// Space above and below a row of buttons, in points.
+const AROUND_BUTTONS: f32 = 12.0;
+
+/// Minimum and maximum height of an option, in points.
+const OPTION: [f32; 2] = [37.0, 104.0];
+
+/// Aspect ratio of the page from which on the options stand in two columns.
+const WIDE: f32 = 1.6;
+
+/// Space between the options, in points.
+const GAP: f32 = 8.0;
+
+/// Width of a letter's column, in points.
+const LETTER_WIDTH: f32 = 46.0;
+/// Width of the column for the sign that marks right and wrong, in points.
+const SIGN_WIDTH: f32 = 44.0;
+
+/// Height of an option, in points, above which it also shows its formula.
+const WITH_FORMULA: f32 = 54.0;
+
+/// Width of the field for the hands, in points.
+const HANDS: f32 = 96.0;
+/// Share of an option's text that is its name, if it has bars.
+const NAMED: f32 = 0.5;
+/// Space between two bars, in points.
+const BETWEEN: f32 = 3.0;
+/// Maximum size of the number of hands, in points.
+const COUNT: f32 = 26.0;
+
+/// Applies a key of the open vote.
+pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
+    let view = &mut session.shown.mistakes_view;
+    let Some(open) = &mut view.open_vote else { return };
+    match action {
+        VoteAction::Choose(option) => open.choose(option),
+        VoteAction::NextRound => open.begin_round(),
+        VoteAction::Reveal => view.reveal(),
+        VoteAction::End => view.close_vote(),
+        VoteAction::Another => {
+            view.close_vote();
+            view.wants_vote = true;
+        }
+        VoteAction::CountHands => {
+            ctx.memory_mut(|memory| memory.request_focus(hands_id()));
+            // The key's own letter is not for the field.
+            ctx.input_mut(|input| input.events.retain(|event| !matches!(event, Event::Text(_))));
+        }
+    }
+}
+
+fn hands_id() -> Id {
+    Id::unique("hands of the vote")
+}
+
+/// Shows the button that opens a vote, if there is a picture to vote on.
+pub(crate) fn button(ui: &mut Ui, view: &MistakesView, can: bool) {
+    let hint = "Shows a wrong picture without its name, and four mistakes to choose from";
+    let button = ui.add_enabled(can, egui::Button::new("Guess which"));
+    button.on_hover_text(hint).asks(LookAction::Vote);
+    if view.nothing_shows {
+        ui.label("No two mistakes look different in this picture: bring an object into view.");
+    }
+    ui.add_space(3.0);
+}
+
+/// Shows the vote.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    view: &mut MistakesView,
+    wrong: Option<&ComparedCamera>,
+    can_ask: bool,
+) {
+    let whole = ui.available_rect_before_wrap().shrink2(vec2(10.0, 6.0));
+    let Some(open) = &mut view.open_vote else { return };
+    let is_wide = whole.width() > WIDE * whole.height();
+    let (head, rest) = whole.split_top_bottom_at_y(whole.top() + HEAD);
+    let bar = ui.spacing().interact_size.y + AROUND_BUTTONS;
+    let (above, bar) =
+        rest.split_top_bottom_at_y(rest.bottom() - if is_wide { 1.0 } else { 2.0 } * bar);
+    let rows = if is_wide { 2 } else { open.vote.options.len() };
+    let room = (above.height() - WHY[usize::from(is_wide)]) / rows as f32 - GAP;
+    let option = room.clamp(OPTION[0], OPTION[1]) + GAP;
+    let (tiles, why) = above.split_top_bottom_at_y(above.top() + option * rows as f32);
+    question(ui, head);
+    options(ui, tiles, rows, open);
+    clipped(ui, why, |ui| {
+        // In a low window the reason scrolls, so that the options stay legible.
+        let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
+        area.show(ui, |ui| reason(ui, open, wrong));
+    });
+    inside(ui, bar, |ui| buttons(ui, view, can_ask, is_wide));
+}
+
+fn question(ui: &mut Ui, rect: Rect) {
+    let width = text_width(ui, ASKED, FontId::proportional(QUESTION));
+    let size = QUESTION * (rect.width() / width.max(1.0)).min(1.0);
+    inside(ui, rect, |ui| {
+        ui.add(egui::Label::new(RichText::new(ASKED).size(size).strong()).truncate())
+    });
+}
+
+/// Minimum height of an option, in points.
+const LEAST_HEIGHT: f32 = 8.0;
+
+/// Shows the options in this many rows.
+fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
+    let count = open.vote.options.len();
+    let columns = count.div_ceil(rows);
+    let cells = vec2(columns as f32, rows as f32);
+    let cell = (area.size() + vec2(GAP, 0.0)) / cells;
+    for index in 0..count {
+        let place = vec2((index % columns) as f32, (index / columns) as f32);
+        let rect = Rect::from_min_size(area.min + place * cell, cell - vec2(GAP, GAP));
+        // In the pass in which the vote opens, its area may still be too small.
+        let has_room = rect.width() > LETTER_WIDTH + SIGN_WIDTH && rect.height() > LEAST_HEIGHT;
+        if has_room && option(ui, rect, index, open) {
+            open.choose(index);
+        }
+    }
+}
+
+/// Returns an option's letter and the mistake's name.
+pub(crate) fn named(open: &OpenVote, index: usize) -> String {
+    format!("{}: {}", LETTERS[index], open.vote.options[index].name())
+}
+
+/// Shows an option. Returns true if the user votes for it.
+fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
+    let mistake = open.vote.options[index];
+    let id = ui.scope_id().with(("option", index));
+    let response = ui.interact(rect, id, Sense::click());
+    let response = response.with_role(Role::Button).named(named(open, index));
+    let is_right = index == open.vote.right;
+    let is_chosen = open.answer == Some(index);
+    let visuals = ui.visuals();
+    let strong = visuals.strong_text_color();
+    let selected = visuals.selection.stroke.color;
+    let (edge, ink) = match (open.is_revealed, is_right, is_chosen) {
+        (true, true, _) => (Stroke::new(4.0, strong), strong),
+        (true, false, true) => (Stroke::new(3.0, error_color(ui)), visuals.weak_text_color()),
+        (true, false, false) => (visuals.widgets.inactive.bg_stroke, visuals.weak_text_color()),
+        (false, _, true) => (Stroke::new(4.0, selected), strong),
+        (false, ..) => (Stroke::new(1.0, visuals.weak_text_color()), strong),
+    };
+    let fill = match response.hovered() && !open.is_revealed {
+        true => visuals.widgets.hovered.weak_bg_fill,
+        false => visuals.widgets.inactive.weak_bg_fill,
+    };
+    let painter = ui.painter_at(rect.expand(2.0));
+    painter.rect(rect, 6.0, fill, edge, StrokeKind::Inside);
+    let letter = pos2(rect.left() + 0.5 * LETTER_WIDTH, rect.center().y);
+    let font = FontId::proportional(LETTER.min(0.75 * rect.height()));
+    painter.text(letter, Align2::CENTER_CENTER, LETTERS[index], font, ink);
+    let right = rect.right() - SIGN_WIDTH;
+    let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
+    let (named, drawn) = parts(text, open.counted().next().is_some());
+    names(ui, named, mistake, ink);
+    bars(ui, drawn, index, open, ink);
+    if open.is_revealed && (is_right || is_chosen) {
+        let center = rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0);
+        let sign = Rect::from_center_size(center, vec2(26.0, 26.0));
+        if is_right { tick(&painter, sign, strong) } else { cross(&painter, sign, error_color(ui)) }
+    }
+    response.clicked()
+}
+
+/// Divides the area of an option's text between name and bars, if there are bars: one above the other or, in a
+/// low option, side by side.
+fn parts(text: Rect, has_bars: bool) -> (Rect, Rect) {
+    if !has_bars {
+        return (text, Rect::NOTHING);
+    }
+    let (named, drawn) = match text.height() >= WITH_FORMULA {
+        true => text.split_top_bottom_at_fraction(NAMED),
+        false => text.split_left_right_at_fraction(NAMED),
+    };
+    (named, drawn.shrink2(vec2(0.0, BETWEEN)))
+}
+
+/// Writes the mistake's name, and the wrong formula below it if it fits.
+fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
+    let line = |text: &str, size: f32| {
+        let width = text_width(ui, text, FontId::proportional(size));
+        let scale = (rect.width() / width.max(1.0)).min(1.0);
+        let font = FontId::proportional(size * scale.max(0.6));
+        ui.painter().layout_no_wrap(text.to_owned(), font, ink)
+    };
+    let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
+    let lines = [line(mistake.name(), NAME), line(formula, FORMULA)];
+    let shown = if rect.height() >= WITH_FORMULA { &lines[..] } else { &lines[..1] };
+    let height = shown.iter().map(|galley| galley.size().y).sum::<f32>();
+    let mut at = pos2(rect.left(), rect.center().y - 0.5 * height);
+    let painter = ui.painter_at(rect);
+    for galley in shown {
+        painter.galley(at, galley.clone(), ink);
+        at.y += galley.size().y;
+    }
+}
+
+/// Draws a bar for the hands of each round that were counted, with its number at its end: filled for the last
+/// round, hollow for the one before. The longest of all bars takes the whole width.
+fn bars(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, ink: Color32) {
+    let rounds: Vec<_> = open.counted().collect();
+    let all = rounds.iter().flat_map(|(_, hands)| hands).copied();
+    let Some(most) = all.max() else { return };
+    let height = rect.height() / rounds.len() as f32;
+    let font = FontId::proportional((0.8 * height).clamp(WRITTEN, COUNT));
+    let room = rect.width() - text_width(ui, &format!(" {most}"), font.clone());
+    for (k, (round, hands)) in rounds.iter().enumerate() {
+        let count = hands[index];
+        let min = rect.min + vec2(0.0, k as f32 * height);
+        let length = room * count as f32 / most.max(1) as f32;
+        let bar = Rect::from_min_size(min, vec2(length, height - BETWEEN));
+        if count > 0 {
+            let is_last = k + 1 == rounds.len();
+            let fill = if is_last { ui.visuals().selection.bg_fill } else { Color32::TRANSPARENT };
+            let edge = Stroke::new(1.5, ink);
+            ui.painter().rect(bar, CornerRadius::ZERO, fill, edge, StrokeKind::Inside);
+        }
+        let text = format!(" {count}");
+        ui.painter().text(bar.right_center(), Align2::LEFT_CENTER, text, font.clone(), ink);
+        let row = Rect::from_min_size(min, vec2(rect.width(), height));
+        let id = ui.scope_id().with(("hands", index, round));
+        let name = format!("{}: {count} hands in round {}", LETTERS[index], round + 1);
+        let response = ui.interact(row, id, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+    }
+}
+
+/// Shows the voting instructions or, once the answer is revealed, the reason why the right option is
+/// right, in the largest text that fits.
+fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
+    let lines = if open.is_revealed { explanation(open, wrong) } else { vec![instructions(open)] };
+    let is_typing = ui.ctx().memory(|memory| memory.has_focus(hands_id()));
+    let problem = open.read_typed().err();
+    let is_shown = !is_typing && !open.is_revealed && !open.typed.trim().is_empty();
+    if let Some(problem) = problem.filter(|_| is_shown) {
+        ui.label(fault_text(ui, problem).size(REASON));
+        return;
+    }
+    ui.spacing_mut().item_spacing.y = BETWEEN;
+    let room = ui.available_size();
+    let fits = |size: &f32| {
+        let height = |line: &String| marked_text::height_within(ui, line, *size, room.x) + BETWEEN;
+        lines.iter().map(height).sum::<f32>() <= room.y
+    };
+    let sizes = (0..).map(|k| REASON - k as f32).take_while(|size| *size > WRITTEN);
+    let size = sizes.into_iter().find(fits).unwrap_or(WRITTEN);
+    for (k, line) in lines.iter().enumerate() {
+        let text = RichText::new(line).size(size);
+        ui.label(if k == 0 && open.is_revealed { text.strong() } else { text });
+    }
+}
+
+fn instructions(open: &OpenVote) -> String {
+    let hollow = "Filled bars are the second round, hollow ones the first. ";
+    let bars = if open.counted().count() > 1 { hollow } else { "" };
+    let hint =
+        "Compare it with the correct picture on its left. Vote, A, B, C or D; then reveal it.";
+    format!("{bars}{hint}")
+}
+
+/// Returns the verdict, the formula, and the checks that catch the mistake.
+fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
+    let mistake = open.vote.mistake();
+    let verdict = format!("{}. {}", named(open, open.vote.right), mistake.shows());
+    let failing = wrong.into_iter().flat_map(ComparedCamera::failing);
+    let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
+    let checks = match &catching[..] {
+        [] => None,
+        [one] => Some(format!("The check that catches it: {one}.")),
+        many => Some(format!("The checks that catch it: {}.", many.join("; "))),
+    };
+    [verdict, mistake.formula().to_owned()].into_iter().chain(checks).collect()
+}
+
+/// Shows the field for the hands and the buttons: in two rows, or in one if the page is wide.
+fn buttons(ui: &mut Ui, view: &mut MistakesView, can_ask: bool, is_wide: bool) {
+    ui.horizontal(|ui| {
+        let Some(open) = &mut view.open_vote else { return };
+        hands(ui, open);
+        if is_wide {
+            ways_on(ui, view, can_ask);
+        }
+    });
+    if !is_wide {
+        ui.horizontal(|ui| ways_on(ui, view, can_ask));
+    }
+}
+
+/// Shows the field for the hands of the current round, and the button for the next round.
+fn hands(ui: &mut Ui, open: &mut OpenVote) {
+    let about = "The hands raised for A, B, C and D, drawn as bars";
+    ui.label("Hands").on_hover_text(about);
+    let field = line_field(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
+    let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
+    let name = format!("hands in round {}", open.round + 1);
+    let response = response.on_hover_text(about).named(name);
+    if response.lost_focus() {
+        open.count_typed();
+    }
+    let next = ui.add_enabled(open.has_another_round(), egui::Button::new("Second round"));
+    next.on_hover_text(hint(VoteAction::NextRound)).asks(VoteAction::NextRound);
+}
+
+/// Shows the buttons that reveal the right option, ask again or end the vote.
+fn ways_on(ui: &mut Ui, view: &MistakesView, can_ask: bool) {
+    let reveal = egui::Button::new(RichText::new("Reveal").strong());
+    let response = ui.add_enabled(!view.is_revealed(), reveal);
+    response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
+    ui.add_enabled(can_ask, egui::Button::new("Another one")).asks(VoteAction::Another);
+    ui.button("All mistakes").on_hover_text("Ends the vote").asks(VoteAction::End);
+}
