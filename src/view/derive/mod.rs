@@ -28,7 +28,7 @@ use memo::{Memo, SpareImages, Spares};
 use objects::{Enclosing, GoodWorld, Objects};
 use picture::{GoodPicture, Pictures, repainted, trace_picture, watched};
 use second_picture::{SecondPictures, ghost_camera};
-use views::{CameraViews, Derivations, Plots, WorldViews, camera_view};
+use views::{CameraViews, Derivations, WorldViews, camera_view, plot};
 
 /// Computes [`Derived`] values. The result depends only on the arguments; the caches only save time.
 #[derive(Debug, Default)]
@@ -38,7 +38,6 @@ pub struct Deriver {
     camera_views: CameraViews,
     world_views: WorldViews,
     derivations: Derivations,
-    plots: Plots,
     second: SecondPictures,
     /// The camera's last picture from a document without a fault.
     last_good: Option<GoodPicture>,
@@ -105,15 +104,14 @@ impl Deriver {
         if let Some(good) = &self.last_good {
             self.second.update(&mut derived, inputs, good, world);
         }
-        let generation = self.objects.good().map_or(0, |good| good.generation);
-        self.views(&mut derived, inputs, generation);
+        self.views(&mut derived, inputs);
         derived
     }
 
     /// Derives the views, the derivation and the plot in parallel, since they do not depend on each
     /// other.
-    fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
-        let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
+    fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
+        let Deriver { camera_views, world_views, derivations, objects, .. } = self;
         let good = self.last_good.as_ref();
         let partial = &*derived;
         let (world, (camera_view, (derivation, plot))) = rayon::join(
@@ -121,7 +119,7 @@ impl Deriver {
             || {
                 rayon::join(
                     || camera_views.get(partial, inputs, good?),
-                    || (derivations.get(inputs, partial), plots.get(inputs, partial, generation)),
+                    || (derivations.get(inputs, partial), plot(inputs, partial)),
                 )
             },
         );

@@ -10,8 +10,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Selection,
-    Shade, edge_blends, lambert,
+    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Shade, edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Given;
@@ -33,7 +32,7 @@ use crate::view::derive::{
 };
 use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
-use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
+use crate::view::plot::{Named, Plot, shown};
 
 /// A cache of the world view and of the pictures over which it is drawn.
 #[derive(Debug, Default)]
@@ -408,60 +407,25 @@ impl Derivations {
     }
 }
 
-/// The inputs of the plot's curves: the camera, the generation number of the objects, the ray, and the
-/// objects with a curve.
-type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
-
-/// A cache of the plot's curves, of their samples, and of their values at the point marked on the ray.
-#[derive(Debug, Default)]
-pub(super) struct Plots {
-    curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
-    ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that the curves were computed. In the keys of the samples and of the values, it
-    /// identifies the curves.
-    made: u64,
-}
-
-impl Plots {
-    /// Returns the plot; `None` if the layout does not show it or there is no ray.
-    pub(super) fn get(
-        &mut self,
-        Inputs { document, session, sizes, .. }: Inputs<'_>,
-        derived: &Derived,
-        generation: u64,
-    ) -> Option<Plot> {
-        if session.shown.setup.layout != ViewLayout::Plot {
-            return None;
-        }
-        let scheme = sizes.style.scheme();
-        let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
-        let inspection = derived.inspection.as_deref()?;
-        let selection = session.shown_selection().inside(resolved.image());
-        let ray = selection.exact_ray(resolved).ok()?;
-        let named = |object: u32| {
-            let title = document.title_of(object as usize);
-            let name = document.label_of(object as usize);
-            let color = scheme.object(object, document.color_of(object));
-            Named { object, title, name, color }
-        };
-        let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
-        let curves = self.curves.get((*resolved, generation, selection, named), |(.., named)| {
-            self.made += 1;
-            Arc::new(curves(scene, &ray, named))
-        });
-        let range = range(&curves, session.shown.ray_point_t);
-        let ends = [*range.start(), *range.end()];
-        let samples = self
-            .samples
-            .get((self.made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
-        let ray_point_t = session.shown.ray_point_t.map(|t| {
-            let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
-            (t, self.ray_point_t.get((self.made, t), make))
-        });
-        let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, samples, ray_point_t })
+/// Returns the plot; `None` if the layout does not show it or there is no ray.
+pub(super) fn plot(
+    Inputs { document, session, sizes, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<Plot> {
+    if session.shown.setup.layout != ViewLayout::Plot {
+        return None;
     }
+    let scheme = sizes.style.scheme();
+    let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
+    let inspection = derived.inspection.as_deref()?;
+    let ray = session.shown_selection().inside(resolved.image()).exact_ray(resolved).ok()?;
+    let named = shown(scene, inspection).into_iter().map(|object| Named {
+        object,
+        title: document.title_of(object as usize),
+        name: document.label_of(object as usize),
+        color: scheme.object(object, document.color_of(object)),
+    });
+    Some(Plot::new(scene, &ray, named, session.shown.ray_point_t))
 }
 
 #[cfg(test)]
