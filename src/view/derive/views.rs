@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Shade, edge_blends, lambert,
+    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Shade,
+    edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Given;
@@ -31,7 +32,9 @@ use crate::view::derive::{
     trace_picture, watched,
 };
 use crate::view::handles::{self, HandleInputs};
-use crate::view::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
+use crate::view::overlay::{
+    self, Backdrop, Below, CameraView, ColoredScene, Figure, Same, WorldView,
+};
 use crate::view::plot::{Named, Plot, shown};
 
 /// A cache of the world view and of the pictures over which it is drawn.
@@ -63,7 +66,7 @@ impl WorldViews {
         let view = view.get(shown, |view| {
             let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            buffers.draw(size, view.style, watch, |pixels| {
+            buffers.draw(size, view.figure.style, watch, |pixels| {
                 let WorldPicture { pixels: traced, edges, .. } = &*world;
                 let below = Below { traced, painted: &painted, edges };
                 overlay::world(view, scene, &backdrop, below, pixels)
@@ -83,7 +86,6 @@ fn described(
 ) -> Option<WorldView> {
     let Inputs { document, session, sizes, .. } = inputs;
     let observer = session.shown.observer?;
-    let is_highlighted = |concept| session.highlighted() == Some(concept);
     let placing = HandleInputs {
         document,
         resolved: derived.resolved.as_ref(),
@@ -94,32 +96,32 @@ fn described(
     };
     let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
     let without_marks = sizes.purpose != Purpose::Window;
-    Some(WorldView {
-        camera: document.camera,
+    let spoken = session.shown.spoken.as_ref();
+    let speaks_of_normal = spoken.map(|spoken| spoken.contains(&Concept::Normal));
+    let figure = Figure {
         resolved: derived.resolved,
-        picture: picture.cloned().map(Same),
         inspection: derived.inspection.clone().map(Same),
-        generations: [good.generation, good.palette],
-        enclosing: Arc::clone(&world.enclosing),
-        observer,
-        frame: Same(Arc::clone(&world.frame)),
-        items: session.shown.setup.items,
-        first_number: u32::from(session.shown.setup.count_from_one),
-        scale: sizes.scale,
-        style: sizes.style,
         ray_point_t: session.shown.ray_point_t,
         ghost: ghost_camera(inputs, derived),
-        answer_marks: Arc::clone(&derived.answer_marks),
+        answers: Arc::clone(&derived.answer_marks),
+        items: session.shown.setup.items,
         highlighted: highlighted(inputs),
+        names_all: spoken.is_some() || without_marks,
+        shows_normal: session.highlighted() == Some(Concept::Normal)
+            || speaks_of_normal.unwrap_or(without_marks),
         handles: handles::drawn(&placing, &session.live.handles, &session.spoken_of()),
+        style: sizes.style,
+        ..Figure::new(document.camera, observer)
+    };
+    Some(WorldView {
+        figure,
+        picture: picture.cloned().map(Same),
+        generations: [good.generation, good.palette],
+        enclosing: Arc::clone(&world.enclosing),
+        frame: Same(Arc::clone(&world.frame)),
+        first_number: u32::from(session.shown.setup.count_from_one),
+        scale: sizes.scale,
         is_clear: sizes.purpose.is_clear(),
-        names_all: session.shown.spoken.is_some() || without_marks,
-        shows_normal: is_highlighted(Concept::Normal)
-            || session
-                .shown
-                .spoken
-                .as_ref()
-                .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
         covered: sizes.covered.into_iter().flatten().collect(),
         without_marks,
     })

@@ -37,24 +37,14 @@ impl CameraSketch<'_> {
         }
         let view = self.view;
         let (parts, _) = Figure {
-            camera: &highlighted.camera,
-            resolved: Some(&view.resolved),
-            scene,
-            inspection: view.inspection.as_deref(),
-            ray_point_t: None,
-            ghost: None,
-            answers: &[],
-            cut_away: &[],
-            items: OverlayItems::NONE,
+            resolved: Some(view.resolved),
+            inspection: view.inspection.clone(),
             highlighted: Some(highlighted),
-            names_all: true,
-            shows_normal: true,
-            up: None,
             is_flat: true,
-            observer: Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0),
-            colors: self.colors,
+            style: view.style,
+            ..Figure::new(highlighted.camera, Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0))
         }
-        .parts();
+        .parts(scene, &[]);
         let others = std::mem::take(&mut self.drawing.marks);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;

@@ -1,12 +1,14 @@
 //! What of the parts must be in sight, so that an observer can be found who sees it.
 
+use std::sync::Arc;
+
 use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{Figure, Form, Part};
 use crate::model::observer::{Drawn, Length, Place, ViewSize};
 use crate::model::{Concept, Inspection, Item, Observer, OverlayItems};
-use crate::view::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Style};
+use crate::view::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Same};
 
 /// Depth behind the eye that is kept free for the camera's body, which is drawn if the viewport is small, as a multiple of
 /// the basis arrows' length.
@@ -43,24 +45,15 @@ pub fn drawn(
     let has_axes = camera.eye.length() <= near;
     let items = items.with(Item::Axes, items.shows(Item::Axes) && has_axes);
     let (parts, _) = Figure {
-        camera,
-        resolved: resolved.as_ref(),
-        scene,
-        inspection: inspection.as_ref(),
+        inspection: inspection.map(|inspection| Same(Arc::new(inspection))),
         ray_point_t: ray.and_then(|(_, t)| t),
-        ghost,
-        answers: &[],
-        cut_away: &[],
+        ghost: ghost.copied(),
         items,
         highlighted,
-        names_all: true,
         shows_normal: false,
-        up: None,
-        is_flat: false,
-        observer: Observer::new(camera.eye, 0.0, 0.0, near),
-        colors: Style::default().colors(),
+        ..Figure::new(*camera, Observer::new(camera.eye, 0.0, 0.0, near))
     }
-    .parts();
+    .parts(scene, &[]);
     let shown = parts.iter().filter(|part| part.emphasis(items, highlighted).is_some());
     let has_frustum = items.shows(Item::Frustum);
     Drawn { has_frustum, places: shown.flat_map(|part| part.in_sight(camera)).collect() }

@@ -98,30 +98,30 @@ impl Stage {
     }
 
     fn view(&self) -> WorldView {
-        WorldView {
-            camera: self.camera,
-            resolved: self.resolved,
-            picture: self.picture.clone().map(Same),
+        let figure = Figure {
             inspection: self.inspection.clone().map(Same),
+            items: self.items,
+            ..Figure::new(self.camera, self.observer)
+        };
+        WorldView {
+            figure,
+            picture: self.picture.clone().map(Same),
             generations: [0; 2],
             enclosing: Arc::clone(&self.enclosing),
-            observer: self.observer,
             frame: Same(Arc::clone(&self.frame)),
-            items: self.items,
             first_number: 0,
             scale: 1.0,
-            style: Style::Light,
-            highlighted: None,
-            ray_point_t: None,
-            handles: Handles::default(),
-            ghost: None,
-            answer_marks: Arc::default(),
             is_clear: false,
-            names_all: true,
-            shows_normal: true,
             covered: Vec::new(),
             without_marks: false,
         }
+    }
+
+    /// Returns the view with a change to what is drawn.
+    fn view_of(&self, change: impl FnOnce(&mut Figure)) -> WorldView {
+        let mut view = self.view();
+        change(&mut view.figure);
+        view
     }
 
     fn scene(&self) -> ColoredScene<'_> {

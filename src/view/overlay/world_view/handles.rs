@@ -66,7 +66,7 @@ const RIM: f64 = 2.4;
 impl Sketch<'_> {
     /// Draws all handles; the hovered or held one is drawn last.
     pub(crate) fn handles(&mut self) {
-        let handles = &self.view.handles;
+        let handles = &self.view.figure.handles;
         if !self.items.shows(Item::Handles) {
             return;
         }

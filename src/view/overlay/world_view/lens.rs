@@ -30,7 +30,7 @@ impl Sketch<'_> {
     /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
     /// so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
-        let highlighted = self.view.highlighted;
+        let highlighted = self.view.figure.highlighted;
         let (mut on_top, mut of_behind) = (Vec::new(), Vec::new());
         for (k, part) in parts.into_iter().enumerate() {
             if k == behind {
@@ -89,7 +89,7 @@ impl Sketch<'_> {
             }
             (Form::Outline(sphere), _) => self.outline(&sphere, pen),
             (form, _) => {
-                if let Some(resolved) = &self.view.resolved {
+                if let Some(resolved) = &self.view.figure.resolved {
                     match form {
                         Form::Body => self.body(resolved, pen),
                         Form::Marks => self.marks(resolved, pen),
@@ -232,7 +232,7 @@ impl Sketch<'_> {
         for (text, uv) in named {
             if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
                 && points > 90.0
-                && self.view.names_all
+                && self.view.figure.names_all
             {
                 self.label(pen, text, [spot, spot - center], MARK);
             }
