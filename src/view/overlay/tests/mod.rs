@@ -56,12 +56,8 @@ fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
 impl Stage {
     fn new(camera: Camera, spheres: Vec<Sphere>, planes: Vec<Plane>) -> Stage {
         let scene = Scene::new(spheres, planes).expect("a scene");
-        let observer = Observer::frame_all(
-            &camera,
-            &scene,
-            ViewSize::of_aspect(4.0 / 3.0),
-            &drawn_of(&camera, &scene),
-        );
+        let size = ViewSize::of_aspect(4.0 / 3.0);
+        let observer = Observer::frame_all(&drawn_of(&camera, &scene), size);
         Stage::seen_by(camera, scene, observer)
     }
 

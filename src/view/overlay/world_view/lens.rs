@@ -4,10 +4,9 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
 use crate::model::observer::{Length, Place};
-use crate::model::{Item, OverlayItems};
 use crate::view::overlay::{
-    Emphasis, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch, Toward,
-    circle, corners, first, half_extent, numbers, tangents, unit,
+    Emphasis, Figure, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch,
+    Toward, circle, corners, first, half_extent, numbers, tangents, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
@@ -30,13 +29,13 @@ impl Sketch<'_> {
     /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
     /// so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
-        let highlighted = self.view.figure.highlighted;
-        let (mut on_top, mut of_behind) = (Vec::new(), Vec::new());
+        let Figure { items, highlighted, .. } = self.view.figure;
+        let (mut on_top, mut of_behind) = (Vec::new(), 0);
         for (k, part) in parts.into_iter().enumerate() {
             if k == behind {
-                of_behind = std::mem::take(&mut self.requests);
+                of_behind = self.requests.len();
             }
-            match part.emphasis(self.items, highlighted) {
+            match part.emphasis(items, highlighted) {
                 None => {}
                 Some(emphasis) if emphasis.is_on_top() => on_top.push(part.emphasized(emphasis)),
                 Some(emphasis) => {
@@ -45,12 +44,10 @@ impl Sketch<'_> {
                 }
             }
         }
-        self.fades = false;
-        self.requests.append(&mut of_behind);
+        (self.fades, self.has_labels) = (false, true);
+        self.requests.rotate_left(of_behind);
         let others = std::mem::take(&mut self.requests);
-        let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         on_top.iter().for_each(|part| self.part(part));
-        self.items = shown;
         self.requests = first(std::mem::take(&mut self.requests), others);
     }
 
@@ -242,7 +239,7 @@ impl Sketch<'_> {
     /// Writes the numbers of columns above the viewport and those of rows to its left, and W and H at the
     /// opposite sides.
     pub(crate) fn pixel_numbers(&mut self, resolved: &ResolvedCamera, pen: LineStyle) {
-        if !self.items.shows(Item::Labels) {
+        if !self.has_labels {
             return;
         }
         let (image, viewport, scale) = (resolved.image(), resolved.viewport(), self.screen.scale);

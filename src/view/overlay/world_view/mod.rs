@@ -214,7 +214,7 @@ impl WorldView {
             view: self,
             screen,
             layers,
-            items: self.figure.items,
+            has_labels: self.figure.items.shows(Item::Labels),
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
