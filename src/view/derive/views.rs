@@ -27,9 +27,9 @@ use crate::view::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
 use crate::view::derive::{
-    Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork,
-    Purpose, SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted,
-    trace_picture, watched,
+    Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, LastView, Memo, Objects,
+    OnWork, Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
+    watched,
 };
 use crate::view::handles::{self, HandleInputs};
 use crate::view::overlay::{
@@ -41,8 +41,7 @@ use crate::view::plot::{Named, Plot, shown};
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
-    view: Memo<WorldView, FinishedView>,
-    buffers: SpareImages,
+    view: LastView<WorldView>,
 }
 
 impl WorldViews {
@@ -59,18 +58,16 @@ impl WorldViews {
         let Inputs { session, sizes, watch, .. } = inputs;
         let (size, good) = (sizes.world?, objects.good()?.clone());
         let observer_camera = session.shown.observer?.camera(size[0], size[1]).resolve().ok()?;
-        let WorldViews { pictures, view, buffers } = self;
+        let WorldViews { pictures, view } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
         let shown = described(derived, inputs, &good, &world, last_good)?;
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
-        let view = view.get(shown, |view| {
+        let view = view.get(shown, size, sizes.style, watch, |view, pixels| {
             let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            buffers.draw(size, view.figure.style, watch, |pixels| {
-                let WorldPicture { pixels: traced, edges, .. } = &*world;
-                let below = Below { traced, painted: &painted, edges };
-                overlay::world(view, scene, &backdrop, below, pixels)
-            })
+            let WorldPicture { pixels: traced, edges, .. } = &*world;
+            let below = Below { traced, painted: &painted, edges };
+            overlay::world(view, scene, &backdrop, below, pixels)
         });
         Some((world, view))
     }
@@ -127,37 +124,26 @@ fn described(
     })
 }
 
-/// A cache of the camera view.
-#[derive(Debug, Default)]
-pub(super) struct CameraViews {
-    view: Memo<CameraView, FinishedView>,
-    buffers: SpareImages,
-}
-
-impl CameraViews {
-    /// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the
-    /// view is not shown.
-    pub(super) fn get(
-        &mut self,
-        derived: &Derived,
-        inputs: Inputs<'_>,
-        good: &GoodPicture,
-    ) -> Option<FinishedView> {
-        let size = inputs.sizes.camera?;
-        let shown = CameraView {
-            // The highlighted concept belongs to the current document, so it is not shown in an older
-            // picture.
-            highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
-            loupe: good.loupe.clone(),
-            ..camera_view(inputs, good, size)
-        };
-        let scene = derived.scene.as_deref();
-        let draw = |view: &CameraView| {
-            let draw = |pixels: &mut [Color32]| overlay::camera(view, scene, pixels);
-            self.buffers.draw(size, view.style, inputs.watch, draw)
-        };
-        Some(self.view.get(shown, draw))
-    }
+/// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the view is
+/// not shown.
+pub(super) fn finished_camera_view(
+    last: &mut LastView<CameraView>,
+    derived: &Derived,
+    inputs: Inputs<'_>,
+    good: &GoodPicture,
+) -> Option<FinishedView> {
+    let size = inputs.sizes.camera?;
+    let view = CameraView {
+        // The highlighted concept belongs to the current document, so it is not shown in an older
+        // picture.
+        highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
+        loupe: good.loupe.clone(),
+        ..camera_view(inputs, good, size)
+    };
+    let scene = derived.scene.as_deref();
+    Some(last.get(view, size, inputs.sizes.style, inputs.watch, |view, pixels| {
+        overlay::camera(view, scene, pixels)
+    }))
 }
 
 /// Returns the inputs of the camera view of a picture, without a highlighted concept and without the loupe.
@@ -347,66 +333,57 @@ fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward
 /// back row.
 const PRESENTED_DECIMALS: usize = 3;
 
-/// The last derivation and its inputs.
-#[derive(Debug, Default)]
-pub(super) struct Derivations(Memo<(Document, DerivationKey), Arc<Derivation>>);
+/// The inputs of a derivation: the document, the settings, and the lines to which it is reduced.
+type DerivationKey = (Document, DerivationSettings, Option<Formulas>);
 
-/// The choices on which a derivation depends: the settings, and the lines to which it is reduced.
-type DerivationKey = (DerivationSettings, Option<Formulas>);
+/// The last derivation.
+pub(super) type LastDerivation = Memo<DerivationKey, Arc<Derivation>>;
 
-impl Derivations {
-    /// Returns the derivation; `None` if the layout does not show it.
-    pub(super) fn get(
-        &mut self,
-        Inputs { document, session, .. }: Inputs<'_>,
-        derived: &Derived,
-    ) -> Option<Arc<Derivation>> {
-        let only = session.shown.formulas.clone();
-        if !session.shown.setup.layout.shows_derivation() && only.is_none() {
-            return None;
-        }
-        let settings = DerivationSettings {
-            selection: session.shown_selection(),
-            sections: only
-                .as_ref()
-                .map_or(session.shown.sections, |_| DerivationSections::default()),
-            numbers: NumberFormat {
-                rounding: match session.presenting {
-                    Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
-                    None => Rounding::Significant(session.shown.setup.digits),
-                },
-                exact: session.preferences.exact_forms,
-                from_one: session.shown.setup.count_from_one,
-            },
-            fault: derived.fault,
-            t: match session.exercises.question().given {
-                Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
-                _ => None,
-            },
-        };
-        // The document may be large, so it is compared before it is cloned.
-        let key = (settings, only);
-        let is_same =
-            |(known, chosen): &(Document, DerivationKey)| *chosen == key && known == document;
-        if let Some(made) = self.0.known(is_same) {
-            return Some(Arc::clone(made));
-        }
-        Some(self.0.get((document.clone(), key), |(_, (_, only))| {
-            let whole = derivation(&DerivationInputs {
-                document,
-                resolved: derived.resolved.as_ref(),
-                scene: derived.scene.as_deref(),
-                inspection: derived.inspection.as_deref(),
-                settings,
-            });
-            Arc::new(match only {
-                Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
-                Some(Formulas::Solution(concepts)) => whole.solution(concepts),
-                Some(Formulas::Recap) => whole.recap(),
-                None => whole,
-            })
-        }))
+/// Returns the derivation; `None` if the layout does not show it.
+pub(super) fn derived_lines(
+    last: &mut LastDerivation,
+    Inputs { document, session, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<Arc<Derivation>> {
+    let only = session.shown.formulas.clone();
+    if !session.shown.setup.layout.shows_derivation() && only.is_none() {
+        return None;
     }
+    let settings = DerivationSettings {
+        selection: session.shown_selection(),
+        sections: match only {
+            Some(_) => DerivationSections::default(),
+            None => session.shown.sections,
+        },
+        numbers: NumberFormat {
+            rounding: match session.presenting {
+                Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
+                None => Rounding::Significant(session.shown.setup.digits),
+            },
+            exact: session.preferences.exact_forms,
+            from_one: session.shown.setup.count_from_one,
+        },
+        fault: derived.fault,
+        t: match session.exercises.question().given {
+            Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
+            _ => None,
+        },
+    };
+    Some(last.get((document.clone(), settings, only), |(document, settings, only)| {
+        let whole = derivation(&DerivationInputs {
+            document,
+            resolved: derived.resolved.as_ref(),
+            scene: derived.scene.as_deref(),
+            inspection: derived.inspection.as_deref(),
+            settings: *settings,
+        });
+        Arc::new(match only {
+            Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
+            Some(Formulas::Solution(concepts)) => whole.solution(concepts),
+            Some(Formulas::Recap) => whole.recap(),
+            None => whole,
+        })
+    }))
 }
 
 /// Returns the plot; `None` if the layout does not show it or there is no ray.
