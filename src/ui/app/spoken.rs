@@ -107,7 +107,7 @@ impl App {
             lines.extend((0..open.vote.options.len()).map(|index| vote::named(open, index)));
         }
         let wrong = self.views.derived.wrong_camera.as_deref();
-        lines.extend(wrong.map(|wrong| mistakes::spoken(wrong, view, false)));
+        lines.extend(wrong.map(|wrong| mistakes::words(wrong, view, false).0));
     }
 }
 
