@@ -5,7 +5,7 @@ use egui::{Rect, Ui};
 
 use crate::features::{accuracy, answers, mistakes};
 use crate::ui::scene::{compare, views};
-use crate::ui::widgets::no_picture;
+use crate::ui::widgets::{Words, no_picture};
 use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
@@ -29,43 +29,39 @@ pub(crate) fn show(
 ) {
     let (derived, session) = (context.derived, &mut *context.session);
     let view = derived.second_view.as_ref();
-    let (mut spoken, mut why_not) = (None, None);
-    match second {
+    let words: Option<Words> = match second {
         SecondPicture::ErrorMap => {
             accuracy::ui::strip(ui, area, &mut session.preferences.compared);
-            if let (Some(compared), Some(_)) = (derived.compared.as_deref(), view) {
-                spoken = Some(accuracy::ui::summary(compared));
-                accuracy::ui::legend(ui, area, compared);
-            }
-            why_not = derived.too_many.map(|why| format!("No error map: {why}"));
+            let compared = derived.compared.as_deref().filter(|_| view.is_some());
+            compared.inspect(|compared| accuracy::ui::legend(ui, area, compared));
+            let why_not = derived.too_many.map(|why| format!("No error map: {why}"));
+            let spoken = compared.map(accuracy::ui::summary).or_else(|| why_not.clone());
+            spoken.map(|spoken| (spoken, why_not))
         }
         SecondPicture::WrongCamera => {
-            let mistakes_view = &mut session.shown.mistakes_view;
+            let (is_asking, mistakes_view) =
+                (session.shown.is_asking, &mut session.shown.mistakes_view);
             match on_stage {
-                Some(camera) => mistakes::ui::headings(ui, [camera, area], session.shown.is_asking),
+                Some(camera) => mistakes::ui::headings(ui, [camera, area], is_asking),
                 None => mistakes::ui::strip(ui, area, mistakes_view),
             }
-            if let Some(wrong) = derived.wrong_camera.as_deref() {
-                spoken = Some(mistakes::ui::spoken(wrong, mistakes_view, session.shown.is_asking));
-                why_not = mistakes::ui::why_not(wrong, mistakes_view);
-            }
+            let wrong = derived.wrong_camera.as_deref();
+            wrong.map(|wrong| mistakes::ui::words(wrong, mistakes_view, is_asking))
         }
         SecondPicture::Ghost => {
             compare::strip(ui, area, &mut session.shown.ghost);
-            spoken = Some(compare::spoken(derived.against_ghost.as_deref()));
-            why_not = Some(compare::why_not(session.shown.ghost.as_ref()));
+            let ghost = session.shown.ghost.as_ref();
+            Some(compare::words(derived.against_ghost.as_deref(), ghost))
         }
         SecondPicture::Answers => {
-            let graded = derived.grading.as_ref().and_then(|graded| graded.as_ref().ok());
-            let map = graded.map(|graded| &**graded).filter(|_| view.is_some());
-            answers::ui::strip(ui, area, session, map);
-            spoken = Some(answers::ui::spoken(derived, session));
-            why_not = Some(answers::ui::why_not(derived, session).to_owned());
+            let graded = derived.grading.as_ref().and_then(|graded| graded.as_deref().ok());
+            answers::ui::strip(ui, area, session, graded.filter(|_| view.is_some()));
+            let why_not = answers::ui::why_not(derived, session).to_owned();
+            Some((answers::ui::spoken(derived, session), Some(why_not)))
         }
-    }
-    if let Some(spoken) = spoken {
-        views::speak(ui, name(second, session.shown.is_asking), &spoken);
-    }
+    };
+    let Some((spoken, why_not)) = words else { return };
+    views::speak(ui, name(second, session.shown.is_asking), &spoken);
     match (view, why_not) {
         (Some(shown), _) => {
             views::show(ui, rect, shown, &mut context.tools.second, derived.fault.is_some());

@@ -18,7 +18,7 @@ use crate::features::mistakes::ui_gallery::{CELL, Gallery};
 use crate::features::vote;
 use crate::model::Session;
 use crate::ui::scene::view_rects::strip_above;
-use crate::ui::widgets::{self, ResponseExt as _, cell, combo, sign, vector_color};
+use crate::ui::widgets::{self, ResponseExt as _, Words, cell, combo, sign, vector_color};
 use crate::view::derive::{Derived, SecondPicture};
 use pinhole_figure::readings::ReadingValue;
 
@@ -105,29 +105,25 @@ fn text_width(ui: &Ui, text: &str) -> f32 {
     widgets::text_width(ui, text, FontSelection::Default.resolve(ui.style()))
 }
 
-/// Returns the description of the wrong picture for screen readers. While a question is open, it does not
-/// name the mistake.
-pub(crate) fn spoken(
+/// Returns what is said about the wrong picture. While a question or a vote is open, it does not name the mistake.
+pub(crate) fn words(
     wrong: &ComparedCamera,
     mistakes_view: &MistakesView,
     is_asking: bool,
-) -> String {
-    match (why_not(wrong, mistakes_view), share_that_differs(wrong)) {
-        (Some(why), _) => why,
-        (None, Some(share)) if mistakes_view.is_revealed() && !is_asking => {
+) -> Words {
+    let is_revealed = mistakes_view.is_revealed();
+    let why_not = wrong.why_not.as_deref().map(|why| match is_revealed {
+        true => why,
+        false => "This mistake changes nothing with this camera: press Another one.",
+    });
+    let spoken = match (why_not, share_that_differs(wrong)) {
+        (Some(why), _) => why.to_owned(),
+        (None, Some(share)) if is_revealed && !is_asking => {
             format!("{}: {share}", wrong.mistake.name())
         }
         (None, share) => share.unwrap_or_default(),
-    }
-}
-
-/// Returns the reason why there is no wrong picture. During a vote, the reason does not name the mistake.
-pub(crate) fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
-    let why = wrong.why_not.clone()?;
-    Some(match mistakes_view.is_revealed() {
-        true => why,
-        false => "This mistake changes nothing with this camera: press Another one.".to_owned(),
-    })
+    };
+    (spoken, why_not.map(str::to_owned))
 }
 
 /// Returns a text such as `33 % of the picture differs`; `None` if there is no wrong picture.

@@ -4,7 +4,6 @@
 
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
-use std::sync::Arc;
 
 use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
 use pinhole_figure::inspection::Inspection;
@@ -20,22 +19,17 @@ const FAR: f64 = 8.0;
 /// Number of intervals between the samples of a curve.
 const SAMPLES: usize = 160;
 
-/// The sampled points (t, height) of each curve, in ascending order of t.
-pub type Samples = Vec<Vec<(f64, f64)>>;
-
 /// Everything that the plot shows.
 #[derive(Clone, Debug)]
 pub struct Plot {
     /// The objects' functions.
-    pub curves: Arc<Vec<Curve>>,
+    pub curves: Vec<Curve>,
     /// Number of objects without a curve.
     pub left_out: usize,
     /// The range of t.
     pub range: RangeInclusive<f64>,
-    /// The curves' samples within the range.
-    pub samples: Arc<Samples>,
-    /// The t of the point marked on the ray, and the value of each curve's function f there.
-    pub ray_point_t: Option<(f64, Arc<Vec<f64>>)>,
+    /// The t of the point marked on the ray.
+    pub ray_point_t: Option<f64>,
 }
 
 /// The function f of one object along the ray.
@@ -47,6 +41,10 @@ pub struct Curve {
     pub index: usize,
     /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
+    /// The sampled points (t, height) within the plot's range, in ascending order of t.
+    pub samples: Vec<(f64, f64)>,
+    /// The value of f at the point marked on the ray; NaN without such a point.
+    pub at_point: f64,
     /// The unit of f in the plot.
     unit: ImplicitUnit,
     /// The value of f at the eye, where the ray starts.
@@ -86,47 +84,9 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     shown
 }
 
-/// Returns the curves of the given objects. Leaves out objects without a valid f.
-pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
-    let curve = |(index, named): (usize, &Named)| {
-        let along = along(scene, ray, named.object)?;
-        let shape = scene.object(named.object)?;
-        let derivation = ObjectDerivation::new(&shape, named.object, ray).ok()?;
-        let vertex = along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs()));
-        let unit = ImplicitUnit::new(&scene.object(named.object)?, &along);
-        let at_eye = along.value(0.0);
-        Some(Curve { named: named.clone(), index, derivation, unit, at_eye, vertex })
-    };
-    named.iter().enumerate().filter_map(curve).collect()
-}
-
-fn along<'a>(scene: &Scene, ray: &ExactRay<'a>, object: u32) -> Option<AlongRay<'a>> {
-    AlongRay::new(&scene.object(object)?, *ray).ok()
-}
-
-/// Returns the samples of each curve over a range.
-pub fn samples(
-    curves: &[Curve],
-    scene: &Scene,
-    ray: &ExactRay,
-    range: &RangeInclusive<f64>,
-) -> Samples {
-    let sampled = |curve: &Curve| {
-        let along = along(scene, ray, curve.named.object);
-        along.map_or_else(Vec::new, |along| curve.samples(&along, range))
-    };
-    curves.iter().map(sampled).collect()
-}
-
-/// Returns the value of each curve's f at t; NaN if it cannot be computed.
-pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
-    let value = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
-    curves.iter().map(|curve| value(curve).unwrap_or(f64::NAN)).collect()
-}
-
 /// Returns the plot's range of t. It includes the eye, the viewport, the point marked on the ray, and all
 /// zeros of f that are not too far away.
-pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
+fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
     let hits = curves.iter().filter_map(|curve| curve.derivation.hit());
@@ -140,6 +100,24 @@ pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> 
 }
 
 impl Plot {
+    /// Creates the plot of these objects along a ray. Leaves out objects without a valid f.
+    pub fn new(
+        scene: &Scene,
+        ray: &ExactRay,
+        named: impl Iterator<Item = Named>,
+        ray_point_t: Option<f64>,
+    ) -> Plot {
+        let curve = |(index, named)| Curve::new(index, named, scene, ray);
+        let (mut curves, functions): (Vec<Curve>, Vec<AlongRay>) =
+            named.enumerate().filter_map(curve).unzip();
+        let range = range(&curves, ray_point_t);
+        for (curve, along) in curves.iter_mut().zip(&functions) {
+            curve.samples = curve.samples(along, &range);
+            curve.at_point = ray_point_t.map_or(f64::NAN, |t| along.value(t));
+        }
+        Plot { left_out: scene.len() - curves.len(), curves, range, ray_point_t }
+    }
+
     /// Describes the heights of the curves: the left side of an object's implicit equation with the ray in
     /// it, and its unit. Several objects have f in common, which is 0 on the surface of each.
     pub(crate) fn height_words(&self) -> String {
@@ -152,6 +130,28 @@ impl Plot {
 }
 
 impl Curve {
+    /// Creates the curve of an object, without its samples. Returns also the object's f.
+    fn new<'a>(
+        index: usize,
+        named: Named,
+        scene: &Scene,
+        ray: &ExactRay<'a>,
+    ) -> Option<(Curve, AlongRay<'a>)> {
+        let object = scene.object(named.object)?;
+        let along = AlongRay::new(&object, *ray).ok()?;
+        let curve = Curve {
+            index,
+            derivation: ObjectDerivation::new(&object, named.object, ray).ok()?,
+            named,
+            samples: Vec::new(),
+            at_point: f64::NAN,
+            unit: ImplicitUnit::new(&object, &along),
+            at_eye: along.value(0.0),
+            vertex: along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs())),
+        };
+        Some((curve, along))
+    }
+
     /// Returns true if the curve is a straight line, which is the case for a plane.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()

@@ -55,13 +55,13 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
     inside(ui, words, |ui| {
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
-            if let Some((t, values)) = &plot.ray_point_t {
-                text(ui, &point(inspection, *t, digits));
-                ui.label(RichText::new(objects_at(plot, values)).strong());
+            if let Some(t) = plot.ray_point_t {
+                text(ui, &point(inspection, t, digits));
+                ui.label(RichText::new(objects_at_point(plot)).strong());
             }
             ui.separator();
-            for k in 0..plot.curves.len() {
-                curve_text(ui, plot, k, first, digits);
+            for curve in &plot.curves {
+                curve_text(ui, plot, curve, first, digits);
             }
             match plot.left_out {
                 0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
@@ -102,15 +102,15 @@ fn point(inspection: &Inspection, t: f64, digits: usize) -> String {
     format!("p + t d {}", equated_tuple(&inspection.ray.at(t).to_array(), digits))
 }
 
-/// Returns a text that names the objects that contain the point on the ray, and those on whose surface it is.
-/// `values` holds the value of f at the point for each curve.
-fn objects_at(plot: &Plot, values: &[f64]) -> String {
-    let titles = |belongs: &dyn Fn(&Curve, f64) -> bool| -> Vec<&str> {
-        let curves = plot.curves.iter().zip(values).filter(|(curve, f)| belongs(curve, **f));
-        curves.map(|(curve, _)| curve.named.title.as_str()).collect()
+/// Returns a text that names the objects that contain the point marked on the ray, and those on whose surface it
+/// is.
+fn objects_at_point(plot: &Plot) -> String {
+    let titles = |belongs: fn(&&Curve) -> bool| {
+        let curves = plot.curves.iter().filter(belongs);
+        curves.map(|curve| curve.named.title.as_str()).collect::<Vec<_>>().join(", ")
     };
-    let inside = titles(&|curve, f| curve.is_inside(f)).join(", ");
-    let on = titles(&|_, f| f == 0.0).join(", ");
+    let inside = titles(|curve| curve.is_inside(curve.at_point));
+    let on = titles(|curve| curve.at_point == 0.0);
     match (inside.is_empty(), on.is_empty()) {
         (true, true) => "outside all objects".to_owned(),
         (false, true) => format!("inside {inside}"),
@@ -133,8 +133,7 @@ fn curve_text_id(object: u32) -> Id {
 
 /// Shows the text about a curve: a sample of its line, its title and description, and the value of f at the
 /// point on the ray.
-fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
-    let curve: &Curve = &plot.curves[k];
+fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<(u32, f64)>, digits: usize) {
     let object = curve.named.object;
     let title = ui.horizontal_wrapped(|ui| {
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
@@ -147,9 +146,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
     });
     let words = ui.indent(("said", object), |ui| {
         text(ui, &curve.description(digits));
-        if let Some((t, values)) = &plot.ray_point_t {
-            let reading = curve.reading(values[k], digits);
-            text(ui, &format!("at t {}: {reading}", equated(*t, digits)));
+        if let Some(t) = plot.ray_point_t {
+            let reading = curve.reading(curve.at_point, digits);
+            text(ui, &format!("at t {}: {reading}", equated(t, digits)));
         }
     });
     ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
@@ -204,7 +203,7 @@ fn draw(
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);
     let curves: Vec<DrawnCurve> =
-        plot.samples.iter().map(|samples| drawing.drawn(samples)).collect();
+        plot.curves.iter().map(|curve| drawing.drawn(&curve.samples)).collect();
     let mut words = LabelLayout::new(ui.painter_at(inner), colors.halo, inner.shrink(2.0));
     for x in [0.0, 1.0].map(|t| drawing.t.position(t)) {
         words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, inner.y_range()));
@@ -371,14 +370,14 @@ impl PlotDrawing<'_> {
 
     /// Draws the vertical line at the t that the user drags, with a mark at each curve's value there.
     fn ray_point(&self, words: &mut LabelLayout) {
-        let Some((t, values)) = &self.plot.ray_point_t else { return };
-        let x = self.t.position(*t);
+        let Some(t) = self.plot.ray_point_t else { return };
+        let x = self.t.position(t);
         for stroke in [Stroke::new(6.0, self.colors.halo), Stroke::new(3.0, self.colors.ray)] {
             self.painter.vline(x, self.rect.y_range(), stroke);
         }
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, self.rect.y_range()));
-        for (curve, f) in self.plot.curves.iter().zip(values.iter()) {
-            let at = self.at(*t, curve.height(*f));
+        for curve in &self.plot.curves {
+            let at = self.at(t, curve.height(curve.at_point));
             if self.rect.contains(at) {
                 let stroke = Stroke::new(2.5, color_of(curve));
                 self.painter.circle(at, 5.5, self.colors.ray, stroke);
@@ -432,14 +431,14 @@ impl PlotDrawing<'_> {
                 texts.iter().any(|text| write(text).is_some())
             });
         }
-        if let Some((t, _)) = &self.plot.ray_point_t {
-            let (x, top) = (self.t.position(*t), self.rect.top() + 3.0);
+        if let Some(t) = self.plot.ray_point_t {
+            let (x, top) = (self.t.position(t), self.rect.top() + 3.0);
             let rows = (0..3).flat_map(|k| {
                 let y = top + ROW * k as f32;
                 [(pos2(x + 7.0, y), Align2::LEFT_TOP), (pos2(x - 7.0, y), Align2::RIGHT_TOP)]
             });
             let font = Font { size: DRAWN_TEXT + 2.0, color: self.colors.ray, bold: false };
-            words.write(&format!("t {}", equated(*t, 5)), font, rows);
+            words.write(&format!("t {}", equated(t, 5)), font, rows);
         }
         // Objects that are hit at the same t share its number.
         let mut written: Vec<String> =

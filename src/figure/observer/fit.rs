@@ -46,8 +46,8 @@ impl Observer {
     ///
     /// Perspective makes this possible: an observer close behind a small camera also sees the distant
     /// objects that the camera looks at. They appear small, as in a sketch on a whiteboard.
-    pub fn frame_all(camera: &Camera, scene: &Scene, size: ViewSize, drawn: &Drawn) -> Observer {
-        let subject = Subject::new(camera, scene, drawn);
+    pub fn frame_all(drawn: &Drawn<'_>, size: ViewSize) -> Observer {
+        let subject = Subject::new(drawn);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
             // The camera looks straight up or down, so the direction behind it is right x up.
@@ -71,34 +71,22 @@ impl Observer {
     }
 
     /// Returns the observer in the same direction that has everything in sight in a view of this size.
-    pub fn refitted(
-        &self,
-        camera: &Camera,
-        scene: &Scene,
-        size: ViewSize,
-        drawn: &Drawn,
-    ) -> Observer {
-        Subject::new(camera, scene, drawn).fit(self, size)
+    pub fn refitted(&self, drawn: &Drawn<'_>, size: ViewSize) -> Observer {
+        Subject::new(drawn).fit(self, size)
     }
 
     /// Returns an observer in the same direction for a view of this size. It sees the whole camera, what is drawn,
     /// with its labels, and every ball that this observer sees in a view of ordinary shape. Returns this observer
     /// unchanged in two cases: if all of that already fills the view, or if it is so near that the eye or the viewport
     /// is meant to be out of sight.
-    pub fn framing_the_same(
-        &self,
-        camera: &Camera,
-        scene: &Scene,
-        size: ViewSize,
-        drawn: &Drawn,
-    ) -> Observer {
-        if self.distance_for(camera, ORDINARY_ASPECT) > self.distance {
+    pub fn framing_the_same(&self, drawn: &Drawn<'_>, size: ViewSize) -> Observer {
+        if self.distance_for(drawn.camera, ORDINARY_ASPECT) > self.distance {
             return *self;
         }
-        let mut subject = Subject::new(camera, scene, drawn);
+        let mut subject = Subject::new(drawn);
         // Spheres that contain the eye are drawn cut away.
         let eye = subject.eye;
-        subject.balls.extend(balls_of(scene).filter(|ball| ball.contains(eye)));
+        subject.balls.extend(balls_of(drawn.scene).filter(|ball| ball.contains(eye)));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
         let depth = |observer: &Observer| observer.depth_of(eye);
         let mut fitted = subject.fit(self, size);
@@ -125,14 +113,14 @@ impl Observer {
 
     /// Returns the observer in the same direction that sees the eye, the arrows and the viewport as large
     /// as possible.
-    pub fn framing_camera(&self, camera: &Camera, size: ViewSize, drawn: &Drawn) -> Observer {
-        let orientation = match camera.orientation {
+    pub fn framing_camera(&self, drawn: &Drawn<'_>, size: ViewSize) -> Observer {
+        let orientation = match drawn.camera.orientation {
             // The point at need not be in the picture, so it is replaced by a direction.
-            Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
+            Orientation::At { up, .. } => Orientation::View { view: drawn.camera.view(), up },
             given => given,
         };
-        let alone = Camera { orientation, ..*camera };
-        Subject::new(&alone, &Scene::default(), drawn).fit(self, size)
+        let camera = &Camera { orientation, ..*drawn.camera };
+        self.refitted(&Drawn { camera, scene: &Scene::default(), ..drawn.clone() }, size)
     }
 
     /// Returns the observer moved straight back until it sees the eyes and viewports of all cameras in

@@ -74,9 +74,13 @@ impl From<DVec3> for Place {
     }
 }
 
-/// What is drawn, besides the objects, and must be in sight.
-#[derive(Clone, Debug, Default)]
-pub struct Drawn {
+/// What is drawn and must be in sight.
+#[derive(Clone, Debug)]
+pub struct Drawn<'a> {
+    /// The edited camera.
+    pub camera: &'a Camera,
+    /// The objects.
+    pub scene: &'a Scene,
     /// True if the frustum is drawn.
     pub has_frustum: bool,
     /// Points, and the tips of arrows, each with whether it has a label.
@@ -148,7 +152,8 @@ pub(super) struct Subject {
 }
 
 impl Subject {
-    pub(super) fn new(camera: &Camera, scene: &Scene, drawn: &Drawn) -> Subject {
+    pub(super) fn new(drawn: &Drawn<'_>) -> Subject {
+        let (camera, scene) = (drawn.camera, drawn.scene);
         let Surroundings { eye, mut spheres, planets, middle, near_size, walls, .. } =
             Surroundings::new(camera, scene);
         let resolved = camera.resolve().ok();

@@ -70,7 +70,7 @@ fn everything_is_in_sight() {
     for (camera, spheres, planes) in cases {
         let scene = Scene::new(spheres.clone(), planes).expect("a scene");
         let observer =
-            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0), &arrows(&camera));
+            Observer::frame_all(&arrows(&camera, &scene), ViewSize::of_aspect(4.0 / 3.0));
         for point in must_be_seen(&camera, &spheres) {
             assert!(is_in_sight(&observer, point), "{point} by {observer:?}");
         }
@@ -81,12 +81,7 @@ fn everything_is_in_sight() {
 fn a_planet_is_not_framed() {
     let with = |spheres: Vec<Sphere>| {
         let scene = Scene::new(spheres, vec![]).expect("a scene");
-        Observer::frame_all(
-            &Camera::CANONICAL,
-            &scene,
-            ViewSize::of_aspect(1.0),
-            &arrows(&Camera::CANONICAL),
-        )
+        Observer::frame_all(&arrows(&Camera::CANONICAL, &scene), ViewSize::of_aspect(1.0))
     };
     let small = ball(0.0, 0.0, -5.0, 1.0);
     let [alone, on_a_planet] =
@@ -99,8 +94,7 @@ fn the_camera_is_never_lost_from_afar() {
     for far in [5.0, 100.0, 1e4, 1e7] {
         let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -far));
         let scene = Scene::new(vec![ball(0.0, 0.0, -far, 1.0)], vec![]).expect("a scene");
-        let observer =
-            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25), &arrows(&camera));
+        let observer = Observer::frame_all(&arrows(&camera, &scene), ViewSize::of_aspect(1.25));
         let own = camera.resolve().expect("a camera");
         let top = seen_at(&observer, own.viewport_point(DVec2::new(0.0, 0.5)));
         let bottom = seen_at(&observer, own.viewport_point(DVec2::new(0.0, -0.5)));
@@ -119,8 +113,7 @@ fn every_scale_is_framed_alike() {
         camera.viewport.distance *= scale;
         let center = shift + DVec3::new(0.0, 0.0, -5.0 * scale);
         let scene = Scene::new(vec![Sphere { center, radius: scale }], vec![]).expect("a scene");
-        let observer =
-            Observer::frame_all(&camera, &scene, ViewSize::of_aspect(1.25), &arrows(&camera));
+        let observer = Observer::frame_all(&arrows(&camera, &scene), ViewSize::of_aspect(1.25));
         seen_at(&observer, camera.eye)
     };
     let ordinary = framed(1.0, DVec3::ZERO);
@@ -237,10 +230,11 @@ fn own_points(camera: &Camera) -> Vec<DVec3> {
 #[test]
 fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
+    let scene = Scene::default();
     for (azimuth, elevation) in [(0.3, 0.2), (-2.0, 0.9), (3.0, -0.4)] {
         let before = Observer::new(DVec3::new(5.0, 0.0, 0.0), azimuth, elevation, 400.0);
         let framed =
-            before.framing_camera(&camera, ViewSize::of_aspect(4.0 / 3.0), &arrows(&camera));
+            before.framing_camera(&arrows(&camera, &scene), ViewSize::of_aspect(4.0 / 3.0));
         let [old, new] = [before, framed].map(|observer| resolve(&observer).basis().w);
         assert!(old.distance(new) < 1e-12);
         for point in own_points(&camera) {
@@ -260,12 +254,8 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
     let turn = |k: u32| camera.orbited(std::f64::consts::TAU * f64::from(k) / 24.0, 0.0);
     let way: Vec<Camera> = (0..24).map(|k| turn(k).expect("an orbit")).collect();
-    let before = Observer::frame_all(
-        &camera,
-        &Scene::default(),
-        ViewSize::of_aspect(4.0 / 3.0),
-        &arrows(&camera),
-    );
+    let scene = Scene::default();
+    let before = Observer::frame_all(&arrows(&camera, &scene), ViewSize::of_aspect(4.0 / 3.0));
     let is_lost = |observer: &Observer| {
         let points = way.iter().flat_map(own_points);
         let behind = |point: &DVec3| !resolve(observer).project(*point).is_in_front();
@@ -285,13 +275,18 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
 }
 
 /// Returns the basis arrows and up, each with a label.
-fn arrows(camera: &Camera) -> Drawn {
+fn arrows<'a>(camera: &'a Camera, scene: &'a Scene) -> Drawn<'a> {
     let basis = camera.resolve().map(|resolved| *resolved.basis());
     let vectors = basis.map_or(Vec::new(), |basis| vec![basis.u, basis.v, basis.w]);
     let up = UP_LENGTH * camera.up().normalize_or_zero();
     let place = |along| (Place { at: camera.eye, along, length: Length::Arrow }, true);
     let places = vectors.into_iter().chain([up]).map(place).collect();
-    Drawn { has_frustum: true, places }
+    Drawn { camera, scene, has_frustum: true, places }
+}
+
+/// Returns the camera and the scene alone.
+fn nothing<'a>(camera: &'a Camera, scene: &'a Scene) -> Drawn<'a> {
+    Drawn { camera, scene, has_frustum: false, places: Vec::new() }
 }
 
 /// Length of the up arrow, as a multiple of the basis arrows' length.
@@ -316,13 +311,13 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0));
     let scene = Scene::new(vec![ball(0.0, 0.0, -5.0, 1.0)], vec![]).expect("a scene");
     let wide = ViewSize::new(900.0, 500.0);
-    let framed = Observer::frame_all(&camera, &scene, wide, &arrows(&camera));
+    let framed = Observer::frame_all(&arrows(&camera, &scene), wide);
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for (width, height) in [(900.0, 500.0), (340.0, 560.0), (300.0, 300.0), (1200.0, 700.0)] {
         let size = ViewSize::new(width, height);
-        let refitted = framed.refitted(&camera, &scene, size, &arrows(&camera));
+        let refitted = framed.refitted(&arrows(&camera, &scene), size);
         assert_eq!((refitted.azimuth, refitted.elevation), (framed.azimuth, framed.elevation));
-        let kept = named.framing_the_same(&camera, &scene, size, &arrows(&camera));
+        let kept = named.framing_the_same(&arrows(&camera, &scene), size);
         assert_eq!((kept.azimuth, kept.elevation), (named.azimuth, named.elevation));
         for observer in [refitted, kept] {
             let seen = observer.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -337,7 +332,7 @@ fn no_tip_of_an_arrow_is_cut_off_in_a_view_of_any_shape() {
     }
     // An observer that looks closely at something else stays.
     let close = Observer::new(DVec3::new(0.0, 0.0, -5.0), 0.5, 0.3, 2.0);
-    assert_eq!(close.framing_the_same(&camera, &scene, wide, &arrows(&camera)), close);
+    assert_eq!(close.framing_the_same(&arrows(&camera, &scene), wide), close);
 }
 
 #[test]
@@ -348,7 +343,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
     let named = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 14.5);
     for (width, height) in [(500.0, 180.0), (300.0, 600.0), (900.0, 700.0)] {
         let size = ViewSize::new(width, height);
-        let seen = named.framing_the_same(&camera, &scene, size, &Drawn::default());
+        let seen = named.framing_the_same(&nothing(&camera, &scene), size);
         let (right, up) = seen.right_and_up();
         let sides = [right, -right, up, -up].map(|side| around.center + around.radius * side);
         let view = seen.camera(width as u32, height as u32).resolve().expect("a basis");
@@ -360,7 +355,7 @@ fn a_sphere_around_the_camera_stays_in_sight_as_a_whole() {
     // An observer inside the sphere keeps its distance.
     let inside = Observer::new(DVec3::new(0.0, 0.0, -1.0), 0.84, 0.45, 3.0);
     let size = ViewSize::of_aspect(1.25);
-    assert!(inside.framing_the_same(&camera, &scene, size, &Drawn::default()).distance() < 5.0);
+    assert!(inside.framing_the_same(&nothing(&camera, &scene), size).distance() < 5.0);
 }
 
 #[test]
@@ -376,7 +371,7 @@ fn arrows_take_no_more_than_their_share_of_a_low_view() {
     let named = Observer::new(DVec3::new(-0.1, -0.2, -2.3), 0.84, 0.33, 9.0);
     for height in [60.0, 100.0, 150.0] {
         let size = ViewSize::new(300.0, height);
-        let seen = named.framing_the_same(&camera, &scene, size, &arrows(&camera));
+        let seen = named.framing_the_same(&arrows(&camera, &scene), size);
         let view = seen.camera(300, height as u32).resolve().expect("a basis");
         let half = 0.5 * DVec2::new(view.viewport().width, view.viewport().height);
         let [eye, ball] = [DVec3::ZERO, DVec3::new(0.0, 0.0, -5.0)].map(|p| view.project(p).uv);

@@ -42,6 +42,7 @@ pub use camera_view::{CameraView, camera};
 pub use drawing::{Drawing, Ink, Label, Mark, Path, PathOutline, Shape, concept_at};
 pub use layers::Backdrop;
 pub use paint::{Picture, paint_paths};
+pub use parts::Figure;
 pub use parts::camera::UP_LENGTH;
 pub use parts::compared::GhostCamera;
 pub use parts::emphasis::Highlighted;
@@ -63,7 +64,7 @@ use paint::{Fills, StretchedPicture};
 use parts::camera::corners;
 use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
 use parts::ray::{UvLeg, uv_legs};
-use parts::{ASKED_SPHERES, Figure, Form, Part, Toward, When};
+use parts::{ASKED_SPHERES, Form, Part, Toward, When};
 use pixel_numbers::{NUMBER, half_extent, numbers};
 use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{

@@ -118,9 +118,8 @@ impl OpenScene {
         let camera = &document.camera;
         // If an object is invalid, all objects are ignored, but the camera is still framed.
         let scene = || document.scene().unwrap_or_default();
-        let frame_all = |scene: &Scene, size: ViewSize| {
-            Observer::frame_all(camera, scene, size, &drawn_of(camera, scene))
-        };
+        let frame_all =
+            |scene: &Scene, size: ViewSize| Observer::frame_all(&drawn_of(camera, scene), size);
         let step = self.lessons.open.as_ref().map(OpenLesson::step);
         let fitted = step.filter(|step| !step.keep_observer);
         let of_step = fitted.and_then(|step| step.shown.observer);
@@ -144,14 +143,8 @@ impl OpenScene {
             [Item::Basis, Item::Ray, Item::Hit].into_iter().for_each(|item| items.set(item, true));
         }
         let observer = match (named, own) {
-            (Some(named), _) => {
-                let scene = scene();
-                named.framing_the_same(camera, &scene, size, &self.drawn(&scene, items))
-            }
-            (None, Some(framed)) => {
-                let scene = scene();
-                framed.observer.refitted(camera, &scene, size, &drawn_of(camera, &scene))
-            }
+            (Some(named), _) => named.framing_the_same(&self.drawn(&scene(), items), size),
+            (None, Some(framed)) => framed.observer.refitted(&drawn_of(camera, &scene()), size),
             (None, None) => frame_all(&scene(), size),
         };
         self.framed = Some(Framed { observer, size, camera: *camera, named });
@@ -160,7 +153,7 @@ impl OpenScene {
     }
 
     /// Returns what the world view draws with these items, including what is hidden while a question is open.
-    fn drawn(&self, scene: &Scene, items: OverlayItems) -> Drawn {
+    fn drawn<'a>(&'a self, scene: &'a Scene, items: OverlayItems) -> Drawn<'a> {
         let (session, camera) = (&self.session, &self.open.document.camera);
         let ghost = if session.shows_exercise() {
             // *Show me* must not move the observer: most wrong cameras look the other way.
@@ -219,8 +212,9 @@ impl OpenScene {
             Observe::FrameCamera => {
                 // The point *at* need not be in the picture.
                 let items = OverlayItems::default().with(Item::At, false);
-                let drawn = drawn(camera, &Scene::default(), items, None, None, None);
-                *observer = observer.framing_camera(camera, size, &drawn);
+                let scene = Scene::default();
+                let drawn = drawn(camera, &scene, items, None, None, None);
+                *observer = observer.framing_camera(&drawn, size);
             }
             // The next pass frames the whole scene, because it knows the view's aspect.
             Observe::FrameAll => self.session.shown.observer = None,

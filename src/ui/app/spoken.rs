@@ -110,7 +110,7 @@ impl App {
             lines.extend((0..open.vote.options.len()).map(|index| vote::ui::named(open, index)));
         }
         let wrong = self.views.derived.wrong_camera.as_deref();
-        lines.extend(wrong.map(|wrong| mistakes::ui::spoken(wrong, view, false)));
+        lines.extend(wrong.map(|wrong| mistakes::ui::words(wrong, view, false).0));
     }
 }
 

@@ -13,8 +13,8 @@ use crate::ui::action::{Action, request};
 pub mod help;
 pub mod palette;
 
-use crate::ui::widgets::path_field::{FileAnswer, FileQuestion};
 use crate::ui::widgets::path_field::PathField;
+use crate::ui::widgets::path_field::{FileAnswer, FileQuestion};
 
 /// The open dialog.
 pub(crate) enum Dialog {

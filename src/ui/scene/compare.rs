@@ -12,7 +12,7 @@ use pinhole_lecture::numbers::percent;
 use super::view_rects::strip_above;
 use crate::model::{Ghost, Session};
 use crate::ui::action::GhostAction;
-use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
+use crate::ui::widgets::{ResponseExt as _, Words, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
 
 /// Size of the text, in points, where the tables are side by side and where they are stacked.
@@ -23,9 +23,6 @@ const LETTER: f32 = 0.53;
 
 /// Maximum number of significant digits. More do not fit.
 const DIGITS: usize = 4;
-
-/// Text that is shown if there is no ghost.
-const NO_GHOST: &str = "Freeze the camera as a ghost, then change it and compare.";
 
 /// Shows, above the second picture, the choice between the ghost's picture and the map of the pixels that
 /// differ.
@@ -41,18 +38,14 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     });
 }
 
-/// Returns the description of the picture for screen readers.
-pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
-    against.map_or_else(|| NO_GHOST.to_owned(), share_that_differs)
-}
-
-/// Returns the reason why there is no picture.
-pub(crate) fn why_not(ghost: Option<&Ghost>) -> String {
-    match ghost.map(|ghost| ghost.camera.resolve()) {
-        None => NO_GHOST.to_owned(),
+/// Returns what is said about the picture.
+pub(crate) fn words(against: Option<&AgainstGhost>, ghost: Option<&Ghost>) -> Words {
+    let why_not = match ghost.map(|ghost| ghost.camera.resolve()) {
+        None => "Freeze the camera as a ghost, then change it and compare.".to_owned(),
         Some(Err(error)) => format!("The ghost sees nothing: {error}"),
         Some(Ok(_)) => "There are no two cameras to compare.".to_owned(),
-    }
+    };
+    (against.map_or_else(|| why_not.clone(), share_that_differs), Some(why_not))
 }
 
 /// Returns a text such as `33 % of the picture shows another object`.

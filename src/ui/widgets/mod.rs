@@ -162,6 +162,10 @@ pub(crate) fn fault_text(ui: &Ui, message: impl Display) -> RichText {
     RichText::new(typeset_message(message)).color(error_color(ui))
 }
 
+/// What a page says about its second picture: a description for screen readers, and the reason why there is no
+/// picture, if there is none.
+pub(crate) type Words = (String, Option<String>);
+
 /// Shows, in place of a picture, the reason why there is none.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, reason: &str) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);

@@ -80,40 +80,49 @@ impl<T, const N: usize> Spares<T, N> {
     }
 }
 
-/// The last images of a view, whose buffers are reused once they are no longer shown. Three are in use at a
-/// time: one is being painted, one is shown by the window, and one may be uploading as a texture.
-#[derive(Debug, Default)]
-pub(super) struct SpareImages(Spares<ColorImage, 3>);
+/// A cache of the last finished view, and the view's last images, whose buffers are reused once they are no
+/// longer shown. Three are in use at a time: one is being painted, one is shown by the window, and one may be
+/// uploading as a texture.
+#[derive(Debug)]
+pub(super) struct LastView<V> {
+    last: Memo<V, FinishedView>,
+    images: Spares<ColorImage, 3>,
+}
 
-impl SpareImages {
-    /// Returns a buffer of pixels with arbitrary contents; the caller must paint every pixel.
-    fn take(&mut self, size: [u32; 2]) -> Vec<Color32> {
-        let size = size.map(|n| n as usize);
-        let spare = self.0.take(|image| image.size == size).map(|image| image.pixels);
-        spare.unwrap_or_else(|| vec![Color32::BLACK; size.iter().product()])
+impl<V> Default for LastView<V> {
+    fn default() -> Self {
+        LastView { last: Memo::default(), images: Spares::default() }
     }
+}
 
-    /// Returns an image of `size` pixels that `draw` has painted. Keeps a reference to it, so that its
-    /// buffer can be reused later.
-    pub(super) fn draw(
+impl<V: PartialEq> LastView<V> {
+    /// Returns an image of `size` pixels that `draw` has painted, with its drawing. Calls `draw`, which must
+    /// paint every pixel of a buffer with arbitrary contents, only if `view` differs from the last one.
+    pub(super) fn get(
         &mut self,
+        view: V,
         size: [u32; 2],
         style: Style,
         watch: OnWork<'_>,
-        draw: impl FnOnce(&mut [Color32]) -> Drawing,
+        draw: impl FnOnce(&V, &mut [Color32]) -> Drawing,
     ) -> FinishedView {
-        watched(watch, WorkKind::Overlay, || {
-            let mut pixels = self.take(size);
-            let drawing = draw(&mut pixels);
-            style.finish(&mut pixels);
-            let shown = FinishedView {
-                image: Arc::new(ColorImage::new(size.map(|n| n as usize), pixels)),
-                labels: Arc::new(drawing.labels),
-                marks: Arc::new(drawing.marks),
-                spheres: Arc::new(drawing.spheres),
-            };
-            self.0.keep(&shown.image);
-            shown
+        let size = size.map(|n| n as usize);
+        self.last.get(view, |view| {
+            watched(watch, WorkKind::Overlay, || {
+                let spare = self.images.take(|image| image.size == size);
+                let mut pixels = spare.map_or(Vec::new(), |image| image.pixels);
+                pixels.resize(size.iter().product(), Color32::BLACK);
+                let drawing = draw(view, &mut pixels);
+                style.finish(&mut pixels);
+                let shown = FinishedView {
+                    image: Arc::new(ColorImage::new(size, pixels)),
+                    labels: Arc::new(drawing.labels),
+                    marks: Arc::new(drawing.marks),
+                    spheres: Arc::new(drawing.spheres),
+                };
+                self.images.keep(&shown.image);
+                shown
+            })
         })
     }
 }
@@ -124,15 +133,22 @@ mod tests {
 
     #[test]
     fn memory_is_used_again_once_nobody_shows_it() {
-        let mut buffers = SpareImages::default();
+        let mut views = LastView::default();
         let mark = Color32::from_rgb(1, 2, 3);
-        let shown = buffers.draw([4, 3], Style::Light, &|_| (), |pixels| {
-            pixels.fill(mark);
-            Drawing::default()
-        });
-        assert_eq!(buffers.take([4, 3]), [Color32::BLACK; 12], "it is still shown");
+        let mut found = |view: u32, size| {
+            let mut before = Vec::new();
+            let shown = views.get(view, size, Style::Light, &|_| (), |_, pixels| {
+                before = pixels.to_vec();
+                pixels.fill(mark);
+                Drawing::default()
+            });
+            (before, shown)
+        };
+        let (_, shown) = found(0, [4, 3]);
+        let (before, _) = found(1, [4, 3]);
+        assert_eq!(before, [Color32::BLACK; 12], "it is still shown");
         drop(shown);
-        assert_eq!(buffers.take([5, 3]), [Color32::BLACK; 15], "another size");
-        assert_eq!(buffers.take([4, 3]), [mark; 12]);
+        assert_eq!(found(2, [5, 3]).0, [Color32::BLACK; 15], "another size");
+        assert_eq!(found(3, [4, 3]).0, [mark; 12]);
     }
 }

@@ -15,6 +15,7 @@ use pinhole_lecture::mistakes::ComparedCamera;
 use crate::features::plot::curves::Plot;
 use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
+use pinhole_figure::overlay::CameraView;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};
@@ -25,21 +26,20 @@ mod picture;
 mod second_picture;
 mod views;
 
-use memo::{Memo, SpareImages, Spares};
+use memo::{LastView, Memo, Spares};
 use objects::{Enclosing, GoodWorld, Objects};
 use picture::{GoodPicture, Pictures, repainted, trace_picture, watched};
 use second_picture::{SecondPictures, ghost_camera};
-use views::{CameraViews, Derivations, Plots, WorldViews, camera_view};
+use views::{LastDerivation, WorldViews, camera_view, derived_lines, finished_camera_view, plot};
 
 /// Computes [`Derived`] values. The result depends only on the arguments; the caches only save time.
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Objects,
     pictures: Pictures,
-    camera_views: CameraViews,
+    camera_view: LastView<CameraView>,
     world_views: WorldViews,
-    derivations: Derivations,
-    plots: Plots,
+    derivation: LastDerivation,
     second: SecondPictures,
     /// The camera's last picture from a document without a fault.
     last_good: Option<GoodPicture>,
@@ -106,27 +106,26 @@ impl Deriver {
         if let Some(good) = &self.last_good {
             self.second.update(&mut derived, inputs, good, world);
         }
-        let generation = self.objects.good().map_or(0, |good| good.generation);
-        self.views(&mut derived, inputs, generation);
+        self.views(&mut derived, inputs);
         derived
     }
 
     /// Derives the views, the derivation and the plot in parallel, since they do not depend on each
     /// other.
-    fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>, generation: u64) {
-        let Deriver { camera_views, world_views, derivations, plots, objects, .. } = self;
+    fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
+        let Deriver { camera_view, world_views, derivation, objects, .. } = self;
         let good = self.last_good.as_ref();
         let partial = &*derived;
-        let (world, (camera_view, (derivation, plot))) = rayon::join(
+        let (world, (camera, (derivation, plot))) = rayon::join(
             || world_views.get(partial, inputs, objects, good),
             || {
                 rayon::join(
-                    || camera_views.get(partial, inputs, good?),
-                    || (derivations.get(inputs, partial), plots.get(inputs, partial, generation)),
+                    || finished_camera_view(camera_view, partial, inputs, good?),
+                    || (derived_lines(derivation, inputs, partial), plot(inputs, partial)),
                 )
             },
         );
-        derived.camera_view = camera_view;
+        derived.camera_view = camera;
         (derived.derivation, derived.plot) = (derivation, plot);
         if let Some((world, view)) = world {
             derived.subsampling[1] = world.subsampling;

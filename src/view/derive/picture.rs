@@ -11,11 +11,11 @@ use pinhole_core::{
     Counts, Depth, Frame, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Selection,
     Shade, Steps, retrace_painted, shade, trace, trace_painted,
 };
-use pinhole_figure::overlay::{Loupe, Picture, Same, loupe_window};
+use pinhole_figure::overlay::{Loupe, Picture, loupe_window};
 use pinhole_figure::{Inspection, Item};
 use pinhole_lecture::numbers::grouped;
 
-use crate::features::accuracy::comparison::Comparison;
+use crate::features::accuracy::comparison::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
 
@@ -61,6 +61,8 @@ pub struct Compared {
     pub comparison: Comparison,
     /// The method's answers for all pixels.
     pub frame: Frame,
+    /// The error map.
+    pub picture: Arc<Picture>,
 }
 
 /// The camera's picture and the selected ray.
@@ -84,8 +86,11 @@ pub(super) struct GoodPicture {
 impl GoodPicture {
     /// Copies the data that the readouts show about the picture.
     pub(super) fn describe(&self, derived: &mut Derived) {
-        derived.too_many =
-            self.compared.as_ref().and_then(|compared| compared.as_ref().err().copied());
+        match &self.compared {
+            Some(Ok(compared)) => derived.compared = Some(Arc::clone(compared)),
+            Some(Err(too_many)) => derived.too_many = Some(*too_many),
+            None => {}
+        }
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
     }
@@ -100,13 +105,15 @@ struct TraceKey {
 }
 
 /// The inputs of a picture's colours. `palette` is the generation number of the objects' colours; with `clear`,
-/// the picture is transparent where no object is hit.
+/// the picture is transparent where no object is hit. Only the first `scanned` pixels are shown, counted row by
+/// row; `None` shows all of them.
 #[derive(Clone, Debug, PartialEq)]
 struct PictureKey {
     trace: TraceKey,
     shade: Shade,
     palette: u64,
     clear: bool,
+    scanned: Option<u64>,
 }
 
 /// A picture, the number of decisions at each step of the exact method (the ladder), and how many spheres
@@ -126,7 +133,6 @@ pub(super) struct Pictures {
     shown: Spares<Picture, 2>,
     inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, u32, bool), Arc<Loupe>>,
-    scanned: Memo<(Same<Picture>, u64), Arc<Picture>>,
     fineness: Memo<(ResolvedCamera, u64, [u32; 2]), Subsampling>,
     /// Number of pictures traced so far.
     pub(super) traced: u64,
@@ -159,28 +165,16 @@ impl Pictures {
         let compared = self.compared(inputs, &trace, world, all);
         // A picture for the viewport in the world view is opaque, since it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
-        let key = PictureKey { trace, shade: setup.shade, palette: world.palette, clear };
+        let (shade, scanned) = (setup.shade, session.live.scanned_pixels);
+        let key = PictureKey { trace, shade, palette: world.palette, clear, scanned };
         let (picture, steps, counts) = self.picture(&key, world, watch);
         let position = inspection.image_position.filter(|_| setup.items.shows(Item::Loupe));
         let loupe = position.map(|position| {
             let [rows, columns] = loupe_window(&position, resolved.image(), pixels);
             let trace = TraceKey { raster: Raster::part(rows, columns), ..key.trace };
             let key = (PictureKey { trace, clear: false, ..key }, pixels, setup.count_from_one);
-            let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
-            match session.live.scanned_pixels {
-                None => loupe,
-                Some(count) => {
-                    let picture = first_pixels(&loupe.picture, count);
-                    Arc::new(Loupe { picture, ..*loupe })
-                }
-            }
+            self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)))
         });
-        let picture = match session.live.scanned_pixels {
-            None => picture,
-            Some(count) => self.scanned.get((Same(picture), count), |(whole, count)| {
-                Arc::new(first_pixels(&whole.0, *count))
-            }),
-        };
         GoodPicture { loupe, resolved, picture, inspection, subsampling, steps, counts, compared }
     }
 
@@ -208,7 +202,8 @@ impl Pictures {
                 let comparison = Comparison::new(&truth, &traced);
                 let mut frame = Frame::clone(&truth);
                 (frame.t, frame.object) = (traced.t, traced.object);
-                Arc::new(Compared { method: *method, comparison, frame })
+                let picture = picture_of(&frame, comparison::colors(&comparison));
+                Arc::new(Compared { method: *method, comparison, frame, picture })
             })
         })))
     }
@@ -231,29 +226,32 @@ impl Pictures {
                 fresh = Some(traced.1);
                 Arc::new(traced.0)
             });
-            let pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
-            (picture_of(&frame, pixels, key.clear), frame.steps, frame.counts)
+            let mut pixels = fresh.unwrap_or_else(|| repainted(&frame, scene, colors, watch));
+            if key.clear {
+                let hits = pixels.iter_mut().zip(&frame.object);
+                let missed = hits.filter(|(_, hit)| **hit == NO_OBJECT);
+                missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
+            }
+            hide_unscanned(&key.trace, key.scanned, &mut pixels);
+            (picture_of(&frame, pixels), frame.steps, frame.counts)
         });
         self.shown.keep(&picture);
         (picture, steps, counts)
     }
 }
 
-fn picture_of(frame: &Frame<f32>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
-    if clear {
-        let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
-        missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
-    }
-    let (raster, image) = (frame.raster().clone(), frame.camera().image());
-    Arc::new(Picture { raster, image, pixels })
+/// Returns the picture with these colours of a frame's pixels.
+fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
+    Arc::new(Picture { raster: frame.raster().clone(), image: frame.camera().image(), pixels })
 }
 
 /// Returns the pixels that the loupe (the magnifier) shows.
 fn loupe(key: &(PictureKey, u32, bool), world: &GoodWorld, watch: OnWork<'_>) -> Loupe {
-    let (PictureKey { trace, shade, .. }, shown_pixels, count_from_one) = key;
+    let (PictureKey { trace, shade, scanned, .. }, shown_pixels, count_from_one) = key;
     let frame = trace_truth(&world.scene, trace, watch);
     let colors = (*shade, |i: u32| world.colors[i as usize]);
-    let pixels = repainted(&frame, &world.scene, colors, watch);
+    let mut pixels = repainted(&frame, &world.scene, colors, watch);
+    hide_unscanned(trace, *scanned, &mut pixels);
     let picture = Picture { raster: trace.raster.clone(), image: trace.resolved.image(), pixels };
     Loupe { picture, shown_pixels: *shown_pixels, count_from_one: *count_from_one }
 }
@@ -339,20 +337,22 @@ const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 /// Number of checkerboard squares along the picture's shorter side.
 const SQUARES: usize = 16;
 
-/// Returns the picture with only the first `scanned_pixels` pixels of the image, counted row by row. A
-/// checkerboard replaces the others.
-pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
-    let mut part = picture.clone();
-    let width = u64::from(picture.image.width());
-    let (rows, columns) = (picture.raster.rows(), picture.raster.columns());
+/// Replaces all but the first `scanned` pixels of the image, counted row by row, by a checkerboard.
+fn hide_unscanned(
+    TraceKey { resolved, raster, .. }: &TraceKey,
+    scanned: Option<u64>,
+    pixels: &mut [Color32],
+) {
+    let Some(scanned) = scanned else { return };
+    let width = u64::from(resolved.image().width());
+    let (rows, columns) = (raster.rows(), raster.columns());
     let side = (rows.len().min(columns.len()) / SQUARES).max(1);
-    for (i, (row, pixels)) in rows.iter().zip(part.pixels.chunks_mut(columns.len())).enumerate() {
+    for (i, (row, pixels)) in rows.iter().zip(pixels.chunks_mut(columns.len())).enumerate() {
         // Number of scanned pixels in this row.
-        let done = scanned_pixels.saturating_sub(u64::from(*row) * width);
+        let done = scanned.saturating_sub(u64::from(*row) * width);
         let from = columns.partition_point(|column| u64::from(*column) < done);
         for (j, pixel) in pixels.iter_mut().enumerate().skip(from) {
             *pixel = NOT_YET[(i / side + j / side) % 2];
         }
     }
-    part
 }

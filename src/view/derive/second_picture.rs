@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, CameraDifference, ImageSize, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Scene,
-    Selection, Shade,
+    Camera, CameraDifference, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Scene, Selection,
+    Shade,
 };
 use pinhole_exchange::{Document, answers};
 use pinhole_figure::overlay::{self, CameraView, GhostCamera, Picture, Same};
@@ -21,8 +21,8 @@ use crate::features::accuracy;
 use crate::features::answers::StudentAnswers;
 use crate::model::session::{ViewLayout, resolve};
 use crate::view::derive::{
-    Compared, Derived, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, OnWork, SpareImages,
-    WorkKind, camera_view, highlighted, opaque, trace_picture, watched,
+    Derived, GoodPicture, GoodWorld, Inputs, LastView, Memo, OnWork, WorkKind, camera_view,
+    highlighted, opaque, trace_picture, watched,
 };
 
 pinhole_core::texts! {
@@ -62,13 +62,16 @@ pub struct AgainstGhost {
 /// A grade, or the reason why there is none.
 pub type Grading = Result<Arc<Graded>, Arc<str>>;
 
-/// The inputs of a wrong camera's pictures: the right camera, the generation numbers of the objects and
-/// of their colours, the traced pixels, the shading, and the mistake.
-type WrongKey = (Camera, [u64; 2], Raster, Shade, Mistake);
-
-/// The inputs of the ghost's pictures: the edited camera and the ghost, the generation numbers of the
-/// objects and of their colours, the traced pixels, the shading, and the selected ray.
-type GhostKey = ([Camera; 2], [u64; 2], Raster, Shade, Selection);
+/// The inputs of the pictures of another camera, which is compared with the edited one.
+#[derive(Clone, Debug, PartialEq)]
+struct OtherKey<O> {
+    /// The edited camera.
+    camera: Camera,
+    /// The edited camera's picture: another scene or shading has another one.
+    picture: Same<Picture>,
+    /// What makes the other camera.
+    other: O,
+}
 
 /// The inputs of the map of a student's answers: the graded answers, and the map's size in screen pixels.
 type MapKey = (Same<Graded>, [u32; 2]);
@@ -80,13 +83,12 @@ type Pair = [Arc<Picture>; 2];
 /// A cache of the second pictures: the last picture of each kind, and the finished view of the current one.
 #[derive(Debug, Default)]
 pub(super) struct SecondPictures {
-    error_map: Memo<Same<Compared>, Arc<Picture>>,
-    wrong_camera: Memo<WrongKey, (Arc<ComparedCamera>, Option<Pair>)>,
-    ghost: Memo<GhostKey, Option<(Arc<AgainstGhost>, Pair)>>,
+    wrong_camera: Memo<OtherKey<Mistake>, (Arc<ComparedCamera>, Option<Pair>)>,
+    /// The other camera is the ghost, with the selected ray.
+    ghost: Memo<OtherKey<(Camera, Selection)>, Option<(Arc<AgainstGhost>, Pair)>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
     answers_map: Memo<MapKey, Option<Arc<Picture>>>,
-    view: Memo<CameraView, FinishedView>,
-    buffers: SpareImages,
+    view: LastView<CameraView>,
     /// Number of pictures made so far.
     pub(super) count: u64,
 }
@@ -103,56 +105,45 @@ impl SecondPictures {
     ) {
         let Inputs { session, sizes, watch, .. } = inputs;
         let Some((kind, size)) = sizes.second else { return };
-        let items = session.shown.setup.items;
         let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
-        let picture = match kind {
-            SecondPicture::ErrorMap => {
+        let picture = match (kind, world) {
+            (SecondPicture::ErrorMap, _) => {
                 // The highlighted concept belongs to the current document, so it is not shown in an older
                 // picture.
                 view.highlighted = highlighted(inputs).filter(|_| world.is_some());
-                self.error_map(derived, good)
+                derived.compared.as_ref().map(|compared| Arc::clone(&compared.picture))
             }
-            SecondPicture::WrongCamera => {
+            (SecondPicture::WrongCamera, _) => {
                 // These items show positions of the right camera, which would be wrong in the wrong
                 // camera's picture.
                 let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs, Item::PixelNumbers];
-                view.items = items.without_each(&of_right);
+                view.items = session.shown.setup.items.without_each(&of_right);
                 self.wrong_camera(derived, inputs, good, world)
             }
-            SecondPicture::Ghost => {
-                world.and_then(|world| self.ghost(derived, inputs, good, world, &mut view))
+            (_, None) => None,
+            (SecondPicture::Ghost, Some(world)) => {
+                self.ghost(derived, inputs, good, world, &mut view)
             }
-            SecondPicture::Answers => world.and_then(|world| self.answers(derived, inputs, world)),
+            (SecondPicture::Answers, Some(world)) => self.answers(derived, inputs, world),
         };
         let Some(picture) = picture else { return };
         view.picture = Same(picture);
         let (scene, compared) = (world.map(|world| &*world.scene), derived.compared.as_ref());
-        derived.second_view = Some(self.view.get(view, |view| {
-            self.buffers.draw(size, view.style, watch, |pixels| {
-                let drawing = overlay::camera(view, scene, pixels);
-                if let Some(compared) = compared {
-                    let (raster, width) = (&view.picture.raster, size[0] as usize);
-                    accuracy::comparison::mark_wrong(
-                        &compared.comparison,
-                        raster,
-                        width,
-                        sizes.scale,
-                        pixels,
-                    );
-                }
-                drawing
-            })
-        }));
-    }
-
-    fn error_map(&mut self, derived: &mut Derived, good: &GoodPicture) -> Option<Arc<Picture>> {
-        let compared = good.compared.clone()?.ok()?;
-        derived.compared = Some(Arc::clone(&compared));
-        Some(self.error_map.get(Same(compared), |compared| {
-            self.count += 1;
-            let (raster, image) = (compared.frame.raster(), compared.frame.camera().image());
-            picture(raster, image, accuracy::comparison::colors(&compared.comparison))
-        }))
+        let draw = |view: &CameraView, pixels: &mut [Color32]| {
+            let drawing = overlay::camera(view, scene, pixels);
+            if let Some(compared) = compared {
+                let (raster, width) = (&view.picture.raster, size[0] as usize);
+                accuracy::comparison::mark_wrong(
+                    &compared.comparison,
+                    raster,
+                    width,
+                    sizes.scale,
+                    pixels,
+                );
+            }
+            drawing
+        };
+        derived.second_view = Some(self.view.get(view, size, sizes.style, watch, draw));
     }
 
     fn wrong_camera(
@@ -162,43 +153,29 @@ impl SecondPictures {
         good: &GoodPicture,
         world: Option<&GoodWorld>,
     ) -> Option<Arc<Picture>> {
-        let Inputs { document: Document { camera, .. }, session, watch, .. } = inputs;
-        let mistakes_view = &session.shown.mistakes_view;
-        let mistake = mistakes_view.shown();
-        let shade = session.shown.setup.shade;
-        let make = |world: &GoodWorld, raster: &Raster| {
-            let color_of = |i: u32| world.colors[i as usize];
-            let paint = Paint { shade, color_of, to_pixel: opaque };
-            let (resolved, scene) = (&good.resolved, &world.scene);
-            let (wrong, compared) =
-                ComparedCamera::new(camera, resolved, scene, mistake, raster, paint);
-            let pictures = compared.map(|ComparedPicture { pixels, wrong, right }| {
-                let differences = difference_map(&wrong, &right);
-                [pixels, differences].map(|pixels| picture(raster, camera.image, pixels))
-            });
-            (Arc::new(wrong), pictures)
-        };
+        let (shown, camera) = (&inputs.session.shown, inputs.document.camera);
+        let mistake = shown.mistakes_view.shown();
         let (wrong, pictures) = match world {
             // An older picture is shown only if it is of the same mistake.
-            None => self.wrong_camera.known(|key| key.4 == mistake)?.clone(),
+            None => self.wrong_camera.known(|key| key.other == mistake)?.clone(),
             Some(world) => {
-                let numbers = [world.generation, world.palette];
-                let key = (*camera, numbers, raster(inputs, good), shade, mistake);
-                self.wrong_camera.get(key, |(_, _, raster, ..)| {
+                let picture = Same(Arc::clone(&good.picture));
+                self.wrong_camera.get(OtherKey { camera, picture, other: mistake }, |key| {
                     self.count += 1;
-                    watched(watch, WorkKind::Trace, || make(world, raster))
+                    let make = || wrong_pictures(key, good, world, shown.setup.shade);
+                    watched(inputs.watch, WorkKind::Trace, make)
                 })
             }
         };
         // The mark would give away the answer to a step's question or an open vote.
-        let is_secret = session.shown.is_asking || !mistakes_view.is_revealed();
+        let is_secret = shown.is_asking || !shown.mistakes_view.is_revealed();
         if let (Some(world), Ok(camera), false) = (world, &wrong.camera, is_secret) {
-            let marks = of_mistake(camera, &world.scene, session.shown_selection());
+            let marks = of_mistake(camera, &world.scene, inputs.session.shown_selection());
             derived.answer_marks = marks.into();
         }
         derived.wrong_camera = Some(wrong);
         let [picture, differences] = pictures?;
-        Some(if mistakes_view.shows_differences() { differences } else { picture })
+        Some(if shown.mistakes_view.shows_differences() { differences } else { picture })
     }
 
     fn ghost(
@@ -209,15 +186,13 @@ impl SecondPictures {
         world: &GoodWorld,
         view: &mut CameraView,
     ) -> Option<Arc<Picture>> {
-        let Inputs { document, session, watch, .. } = inputs;
-        let ghost = session.shown.ghost.as_ref()?;
-        let (cameras, numbers) =
-            ([document.camera, ghost.camera], [world.generation, world.palette]);
-        let (raster, shade) = (raster(inputs, good), session.shown.setup.shade);
-        let key = (cameras, numbers, raster, shade, session.shown.selection);
+        let (shown, camera) = (&inputs.session.shown, inputs.document.camera);
+        let ghost = shown.ghost.as_ref()?;
+        let (picture, other) = (Same(Arc::clone(&good.picture)), (ghost.camera, shown.selection));
+        let key = OtherKey { camera, picture, other };
         let (against, [picture, differences]) = self.ghost.get(key, |key| {
             self.count += 1;
-            ghost_picture(key, &good.resolved, world, watch)
+            ghost_pictures(key, good, world, (shown.setup.shade, inputs.watch))
         })?;
         let shows_hit = view.items.shows(Item::Hit) && !ghost.shows_differences;
         view.items = view.items.with(Item::Hit, shows_hit);
@@ -251,29 +226,37 @@ impl SecondPictures {
     }
 }
 
-fn picture(raster: &Raster, image: ImageSize, pixels: Vec<Color32>) -> Arc<Picture> {
-    Arc::new(Picture { raster: raster.clone(), image, pixels })
-}
-
-/// Returns the pixels to trace for the second picture.
-fn raster(inputs: Inputs<'_>, good: &GoodPicture) -> Raster {
-    let size = inputs.sizes.second.map_or([1; 2], |(_, size)| size);
-    good.subsampling.raster(good.resolved.image(), size)
+/// Makes a mistake in the edited camera. Returns no pictures if the result sees nothing.
+fn wrong_pictures(
+    key: &OtherKey<Mistake>,
+    good: &GoodPicture,
+    world: &GoodWorld,
+    shade: Shade,
+) -> (Arc<ComparedCamera>, Option<Pair>) {
+    let color_of = |i: u32| world.colors[i as usize];
+    let paint = Paint { shade, color_of, to_pixel: opaque };
+    let OtherKey { camera, picture, other: mistake } = key;
+    let (now, scene, raster) = (&good.resolved, &world.scene, &picture.raster);
+    let (wrong, compared) = ComparedCamera::new(camera, now, scene, *mistake, raster, paint);
+    let pair = compared
+        .map(|ComparedPicture { pixels, wrong, right }| pair(picture, pixels, [&wrong, &right]));
+    (Arc::new(wrong), pair)
 }
 
 /// Traces the scene for the edited camera and the ghost. Returns `None` if the ghost has no basis.
-fn ghost_picture(
-    ([camera, ghost], _, raster, shade, selection): &GhostKey,
-    now: &ResolvedCamera,
+fn ghost_pictures(
+    OtherKey { camera, picture, other: (ghost, selection) }: &OtherKey<(Camera, Selection)>,
+    good: &GoodPicture,
     world: &GoodWorld,
-    watch: OnWork<'_>,
+    (shade, watch): (Shade, OnWork<'_>),
 ) -> Option<(Arc<AgainstGhost>, Pair)> {
     let resolved = resolve(ghost, camera).ok()?;
-    let colors = (*shade, |i: u32| world.colors[i as usize]);
+    let colors = (shade, |i: u32| world.colors[i as usize]);
     let outputs = Outputs { object: true, ..Outputs::NONE };
-    let trace =
-        |camera| trace_picture(&world.scene, camera, raster, outputs, colors, (None, watch));
-    let ((now_frame, _), (frame, pixels)) = (trace(now), trace(&resolved));
+    let trace = |camera| {
+        trace_picture(&world.scene, camera, &picture.raster, outputs, colors, (None, watch))
+    };
+    let ((now_frame, _), (frame, pixels)) = (trace(&good.resolved), trace(&resolved));
     let pairs = now_frame.object.iter().zip(&frame.object);
     let differing = pairs.filter(|(a, b)| a != b).count();
     let selection = selection.inside(resolved.image());
@@ -283,14 +266,20 @@ fn ghost_picture(
         seen: ComparedPixels { pixels: now_frame.object.len(), differing },
         inspection: Arc::new(Inspection::new(&resolved, &world.scene, selection)),
     };
-    let differences = difference_map(&now_frame.object, &frame.object);
-    let pictures = [pixels, differences].map(|pixels| picture(raster, camera.image, pixels));
-    Some((Arc::new(against), pictures))
+    Some((Arc::new(against), pair(picture, pixels, [&now_frame.object, &frame.object])))
+}
+
+/// Returns another camera's picture with these pixels, beside that of the edited camera, and the map of the
+/// pixels at which two cameras see different objects.
+fn pair(beside: &Picture, pixels: Vec<Color32>, objects: [&[u32]; 2]) -> Pair {
+    let Picture { raster, image, .. } = beside;
+    [pixels, difference_map(objects)]
+        .map(|pixels| Arc::new(Picture { raster: raster.clone(), image: *image, pixels }))
 }
 
 /// Returns the map of differences between the pictures of two cameras, given the objects at their pixels.
 /// Pixels with the same object are pale, and pixels with different objects are dark.
-fn difference_map(now: &[u32], ghost: &[u32]) -> Vec<Color32> {
+fn difference_map([now, ghost]: [&[u32]; 2]) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
         (true, false) => Color32::from_gray(0xc4),
@@ -365,7 +354,7 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
 
 #[cfg(test)]
 mod tests {
-    use pinhole_core::{DVec3, Sphere, shade, trace};
+    use pinhole_core::{DVec3, ImageSize, Sphere, shade, trace};
     use pinhole_exchange::document::Item as DocumentItem;
     use pinhole_exchange::images::png;
 

@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{
-    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Selection,
-    Shade, edge_blends, lambert,
+    DVec3, EdgeBlend, Frame, NO_OBJECT, Outputs, Pixel, ResolvedCamera, Rgb, Scene, Shade,
+    edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
 use pinhole_figure::Concept;
@@ -27,23 +27,21 @@ use rayon::prelude::*;
 
 use crate::features::handles;
 use crate::features::handles::placed::HandleInputs;
-use crate::features::plot::curves::{
-    Curve, Named, Plot, Samples, curves, range, samples, shown, values,
-};
+use crate::features::plot::curves::{Named, Plot, shown};
 use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{
-    Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, Memo, Objects, OnWork,
-    Purpose, SpareImages, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted,
-    trace_picture, watched,
+    Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, LastView, Memo, Objects,
+    OnWork, Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
+    watched,
 };
+use pinhole_figure::overlay::Figure;
 
 /// A cache of the world view and of the pictures over which it is drawn.
 #[derive(Debug, Default)]
 pub(super) struct WorldViews {
     pub(super) pictures: WorldPictures,
-    view: Memo<WorldView, FinishedView>,
-    buffers: SpareImages,
+    view: LastView<WorldView>,
 }
 
 impl WorldViews {
@@ -60,18 +58,16 @@ impl WorldViews {
         let Inputs { session, sizes, watch, .. } = inputs;
         let (size, good) = (sizes.world?, objects.good()?.clone());
         let observer_camera = session.shown.observer?.camera(size[0], size[1]).resolve().ok()?;
-        let WorldViews { pictures, view, buffers } = self;
+        let WorldViews { pictures, view } = self;
         let world = pictures.get(inputs, objects, observer_camera)?;
         let shown = described(derived, inputs, &good, &world, last_good)?;
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
-        let view = view.get(shown, |view| {
+        let view = view.get(shown, size, sizes.style, watch, |view, pixels| {
             let backdrop = view.backdrop(scene);
             let painted = pictures.painted(&world, &backdrop, watch);
-            buffers.draw(size, view.style, watch, |pixels| {
-                let WorldPicture { pixels: traced, edges, .. } = &*world;
-                let below = Below { traced, painted: &painted, edges };
-                overlay::world(view, scene, &backdrop, below, pixels)
-            })
+            let WorldPicture { pixels: traced, edges, .. } = &*world;
+            let below = Below { traced, painted: &painted, edges };
+            overlay::world(view, scene, &backdrop, below, pixels)
         });
         Some((world, view))
     }
@@ -87,7 +83,6 @@ fn described(
 ) -> Option<WorldView> {
     let Inputs { document, session, sizes, .. } = inputs;
     let observer = session.shown.observer?;
-    let is_highlighted = |concept| session.highlighted() == Some(concept);
     let placing = HandleInputs {
         document,
         resolved: derived.resolved.as_ref(),
@@ -98,68 +93,57 @@ fn described(
     };
     let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
     let without_marks = sizes.purpose != Purpose::Window;
-    Some(WorldView {
-        camera: document.camera,
+    let spoken = session.shown.spoken.as_ref();
+    let speaks_of_normal = spoken.map(|spoken| spoken.contains(&Concept::Normal));
+    let figure = Figure {
         resolved: derived.resolved,
-        picture: picture.cloned().map(Same),
         inspection: derived.inspection.clone().map(Same),
-        generations: [good.generation, good.palette],
-        enclosing: Arc::clone(&world.enclosing),
-        observer,
-        frame: Same(Arc::clone(&world.frame)),
-        items: session.shown.setup.items,
-        first_number: u32::from(session.shown.setup.count_from_one),
-        scale: sizes.scale,
-        style: sizes.style,
         ray_point_t: session.shown.ray_point_t,
         ghost: ghost_camera(inputs, derived),
-        answer_marks: Arc::clone(&derived.answer_marks),
+        answers: Arc::clone(&derived.answer_marks),
+        items: session.shown.setup.items,
         highlighted: highlighted(inputs),
+        names_all: spoken.is_some() || without_marks,
+        shows_normal: session.highlighted() == Some(Concept::Normal)
+            || speaks_of_normal.unwrap_or(without_marks),
         handles: handles::placed::drawn(&placing, &session.live.handles, &session.spoken_of()),
+        style: sizes.style,
+        ..Figure::new(document.camera, observer)
+    };
+    Some(WorldView {
+        figure,
+        picture: picture.cloned().map(Same),
+        generations: [good.generation, good.palette],
+        enclosing: Arc::clone(&world.enclosing),
+        frame: Same(Arc::clone(&world.frame)),
+        first_number: u32::from(session.shown.setup.count_from_one),
+        scale: sizes.scale,
         is_clear: sizes.purpose.is_clear(),
-        names_all: session.shown.spoken.is_some() || without_marks,
-        shows_normal: is_highlighted(Concept::Normal)
-            || session
-                .shown
-                .spoken
-                .as_ref()
-                .map_or(without_marks, |spoken| spoken.contains(&Concept::Normal)),
         covered: sizes.covered.into_iter().flatten().collect(),
         without_marks,
     })
 }
 
-/// A cache of the camera view.
-#[derive(Debug, Default)]
-pub(super) struct CameraViews {
-    view: Memo<CameraView, FinishedView>,
-    buffers: SpareImages,
-}
-
-impl CameraViews {
-    /// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the
-    /// view is not shown.
-    pub(super) fn get(
-        &mut self,
-        derived: &Derived,
-        inputs: Inputs<'_>,
-        good: &GoodPicture,
-    ) -> Option<FinishedView> {
-        let size = inputs.sizes.camera?;
-        let shown = CameraView {
-            // The highlighted concept belongs to the current document, so it is not shown in an older
-            // picture.
-            highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
-            loupe: good.loupe.clone(),
-            ..camera_view(inputs, good, size)
-        };
-        let scene = derived.scene.as_deref();
-        let draw = |view: &CameraView| {
-            let draw = |pixels: &mut [Color32]| overlay::camera(view, scene, pixels);
-            self.buffers.draw(size, view.style, inputs.watch, draw)
-        };
-        Some(self.view.get(shown, draw))
-    }
+/// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the view is
+/// not shown.
+pub(super) fn finished_camera_view(
+    last: &mut LastView<CameraView>,
+    derived: &Derived,
+    inputs: Inputs<'_>,
+    good: &GoodPicture,
+) -> Option<FinishedView> {
+    let size = inputs.sizes.camera?;
+    let view = CameraView {
+        // The highlighted concept belongs to the current document, so it is not shown in an older
+        // picture.
+        highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
+        loupe: good.loupe.clone(),
+        ..camera_view(inputs, good, size)
+    };
+    let scene = derived.scene.as_deref();
+    Some(last.get(view, size, inputs.sizes.style, inputs.watch, |view, pixels| {
+        overlay::camera(view, scene, pixels)
+    }))
 }
 
 /// Returns the inputs of the camera view of a picture, without a highlighted concept and without the loupe.
@@ -349,122 +333,78 @@ fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward
 /// back row.
 const PRESENTED_DECIMALS: usize = 3;
 
-/// The last derivation and its inputs.
-#[derive(Debug, Default)]
-pub(super) struct Derivations(Memo<(Document, DerivationKey), Arc<Derivation>>);
+/// The inputs of a derivation: the document, the settings, and the lines to which it is reduced.
+type DerivationKey = (Document, DerivationSettings, Option<Formulas>);
 
-/// The choices on which a derivation depends: the settings, and the lines to which it is reduced.
-type DerivationKey = (DerivationSettings, Option<Formulas>);
+/// The last derivation.
+pub(super) type LastDerivation = Memo<DerivationKey, Arc<Derivation>>;
 
-impl Derivations {
-    /// Returns the derivation; `None` if the layout does not show it.
-    pub(super) fn get(
-        &mut self,
-        Inputs { document, session, .. }: Inputs<'_>,
-        derived: &Derived,
-    ) -> Option<Arc<Derivation>> {
-        let only = session.shown.formulas.clone();
-        if !session.shown.setup.layout.shows_derivation() && only.is_none() {
-            return None;
-        }
-        let settings = DerivationSettings {
-            selection: session.shown_selection(),
-            sections: only
-                .as_ref()
-                .map_or(session.shown.sections, |_| DerivationSections::default()),
-            numbers: NumberFormat {
-                rounding: match session.presenting {
-                    Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
-                    None => Rounding::Significant(session.shown.setup.digits),
-                },
-                exact: session.preferences.exact_forms,
-                from_one: session.shown.setup.count_from_one,
-            },
-            fault: derived.fault,
-            t: match session.exercises.question().given {
-                Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
-                _ => None,
-            },
-        };
-        // The document may be large, so it is compared before it is cloned.
-        let key = (settings, only);
-        let is_same =
-            |(known, chosen): &(Document, DerivationKey)| *chosen == key && known == document;
-        if let Some(made) = self.0.known(is_same) {
-            return Some(Arc::clone(made));
-        }
-        Some(self.0.get((document.clone(), key), |(_, (_, only))| {
-            let whole = derivation(&DerivationInputs {
-                document,
-                resolved: derived.resolved.as_ref(),
-                scene: derived.scene.as_deref(),
-                inspection: derived.inspection.as_deref(),
-                settings,
-            });
-            Arc::new(match only {
-                Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
-                Some(Formulas::Solution(concepts)) => whole.solution(concepts),
-                Some(Formulas::Recap) => whole.recap(),
-                None => whole,
-            })
-        }))
+/// Returns the derivation; `None` if the layout does not show it.
+pub(super) fn derived_lines(
+    last: &mut LastDerivation,
+    Inputs { document, session, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<Arc<Derivation>> {
+    let only = session.shown.formulas.clone();
+    if !session.shown.setup.layout.shows_derivation() && only.is_none() {
+        return None;
     }
+    let settings = DerivationSettings {
+        selection: session.shown_selection(),
+        sections: match only {
+            Some(_) => DerivationSections::default(),
+            None => session.shown.sections,
+        },
+        numbers: NumberFormat {
+            rounding: match session.presenting {
+                Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
+                None => Rounding::Significant(session.shown.setup.digits),
+            },
+            exact: session.preferences.exact_forms,
+            from_one: session.shown.setup.count_from_one,
+        },
+        fault: derived.fault,
+        t: match session.exercises.question().given {
+            Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
+            _ => None,
+        },
+    };
+    Some(last.get((document.clone(), settings, only), |(document, settings, only)| {
+        let whole = derivation(&DerivationInputs {
+            document,
+            resolved: derived.resolved.as_ref(),
+            scene: derived.scene.as_deref(),
+            inspection: derived.inspection.as_deref(),
+            settings: *settings,
+        });
+        Arc::new(match only {
+            Some(Formulas::About(concepts)) => whole.reduced_to(concepts),
+            Some(Formulas::Solution(concepts)) => whole.solution(concepts),
+            Some(Formulas::Recap) => whole.recap(),
+            None => whole,
+        })
+    }))
 }
 
-/// The inputs of the plot's curves: the camera, the generation number of the objects, the ray, and the
-/// objects with a curve.
-type CurvesKey = (ResolvedCamera, u64, Selection, Vec<Named>);
-
-/// A cache of the plot's curves, of their samples, and of their values at the point marked on the ray.
-#[derive(Debug, Default)]
-pub(super) struct Plots {
-    curves: Memo<CurvesKey, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
-    ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// Number of times that the curves were computed. In the keys of the samples and of the values, it
-    /// identifies the curves.
-    made: u64,
-}
-
-impl Plots {
-    /// Returns the plot; `None` if the layout does not show it or there is no ray.
-    pub(super) fn get(
-        &mut self,
-        Inputs { document, session, sizes, .. }: Inputs<'_>,
-        derived: &Derived,
-        generation: u64,
-    ) -> Option<Plot> {
-        if session.shown.setup.layout != ViewLayout::Plot {
-            return None;
-        }
-        let scheme = sizes.style.scheme();
-        let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
-        let inspection = derived.inspection.as_deref()?;
-        let selection = session.shown_selection().inside(resolved.image());
-        let ray = selection.exact_ray(resolved).ok()?;
-        let named = |object: u32| {
-            let title = document.title_of(object as usize);
-            let name = document.label_of(object as usize);
-            let color = scheme.object(object, document.color_of(object));
-            Named { object, title, name, color }
-        };
-        let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
-        let curves = self.curves.get((*resolved, generation, selection, named), |(.., named)| {
-            self.made += 1;
-            Arc::new(curves(scene, &ray, named))
-        });
-        let range = range(&curves, session.shown.ray_point_t);
-        let ends = [*range.start(), *range.end()];
-        let samples = self
-            .samples
-            .get((self.made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
-        let ray_point_t = session.shown.ray_point_t.map(|t| {
-            let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
-            (t, self.ray_point_t.get((self.made, t), make))
-        });
-        let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, samples, ray_point_t })
+/// Returns the plot; `None` if the layout does not show it or there is no ray.
+pub(super) fn plot(
+    Inputs { document, session, sizes, .. }: Inputs<'_>,
+    derived: &Derived,
+) -> Option<Plot> {
+    if session.shown.setup.layout != ViewLayout::Plot {
+        return None;
     }
+    let scheme = sizes.style.scheme();
+    let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
+    let inspection = derived.inspection.as_deref()?;
+    let ray = session.shown_selection().inside(resolved.image()).exact_ray(resolved).ok()?;
+    let named = shown(scene, inspection).into_iter().map(|object| Named {
+        object,
+        title: document.title_of(object as usize),
+        name: document.label_of(object as usize),
+        color: scheme.object(object, document.color_of(object)),
+    });
+    Some(Plot::new(scene, &ray, named, session.shown.ray_point_t))
 }
 
 #[cfg(test)]

@@ -37,42 +37,27 @@ impl CameraSketch<'_> {
         }
         let view = self.view;
         let (parts, _) = Figure {
-            camera: &highlighted.camera,
-            resolved: Some(&view.resolved),
-            scene,
-            inspection: view.inspection.as_deref(),
-            ray_point_t: None,
-            ghost: None,
-            answers: &[],
-            cut_away: &[],
-            items: OverlayItems::NONE,
+            resolved: Some(view.resolved),
+            inspection: view.inspection.clone(),
             highlighted: Some(highlighted),
-            names_all: true,
-            shows_normal: true,
-            up: None,
             is_flat: true,
-            observer: Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0),
-            colors: self.colors,
+            style: view.style,
+            ..Figure::new(highlighted.camera, Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0))
         }
-        .parts();
-        let others = std::mem::take(&mut self.drawing.marks);
-        let (shown, before) = (self.items, self.requests.len());
-        self.items = OverlayItems::ALL;
+        .parts(scene, &[]);
         let emphasized = parts.into_iter().filter_map(|part| {
             let emphasis = part.emphasis(OverlayItems::NONE, Some(highlighted))?;
             Some((emphasis != Emphasis::Strong, part.emphasized(emphasis)))
         });
         let mut emphasized: Vec<(bool, Part)> = emphasized.collect();
         emphasized.sort_by_key(|(accompanies, _)| *accompanies);
-        emphasized.iter().for_each(|(accompanies, part)| self.lit_part(part, *accompanies));
-        self.items = shown;
-        let mut marks = std::mem::replace(&mut self.drawing.marks, others);
-        let labels = self.requests.split_off(before);
-        if !marks.is_empty() {
+        let mut lit = CameraSketch::new(view, OverlayItems::ALL);
+        emphasized.iter().for_each(|(accompanies, part)| lit.lit_part(part, *accompanies));
+        if !lit.drawing.marks.is_empty() {
             dim(&mut self.drawing, &mut self.requests, highlighted, self.colors);
         }
-        self.drawing.marks.append(&mut marks);
-        self.requests = first(labels, std::mem::take(&mut self.requests));
+        self.drawing.marks.append(&mut lit.drawing.marks);
+        self.requests = first(lit.requests, std::mem::take(&mut self.requests));
     }
 
     fn lit_part(&mut self, part: &Part, accompanies: bool) {
@@ -214,13 +199,11 @@ impl CameraSketch<'_> {
             offset.and_then(|offset| frame.object.get(offset)) == Some(&index)
         };
         let strokes = hatch(extent, HATCH * scale, CELL * scale, shows_plane);
-        let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
-        let mut others = std::mem::take(&mut self.drawing.marks);
+        let mut hatching = CameraSketch::new(self.view, OverlayItems::ALL);
         for pen in cased(pen, self.colors.halo.gamma_multiply(0.6)) {
-            strokes.iter().for_each(|stroke| self.line(stroke, pen));
+            strokes.iter().for_each(|stroke| hatching.line(stroke, pen));
         }
-        self.drawing.marks.append(&mut others);
-        self.items = shown;
+        self.drawing.marks.splice(..0, hatching.drawing.marks);
     }
 }
 

@@ -109,14 +109,7 @@ impl CameraView {
 
     /// Returns the marks and labels without painting them.
     pub fn drawing(&self, scene: Option<&Scene>) -> Drawing {
-        let colors = self.style.colors();
-        let mut overlay = CameraSketch {
-            view: self,
-            items: self.items,
-            colors,
-            drawing: Drawing { scale: self.scale, ..Drawing::default() },
-            requests: Vec::new(),
-        };
+        let mut overlay = CameraSketch::new(self, self.items);
         overlay.uv_axes();
         overlay.uv_legs();
         overlay.marks();
@@ -154,7 +147,12 @@ pub(super) struct CameraSketch<'a> {
     requests: Vec<Request>,
 }
 
-impl CameraSketch<'_> {
+impl<'a> CameraSketch<'a> {
+    fn new(view: &'a CameraView, items: OverlayItems) -> CameraSketch<'a> {
+        let drawing = Drawing { scale: view.scale, ..Drawing::default() };
+        CameraSketch { view, items, colors: view.style.colors(), drawing, requests: Vec::new() }
+    }
+
     fn add(&mut self, pen: LineStyle, shape: Shape) {
         if self.items.shows(pen.item) {
             let mark = pen.mark(shape, self.colors.halo);

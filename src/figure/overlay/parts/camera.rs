@@ -66,10 +66,10 @@ impl Parts<'_> {
     /// Adds the whole camera and its selected ray, from back to front.
     pub(super) fn camera(&mut self) {
         self.axes();
-        if let Some(resolved) = self.figure.resolved {
+        if let Some(resolved) = self.figure.resolved.as_ref() {
             self.frustum(resolved);
             self.viewport(resolved);
-            if let Some(inspection) = self.figure.inspection {
+            if let Some(inspection) = self.figure.inspection.as_deref() {
                 self.selected(resolved, inspection);
             }
         }
@@ -80,11 +80,11 @@ impl Parts<'_> {
         }
         self.view();
         self.up();
-        if let Some(resolved) = self.figure.resolved {
+        if let Some(resolved) = self.figure.resolved.as_ref() {
             self.basis(resolved);
             self.order_and_angles(resolved);
             self.measures(resolved);
-            let pen = LineStyle::new(Item::PixelNumbers, self.figure.colors.ink, 1.0);
+            let pen = LineStyle::new(Item::PixelNumbers, self.colors.ink, 1.0);
             self.add(Form::PixelNumbers, &[], pen);
         }
         self.eye_and_at();
@@ -92,8 +92,7 @@ impl Parts<'_> {
 
     fn axes(&mut self) {
         let names = ["x", "y", "z"];
-        for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.figure.colors.axes)
-        {
+        for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
             let pen = LineStyle::new(Item::Axes, color, THIN);
             self.arrow_from(DVec3::ZERO, AXIS_LENGTH * axis, Head::Open, pen).named(name, POINT);
         }
@@ -103,7 +102,7 @@ impl Parts<'_> {
     /// distance.
     fn reach(&self, resolved: &ResolvedCamera) -> f64 {
         const LEAST: f64 = 2.2;
-        let (scene, distance) = (self.figure.scene, resolved.viewport().distance);
+        let (scene, distance) = (self.scene, resolved.viewport().distance);
         let limit = 8.0 * self.figure.observer.distance() / distance;
         let far_sides = scene.spheres().iter().take(ASKED_SPHERES).filter_map(|sphere| {
             let depth = resolved.project(sphere.center).depth;
@@ -119,10 +118,10 @@ impl Parts<'_> {
         if !self.figure.shows(Item::Frustum) {
             return;
         }
-        let ink = self.figure.colors.ink;
+        let ink = self.colors.ink;
         let near = LineStyle::new(Item::Frustum, ink, THIN);
         let far = LineStyle::new(Item::Frustum, ink.gamma_multiply(0.55), FINE).without_halo();
-        let (scene, reach) = (self.figure.scene, self.reach(resolved));
+        let (scene, reach) = (self.scene, self.reach(resolved));
         let rays = corners(resolved).map(|uv| resolved.ray(uv));
         let ends = rays.map(|ray| {
             let planes = scene.planes().iter().take(64);
@@ -149,7 +148,7 @@ impl Parts<'_> {
 
     /// Adds the viewport's outline with its marks, and the camera's body.
     fn viewport(&mut self, resolved: &ResolvedCamera) {
-        let ink = self.figure.colors.ink;
+        let ink = self.colors.ink;
         if !shows_where_it_looks(self.figure.items) && self.figure.shows(Item::Viewport) {
             let pen = LineStyle::new(Item::Eye, ink, THIN).about(Concept::Eye);
             self.add(Form::Body, &[], pen).when(When::Unlit);
@@ -157,7 +156,7 @@ impl Parts<'_> {
         let pen = LineStyle::new(Item::Viewport, ink, MEDIUM).about(Concept::Viewport);
         let outline = corners(resolved).map(|uv| resolved.viewport_point(uv));
         self.sides(outline, pen.on_viewport());
-        let pen = LineStyle::new(Item::Marks, self.figure.colors.mark, THICK).on_viewport();
+        let pen = LineStyle::new(Item::Marks, self.colors.mark, THICK).on_viewport();
         self.add(Form::Marks, &[], pen);
     }
 
@@ -165,9 +164,9 @@ impl Parts<'_> {
     /// product since the second factor has length 1. While it is highlighted, the product is drawn, too.
     fn cross_product(&mut self, concept: Concept, item: Item) {
         let figure = self.figure;
-        let BasisDerivation::FromUp(from_up) = BasisDerivation::new(figure.camera) else { return };
-        let [u, v, w] = figure.colors.basis;
-        let up = figure.colors.given;
+        let BasisDerivation::FromUp(from_up) = BasisDerivation::new(&figure.camera) else { return };
+        let [u, v, w] = self.colors.basis;
+        let up = self.colors.given;
         let (cross, [of_a, of_b, color], names) = match concept {
             Concept::UpCrossW => (from_up.up_cross_w, [up, w, u], ["up", "w", "up × w"]),
             _ => (from_up.w_cross_u, [w, u, v], ["w", "u", "w × u = v"]),
@@ -205,10 +204,10 @@ impl Parts<'_> {
 
     /// Adds the view vector: from the eye to at, with -view beside it; or else at the eye, like up.
     fn view(&mut self) {
-        let (figure, camera) = (self.figure, self.figure.camera);
+        let (figure, camera) = (self.figure, &self.figure.camera);
         let eye = camera.eye;
         let Some(forward) = unit(camera.view()) else { return };
-        let pen = LineStyle::new(Item::ViewVector, figure.colors.given, 2.6).about(Concept::View);
+        let pen = LineStyle::new(Item::ViewVector, self.colors.given, 2.6).about(Concept::View);
         let back = LineStyle { width: 2.0, ..pen }.about(Concept::Backwards);
         if let (Orientation::At { at, .. }, true) =
             (camera.orientation, figure.shows(Item::ViewVector))
@@ -249,8 +248,8 @@ impl Parts<'_> {
             return;
         };
         let Some(direction) = unit(up) else { return };
-        let pen = LineStyle::new(Item::ViewAndUp, figure.colors.given, MEDIUM).about(Concept::Up);
-        match figure.up {
+        let pen = LineStyle::new(Item::ViewAndUp, self.colors.given, MEDIUM).about(Concept::Up);
+        match figure.handles.up {
             Some(length) => self.arrow([eye, eye + length * direction], Head::Filled, pen),
             None => self.arrow_from(eye, UP_LENGTH * direction, Head::Filled, pen),
         }
@@ -258,7 +257,7 @@ impl Parts<'_> {
     }
 
     fn basis(&mut self, resolved: &ResolvedCamera) {
-        let (eye, basis, colors) = (resolved.eye(), resolved.basis(), self.figure.colors);
+        let (eye, basis, colors) = (resolved.eye(), resolved.basis(), self.colors);
         let inks = colors.basis.into_iter().zip(colors.patterns).zip(self.figure.items.of_basis());
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
         for ((vector, (concept, name, head)), ((color, pattern), item)) in vectors.zip(inks) {
@@ -269,7 +268,7 @@ impl Parts<'_> {
 
     /// Adds the arcs from u to v, from v to w and from w to u, and the right angles between these vectors.
     fn order_and_angles(&mut self, resolved: &ResolvedCamera) {
-        let (eye, basis, ink) = (resolved.eye(), resolved.basis(), self.figure.colors.ink);
+        let (eye, basis, ink) = (resolved.eye(), resolved.basis(), self.colors.ink);
         let arc = LineStyle::new(Item::Ring, ink, 1.8).on_top().without_halo();
         let square = LineStyle::new(Item::RightAngles, ink, 1.4).on_top().without_halo();
         let place = |along: DVec3| Place { at: eye, along, length: Length::Arrow };
@@ -288,7 +287,7 @@ impl Parts<'_> {
 
     /// Adds dimension lines of the viewport's width, height and distance.
     fn measures(&mut self, resolved: &ResolvedCamera) {
-        let (viewport, ink) = (resolved.viewport(), self.figure.colors.ink);
+        let (viewport, ink) = (resolved.viewport(), self.colors.ink);
         let half = 0.5 * DVec2::new(viewport.width, viewport.height);
         let beside = BESIDE * viewport.width.min(viewport.height);
         let at = |uv: DVec2| resolved.viewport_point(uv);
@@ -320,7 +319,7 @@ impl Parts<'_> {
     }
 
     fn eye_and_at(&mut self) {
-        let (camera, colors) = (self.figure.camera, self.figure.colors);
+        let (camera, colors) = (&self.figure.camera, self.colors);
         if let Orientation::At { at, .. } = camera.orientation {
             let pen = LineStyle::new(Item::At, colors.given, 2.0).about(Concept::At);
             self.point(at, 4.5, pen).named_toward("at", 0.5, 1.0);

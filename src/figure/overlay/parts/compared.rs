@@ -84,7 +84,7 @@ impl Parts<'_> {
     /// Adds the ghost, without an eye or arrows that are the edited camera's own.
     pub(super) fn ghost(&mut self, ghost: &GhostCamera) {
         let GhostCamera { eye, corners, .. } = *ghost;
-        let (figure, ink) = (self.figure, self.figure.colors.ink);
+        let (figure, ink) = (self.figure, self.colors.ink);
         let item = |item| if ghost.is_answer { ITEM } else { item };
         let edge = LineStyle::new(item(Item::Frustum), ink, THIN).dashed();
         let outline = LineStyle::new(item(Item::Viewport), ink, MEDIUM).dashed();
@@ -99,7 +99,7 @@ impl Parts<'_> {
         }
         let own = figure.resolved.filter(|own| own.eye() == eye).map(|own| *own.basis());
         let own = own.map_or([None; 3], |own| [own.u, own.v, own.w].map(Some));
-        let arrows = ghost.basis.into_iter().zip(own).zip(BASIS).zip(figure.colors.basis);
+        let arrows = ghost.basis.into_iter().zip(own).zip(BASIS).zip(self.colors.basis);
         for (((vector, own), (_, name, head)), color) in arrows {
             let Some(vector) = vector.filter(|vector| Some(*vector) != own) else { continue };
             let pen = LineStyle::new(Item::Basis, color, MEDIUM).dashed();
@@ -111,7 +111,7 @@ impl Parts<'_> {
             self.point(eye, 4.5, pen).named_toward("eye′", 0.6, 1.0);
         }
         if ghost.is_turned {
-            let pen = LineStyle::new(item(Item::Marks), figure.colors.mark, 2.0);
+            let pen = LineStyle::new(item(Item::Marks), self.colors.mark, 2.0);
             let toward = Toward::Screen(DVec2::new(-0.6, -1.0));
             self.point(eye + corners[0], 3.6, pen).labelled("(0, 0)′", MARK, toward);
         }
@@ -127,7 +127,7 @@ impl Parts<'_> {
     }
 
     fn answer(&mut self, mark: &AnswerMark) {
-        let colors = self.figure.colors;
+        let colors = self.colors;
         let pen = |color, width: f32| match mark.is_dashed {
             true => LineStyle::new(ITEM, color, 0.85 * width).dashed(),
             false => LineStyle::new(ITEM, color, width),
@@ -174,7 +174,7 @@ impl Parts<'_> {
     /// Adds a ray of an answer up to `t` or, if that is `None`, up to its first hit. The label is where the ray passes
     /// through the viewport.
     fn answer_ray(&mut self, mark: &AnswerMark, ray: &Ray, t: Option<f64>, pen: LineStyle) {
-        let hit = t.or_else(|| self.figure.scene.first_hit(ray).map(|hit| hit.t));
+        let hit = t.or_else(|| self.scene.first_hit(ray).map(|hit| hit.t));
         let end = hit.map_or(self.end_of(ray), |t| ray.at(t));
         let toward = Toward::Screen(DVec2::new(0.3, -1.0));
         let part = self.line([ray.origin, end], pen);

@@ -12,10 +12,16 @@ pub(super) mod ray;
 pub(super) mod sight;
 mod sphere_figure;
 
+use std::sync::Arc;
+
+use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 
 use crate::observer::{Length, Place};
-use crate::overlay::{Colors, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG};
+use crate::overlay::{
+    Colors, GhostCamera, Handles, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
+    Style,
+};
 use crate::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
 
 /// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
@@ -155,47 +161,80 @@ impl Toward {
     }
 }
 
-/// Of what the parts are made.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Figure<'a> {
-    pub(crate) camera: &'a Camera,
-    /// The camera, if it has a basis.
-    pub(crate) resolved: Option<&'a ResolvedCamera>,
-    pub(crate) scene: &'a Scene,
+/// Of what the parts are made, besides the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// The edited camera as the user gives it; it may have no basis.
+    pub camera: Camera,
+    /// The edited camera, if it has a basis.
+    pub resolved: Option<ResolvedCamera>,
     /// The selected ray and its hits.
-    pub(crate) inspection: Option<&'a Inspection>,
-    pub(crate) ray_point_t: Option<f64>,
-    pub(crate) ghost: Option<&'a GhostCamera>,
-    pub(crate) answers: &'a [AnswerMark],
-    /// Spheres that are cut away, with their indices and colours.
-    pub(crate) cut_away: &'a [(u32, Sphere, egui::Color32)],
-    pub(crate) items: OverlayItems,
-    pub(crate) highlighted: Option<Highlighted>,
-    pub(crate) names_all: bool,
-    pub(crate) shows_normal: bool,
-    /// Length in the world of the up arrow while its tip is dragged.
-    pub(crate) up: Option<f64>,
+    pub inspection: Option<Same<Inspection>>,
+    /// The t of the point marked on the selected ray.
+    pub ray_point_t: Option<f64>,
+    /// The camera that is compared with the edited one.
+    pub ghost: Option<GhostCamera>,
+    /// The marks for answers: typed ones and the right ones.
+    pub answers: Arc<[AnswerMark]>,
+    /// The overlay items to draw.
+    pub items: OverlayItems,
+    /// The highlighted concept, if any.
+    pub highlighted: Option<Highlighted>,
+    /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
+    /// and the highlighted concept have labels.
+    pub names_all: bool,
+    /// True if the normal at the hit is drawn, as in figures and in lessons about it.
+    pub shows_normal: bool,
+    /// The handles that can be dragged.
+    pub handles: Handles,
     /// True for the camera view, where arrows from the eye have length 1 at most.
-    pub(crate) is_flat: bool,
+    pub is_flat: bool,
     /// The observer, on whose distance it depends how far endless lines go.
-    pub(crate) observer: Observer,
-    pub(crate) colors: &'static Colors,
+    pub observer: Observer,
+    /// The colours.
+    pub style: Style,
 }
+
+/// A sphere that is cut away, with its index and its colour.
+pub(crate) type CutAway = (u32, Sphere, Color32);
 
 /// The list of parts while it is made.
 pub(crate) struct Parts<'a> {
-    figure: Figure<'a>,
+    figure: &'a Figure,
+    scene: &'a Scene,
+    colors: &'static Colors,
     list: Vec<Part>,
 }
 
-impl Figure<'_> {
+impl Figure {
+    /// Creates the figure of a camera alone, with the names of all its parts, in which no item is shown.
+    pub fn new(camera: Camera, observer: Observer) -> Figure {
+        Figure {
+            camera,
+            resolved: camera.resolve().ok(),
+            inspection: None,
+            ray_point_t: None,
+            ghost: None,
+            answers: Arc::default(),
+            items: OverlayItems::NONE,
+            highlighted: None,
+            names_all: true,
+            shows_normal: true,
+            handles: Handles::default(),
+            is_flat: false,
+            observer,
+            style: Style::default(),
+        }
+    }
+
     /// Returns all parts, from back to front, and how many of the first ones belong to the ghost and to spheres that
     /// are cut away.
-    pub(crate) fn parts(self) -> (Vec<Part>, usize) {
-        let mut parts = Parts { figure: self, list: Vec::new() };
-        parts.cut_away();
+    pub(crate) fn parts(&self, scene: &Scene, cut_away: &[CutAway]) -> (Vec<Part>, usize) {
+        let colors = self.style.colors();
+        let mut parts = Parts { figure: self, scene, colors, list: Vec::new() };
+        parts.cut_away(cut_away);
         // The camera's own marks cover those of the ghost.
-        if let Some(ghost) = self.ghost {
+        if let Some(ghost) = &self.ghost {
             parts.ghost(ghost);
         }
         let behind = parts.list.len();

@@ -5,7 +5,7 @@ use pinhole_core::{DVec2, DVec3, Object, Ray, ResolvedCamera, Root, Selection};
 use pinhole_lecture::RayDerivation;
 
 use super::sphere_figure::SphereFigure;
-use super::{Form, Length, Parts, Place, Toward, When};
+use super::{CutAway, Form, Length, Parts, Place, Toward, When};
 use crate::overlay::{
     ACCOMPANYING, BOLD_POINT, FINE, Head, LineStyle, MARK, MEDIUM, POINT, THICK, THIN, VECTOR,
     equals, tangents, unit,
@@ -23,7 +23,7 @@ impl Parts<'_> {
     /// Adds the selected pixel on the viewport, its ray, the hit, and the normal at the hit.
     pub(super) fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
         let (figure, ray) = (self.figure, &inspection.ray);
-        let color = figure.colors.ray;
+        let color = self.colors.ray;
         self.pixels(resolved, inspection);
         let pen = LineStyle::new(Item::Ray, color, THICK).about(Concept::Ray);
         self.ray_line(inspection, pen);
@@ -37,7 +37,7 @@ impl Parts<'_> {
         self.arrow([ray.origin, ray.at(1.0)], Head::Filled, pen).named("d", VECTOR);
         self.along(resolved, inspection);
         let shown = figure.shows(Item::SphereFigure);
-        let sphere_figure = shown.then(|| SphereFigure::new(inspection, figure.scene.spheres()));
+        let sphere_figure = shown.then(|| SphereFigure::new(inspection, self.scene.spheres()));
         let sphere_figure = sphere_figure.flatten();
         if figure.shows(Item::Roots) {
             self.roots(inspection, 0.0, LineStyle::new(Item::Roots, color, 1.8).on_top());
@@ -57,7 +57,7 @@ impl Parts<'_> {
     /// Adds a frame around the cells of the touched pixels, and the legs of the point's u and v from the viewport's
     /// middle.
     fn pixels(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
-        let colors = self.figure.colors;
+        let colors = self.colors;
         let pen = LineStyle::new(Item::Ray, colors.ray, MEDIUM).about(Concept::Pixel).on_viewport();
         for pixel in inspection.touched(resolved) {
             let u = [pixel.column, pixel.column + 1].map(|edge| resolved.u_of_column_edge(edge));
@@ -76,7 +76,7 @@ impl Parts<'_> {
 
     /// Adds the point where the ray passes through the viewport and, while it is highlighted, the ray without an end.
     fn ray_point(&mut self, inspection: &Inspection) {
-        let (ray, color) = (&inspection.ray, self.figure.colors.ray);
+        let (ray, color) = (&inspection.ray, self.colors.ray);
         let pen = LineStyle::new(Item::Ray, color, THICK);
         let point = pen.about(Concept::Pixel);
         self.point(ray.at(1.0), 3.6, point.on_viewport()).when(When::Unlit);
@@ -100,7 +100,7 @@ impl Parts<'_> {
             return;
         };
         let Ok(parts) = RayDerivation::new(resolved, Selection::Uv(inspection.uv)) else { return };
-        let [u, v, w] = self.figure.colors.basis;
+        let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
         let mut from = resolved.eye();
         for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
@@ -110,7 +110,7 @@ impl Parts<'_> {
             part.labelled_at(middle, text, POINT, toward).when(When::Lit);
             from += vector;
         }
-        let pen = LineStyle::new(Item::Ray, self.figure.colors.ray, 2.0).about(lit);
+        let pen = LineStyle::new(Item::Ray, self.colors.ray, 2.0).about(lit);
         self.line([resolved.eye(), from], pen).when(When::Lit).as_wide();
     }
 
@@ -123,7 +123,7 @@ impl Parts<'_> {
     /// Returns true if a root's point is drawn, or the object that it is on.
     fn is_drawn(&self, root: &Root) -> bool {
         let are_planes = self.figure.items.shows_any(&[Item::Planes, Item::Hit]);
-        are_planes || (root.object as usize) < self.figure.scene.spheres().len()
+        are_planes || (root.object as usize) < self.scene.spheres().len()
     }
 
     /// Adds the selected ray: up to its first hit, and dashed from there to the farthest object on its line. If that
@@ -137,7 +137,7 @@ impl Parts<'_> {
         self.line([ray.origin, hit.point], pen).when(When::Unlit);
         let mut drawn = inspection.roots.iter().rev().filter(|root| self.is_drawn(root));
         let Some(last) = drawn.find(|root| root.t.is_finite()) else { return };
-        let sphere = self.figure.scene.spheres().get(last.object as usize);
+        let sphere = self.scene.spheres().get(last.object as usize);
         let beyond = sphere.map_or(0.0, |sphere| 0.5 * sphere.radius / ray.direction.length());
         let (end, is_behind) = (ray.at(last.t + beyond), beyond > 0.0 || last.t > hit.t);
         if is_behind {
@@ -149,7 +149,7 @@ impl Parts<'_> {
     /// Adds the point p + t d, with the value of t if `is_named` is true; and a line to the point if the ray up to its
     /// first hit does not reach it.
     fn ray_point_t(&mut self, inspection: &Inspection, t: f64, is_named: bool) {
-        let (ray, color) = (&inspection.ray, self.figure.colors.ray);
+        let (ray, color) = (&inspection.ray, self.colors.ray);
         let at = ray.at(t);
         let thin = LineStyle::new(Item::Ray, color.gamma_multiply(0.7), FINE);
         if t < 0.0 {
@@ -157,7 +157,7 @@ impl Parts<'_> {
         } else if let Some(hit) = self.drawn_hit(inspection).filter(|hit| t > hit.t) {
             self.line([hit.point, at], thin);
         }
-        let pen = LineStyle::new(Item::Ray, self.figure.colors.hit, 2.0);
+        let pen = LineStyle::new(Item::Ray, self.colors.hit, 2.0);
         let edge = LineStyle { color, ..pen };
         let part = self.point(at, 7.5, edge);
         if is_named {
@@ -222,8 +222,7 @@ impl Parts<'_> {
         let Some(lit) = self.figure.highlighted else { return };
         let Concept::Root { object, number } = lit.concept else { return };
         let Some(root) = inspection.root_of(object, number) else { return };
-        let pen =
-            LineStyle::new(Item::Ray, self.figure.colors.ray, ACCOMPANYING).about(lit.concept);
+        let pen = LineStyle::new(Item::Ray, self.colors.ray, ACCOMPANYING).about(lit.concept);
         let part = self.line([inspection.ray.origin, root.point], pen);
         part.when(When::Lit).as_wide();
         let text = format!("𝑡 {}", lit.equated(root.t));
@@ -232,7 +231,7 @@ impl Parts<'_> {
 
     fn hit(&mut self, inspection: &Inspection) {
         let (figure, Some(hit)) = (self.figure, inspection.first_hit().copied()) else { return };
-        let pen = LineStyle::new(Item::Hit, figure.colors.hit, MEDIUM);
+        let pen = LineStyle::new(Item::Hit, self.colors.hit, MEDIUM);
         let is_drawn = self.is_drawn(&hit);
         let when = if figure.shows_normal && is_drawn { When::Shown } else { When::Lit };
         let (times, font) = match figure.is_lit(Concept::Normal) {
@@ -245,7 +244,7 @@ impl Parts<'_> {
         if !is_drawn {
             return;
         }
-        let pen = LineStyle { color: figure.colors.ray, ..pen }.about(inspection.concept_of(&hit));
+        let pen = LineStyle { color: self.colors.ray, ..pen }.about(inspection.concept_of(&hit));
         self.point(hit.point, 5.0, pen).named_toward("hit", 0.3, 1.0).when(When::Unlit);
     }
 
@@ -255,8 +254,8 @@ impl Parts<'_> {
         let Some(Concept::Object(index)) = figure.highlighted.map(|lit| lit.concept) else {
             return;
         };
-        let pen = LineStyle::new(Item::Ray, figure.colors.hit, 4.0).about(Concept::Object(index));
-        match figure.scene.object(index) {
+        let pen = LineStyle::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index));
+        match self.scene.object(index) {
             Some(Object::Sphere(sphere)) => {
                 self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
             }
@@ -277,8 +276,8 @@ impl Parts<'_> {
     }
 
     /// Adds the rims of the spheres that are cut away for the observer.
-    pub(super) fn cut_away(&mut self) {
-        for (index, sphere, color) in self.figure.cut_away {
+    pub(super) fn cut_away(&mut self, spheres: &[CutAway]) {
+        for (index, sphere, color) in spheres {
             let pen = LineStyle::new(Item::Frustum, *color, THIN).about(Concept::Object(*index));
             self.add(Form::Outline(*sphere), &[], pen.without_halo()).when(When::Unlit);
         }

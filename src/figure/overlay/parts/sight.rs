@@ -1,11 +1,13 @@
 //! What of the parts must be in sight, so that an observer can be found who sees it.
 
+use std::sync::Arc;
+
 use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::document::Document;
 
 use super::{Figure, Form, Part};
 use crate::observer::{Drawn, Length, Place, ViewSize};
-use crate::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Style};
+use crate::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Same};
 use crate::{Concept, Inspection, Item, Observer, OverlayItems};
 
 /// Depth behind the eye that is kept free for the camera's body, which is drawn if the viewport is small, as a multiple of
@@ -14,14 +16,14 @@ const BODY_ROOM: f64 = 0.5;
 
 /// Returns what is drawn with the `items`: of the camera and, if there is a `ray` with the t of the point marked on it,
 /// of that, of the highlighted concept, and of the ghost.
-pub fn drawn(
-    camera: &Camera,
-    scene: &Scene,
+pub fn drawn<'a>(
+    camera: &'a Camera,
+    scene: &'a Scene,
     items: OverlayItems,
     ray: Option<(Selection, Option<f64>)>,
     highlighted: Option<Concept>,
     ghost: Option<&GhostCamera>,
-) -> Drawn {
+) -> Drawn<'a> {
     let resolved = camera.resolve().ok();
     let inspection = resolved
         .zip(ray)
@@ -43,39 +45,30 @@ pub fn drawn(
     let has_axes = camera.eye.length() <= near;
     let items = items.with(Item::Axes, items.shows(Item::Axes) && has_axes);
     let (parts, _) = Figure {
-        camera,
-        resolved: resolved.as_ref(),
-        scene,
-        inspection: inspection.as_ref(),
+        inspection: inspection.map(|inspection| Same(Arc::new(inspection))),
         ray_point_t: ray.and_then(|(_, t)| t),
-        ghost,
-        answers: &[],
-        cut_away: &[],
+        ghost: ghost.copied(),
         items,
         highlighted,
-        names_all: true,
         shows_normal: false,
-        up: None,
-        is_flat: false,
-        observer: Observer::new(camera.eye, 0.0, 0.0, near),
-        colors: Style::default().colors(),
+        ..Figure::new(*camera, Observer::new(camera.eye, 0.0, 0.0, near))
     }
-    .parts();
+    .parts(scene, &[]);
     let shown = parts.iter().filter(|part| part.emphasis(items, highlighted).is_some());
     let has_frustum = items.shows(Item::Frustum);
-    Drawn { has_frustum, places: shown.flat_map(|part| part.in_sight(camera)).collect() }
+    let places = shown.flat_map(|part| part.in_sight(camera)).collect();
+    Drawn { camera, scene, has_frustum, places }
 }
 
 /// Returns the observer with which a document opens in a view of this size: its own, or one that is fitted to its
 /// scene.
 pub fn observer_of(document: &Document, scene: &Scene, size: ViewSize) -> Observer {
-    let camera = &document.camera;
-    let fitted = || Observer::frame_all(camera, scene, size, &drawn_of(camera, scene));
+    let fitted = || Observer::frame_all(&drawn_of(&document.camera, scene), size);
     document.observer.map_or_else(fitted, Observer::from)
 }
 
 /// Returns what is drawn of a camera without a ray.
-pub fn drawn_of(camera: &Camera, scene: &Scene) -> Drawn {
+pub fn drawn_of<'a>(camera: &'a Camera, scene: &'a Scene) -> Drawn<'a> {
     drawn(camera, scene, OverlayItems::default(), None, None, None)
 }
 

@@ -72,7 +72,7 @@ fn closest(ray: &Ray, spheres: &[Sphere]) -> Option<u32> {
 impl Parts<'_> {
     /// Adds the sphere figure, on top of everything else.
     pub(super) fn sphere_figure(&mut self, inspection: &Inspection, shown: &SphereFigure) {
-        let colors = self.figure.colors;
+        let colors = self.colors;
         let ink = LineStyle::new(Item::SphereFigure, colors.hit, 1.8).on_top();
         let ray = LineStyle { color: colors.ray, ..ink };
         let pen = ink.about(Concept::Object(shown.index)).without_halo();

@@ -12,7 +12,7 @@ fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
         Camera { eye: DVec3::new(0.6, 0.4, 0.3), ..stage.camera }.resolve().expect("a camera");
     let ghost = GhostCamera::frozen(&ghost);
     let alone = stage.drawing();
-    let both = WorldView { ghost: Some(ghost), ..stage.view() }.drawing(stage.scene());
+    let both = stage.view_of(|figure| figure.ghost = Some(ghost)).drawing(stage.scene());
     let more: Vec<_> = both.marks.iter().filter(|mark| !alone.marks.contains(mark)).collect();
     let lines = more.iter().filter(|mark| match &mark.shape {
         // The thinnest ones lead to labels.
@@ -33,7 +33,7 @@ fn what_a_ghost_shares_with_the_camera_is_drawn_once() {
     let turned = Orientation::Basis(Basis { u, v: DVec3::Y, w });
     let ghost = Camera { orientation: turned, ..stage.camera }.resolve().expect("a camera");
     let ghost = Some(GhostCamera::frozen(&ghost));
-    let both = WorldView { ghost, ..stage.view() }.drawing(stage.scene());
+    let both = stage.view_of(|figure| figure.ghost = ghost).drawing(stage.scene());
     let names = both.labels.iter().map(|label| label.text.as_str());
     let primed: Vec<&str> = names.filter(|name| name.ends_with('′')).collect();
     assert_eq!(primed, ["u′", "w′"]);

@@ -105,7 +105,7 @@ fn the_ground_stays_while_the_observer_zooms() {
     let seen_from = |factor: f64| {
         let mut observer = stage.observer;
         observer.zoom(observer.target(), factor, [1e-300, f64::MAX]);
-        WorldView { observer, ..stage.view() }.backdrop(stage.scene())
+        stage.view_of(|figure| figure.observer = observer).backdrop(stage.scene())
     };
     let near = seen_from(1.0);
     assert!(near.floor.is_some() && near.patches.len() == 1);

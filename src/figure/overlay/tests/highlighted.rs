@@ -35,8 +35,8 @@ fn highlighted(stage: &Stage, concept: Concept) -> Option<Highlighted> {
 }
 
 fn world_drawing(stage: &Stage, concept: Concept) -> Drawing {
-    WorldView { scale: 0.3, highlighted: highlighted(stage, concept), ..stage.view() }
-        .drawing(stage.scene())
+    let view = stage.view_of(|figure| figure.highlighted = highlighted(stage, concept));
+    WorldView { scale: 0.3, ..view }.drawing(stage.scene())
 }
 
 fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
@@ -258,8 +258,8 @@ fn numbers_of_rows_and_columns_are_dimmed_like_other_labels() {
         number.expect("a number").color
     };
     let plain = WorldView { scale: 0.1, ..stage.view() }.drawing(stage.scene());
-    let dimmed =
-        WorldView { scale: 0.1, highlighted: highlighted(&stage, Concept::W), ..stage.view() };
+    let dimmed = stage.view_of(|figure| figure.highlighted = highlighted(&stage, Concept::W));
+    let dimmed = WorldView { scale: 0.1, ..dimmed };
     assert_ne!(color(&plain), color(&dimmed.drawing(stage.scene())));
 }
 

@@ -110,7 +110,7 @@ fn each_item_can_be_drawn_alone_and_left_out() {
     let eye = HandleMark { at: DVec3::ZERO, knob: Knob::Round, state: KnobState::Plain };
     let handles = Handles { marks: vec![eye], ..Handles::default() };
     let of_marks = |stage: &Stage| {
-        let view = WorldView { handles: handles.clone(), ..stage.view() };
+        let view = stage.view_of(|figure| figure.handles = handles.clone());
         let Drawing { marks, labels, .. } = view.drawing(stage.scene());
         let items: Vec<Item> =
             marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
@@ -141,7 +141,7 @@ fn handles_keep_their_size_and_stand_out_by_form() {
             marks: vec![HandleMark { at, knob: Knob::Round, state }],
             ..Handles::default()
         };
-        let drawing = WorldView { handles, ..stage.view() }.drawing(stage.scene());
+        let drawing = stage.view_of(|figure| figure.handles = handles).drawing(stage.scene());
         let own = drawing.marks.into_iter().filter(|mark| mark.item == Item::Handles);
         own.map(|mark| mark.shape).collect::<Vec<_>>()
     };

@@ -56,12 +56,8 @@ fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
 impl Stage {
     fn new(camera: Camera, spheres: Vec<Sphere>, planes: Vec<Plane>) -> Stage {
         let scene = Scene::new(spheres, planes).expect("a scene");
-        let observer = Observer::frame_all(
-            &camera,
-            &scene,
-            ViewSize::of_aspect(4.0 / 3.0),
-            &drawn_of(&camera, &scene),
-        );
+        let size = ViewSize::of_aspect(4.0 / 3.0);
+        let observer = Observer::frame_all(&drawn_of(&camera, &scene), size);
         Stage::seen_by(camera, scene, observer)
     }
 
@@ -98,30 +94,30 @@ impl Stage {
     }
 
     fn view(&self) -> WorldView {
-        WorldView {
-            camera: self.camera,
-            resolved: self.resolved,
-            picture: self.picture.clone().map(Same),
+        let figure = Figure {
             inspection: self.inspection.clone().map(Same),
+            items: self.items,
+            ..Figure::new(self.camera, self.observer)
+        };
+        WorldView {
+            figure,
+            picture: self.picture.clone().map(Same),
             generations: [0; 2],
             enclosing: Arc::clone(&self.enclosing),
-            observer: self.observer,
             frame: Same(Arc::clone(&self.frame)),
-            items: self.items,
             first_number: 0,
             scale: 1.0,
-            style: Style::Light,
-            highlighted: None,
-            ray_point_t: None,
-            handles: Handles::default(),
-            ghost: None,
-            answer_marks: Arc::default(),
             is_clear: false,
-            names_all: true,
-            shows_normal: true,
             covered: Vec::new(),
             without_marks: false,
         }
+    }
+
+    /// Returns the view with a change to what is drawn.
+    fn view_of(&self, change: impl FnOnce(&mut Figure)) -> WorldView {
+        let mut view = self.view();
+        change(&mut view.figure);
+        view
     }
 
     fn scene(&self) -> ColoredScene<'_> {

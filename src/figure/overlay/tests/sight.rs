@@ -14,7 +14,7 @@ fn arrows_that_are_not_drawn_take_no_room() {
     let depth = |items| {
         let scene = Scene::default();
         let drawn = drawn(&camera, &scene, items, None, None, None);
-        let seen = named.framing_the_same(&camera, &scene, low, &drawn);
+        let seen = named.framing_the_same(&drawn, low);
         let seen_from = seen.camera(400, 160).resolve().expect("observers have a basis");
         (seen_from.eye() - camera.eye).dot(seen_from.basis().w)
     };

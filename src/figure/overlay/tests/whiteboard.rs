@@ -143,7 +143,7 @@ fn a_small_camera_has_a_body_only_if_nothing_else_shows_where_it_looks() {
     let observer = Observer::new(DVec3::ZERO, 0.8, 0.4, 60.0);
     let stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let triangles = |items: OverlayItems| {
-        let drawing = WorldView { items, ..stage.view() }.drawing(stage.scene());
+        let drawing = stage.view_of(|figure| figure.items = items).drawing(stage.scene());
         let of_eye = drawing.marks.into_iter().filter(|mark| mark.item == Item::Eye);
         of_eye.filter(|mark| matches!(mark.shape, Shape::Polygon { .. })).count()
     };

@@ -74,7 +74,7 @@ proptest! {
         scene in wild_scene(),
         turn in (-4.0..4.0f64, -2.0..2.0f64, 0.01..20.0f64),
     ) {
-        let mut observer = Observer::frame_all(&camera, &scene, ViewSize::of_aspect(4.0 / 3.0), &drawn_of(&camera, &scene));
+        let mut observer = Observer::frame_all(&drawn_of(&camera, &scene), ViewSize::of_aspect(4.0 / 3.0));
         observer.orbit(turn.0, turn.1);
         observer.zoom(observer.target(), turn.2, [1e-300, f64::MAX]);
         let stage = Stage::seen_by(camera, scene, observer);

@@ -104,22 +104,22 @@ impl WorldView {
     /// a sphere is the ground, or if there are many objects.
     pub(crate) fn ground<'a>(&self, scene: ColoredScene<'a>) -> Ground<'a> {
         let ColoredScene { scene: objects, .. } = scene;
-        let has_floor = self.items.shows(Item::Floor) && objects.len() <= WITH_FLOOR;
-        let shown = if self.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
+        let has_floor = self.figure.items.shows(Item::Floor) && objects.len() <= WITH_FLOOR;
+        let shown = if self.figure.items.shows(Item::Planes) { SHOWN_PLANES } else { 0 };
         let planes = &objects.planes()[..shown.min(objects.planes().len())];
         let mut ground =
             Ground { panes: Vec::new(), floor: None, is_bare: false, spheres: Vec::new() };
         if planes.is_empty() && !has_floor {
             return ground;
         }
-        let around = Surroundings::new(&self.camera, objects);
+        let around = Surroundings::new(&self.figure.camera, objects);
         let first = objects.spheres().len();
         ground.panes.extend((first..).zip(planes).filter_map(|(index, plane)| {
             Some((self.pane(&around, plane)?, plane, scene.color_of(index as u32)))
         }));
         if has_floor && around.planets.is_empty() {
             let is_level = |pane: &&Pane| {
-                pane.normal.y.abs() == 1.0 && pane.height * pane.normal.y < self.camera.eye.y
+                pane.normal.y.abs() == 1.0 && pane.height * pane.normal.y < self.figure.camera.eye.y
             };
             let level = ground.panes.iter().map(|(pane, ..)| pane).filter(is_level);
             let height = |pane: &Pane| pane.height * pane.normal.y;
@@ -137,10 +137,10 @@ impl WorldView {
         ground: &Ground<'_>,
         rays: &PixelRays,
     ) -> (Vec<PlanePatch>, Option<PlanePatch>) {
-        let colors = self.style.colors();
+        let colors = self.figure.style.colors();
         let patch = |(pane, plane, [r, g, b]): &(Pane, &Plane, Rgb)| {
             let height = |p: DVec3| pane.normal.dot(p - plane.point);
-            let between = height(self.camera.eye) * height(rays.eye) < 0.0;
+            let between = height(self.figure.camera.eye) * height(rays.eye) < 0.0;
             let color = Color32::from_rgb(*r, *g, *b);
             let grid = mix(color, colors.ink, 0.1);
             let patch = pane.patch(rays, [mix(color, colors.background, 0.6), grid], self.scale)?;
@@ -158,7 +158,7 @@ impl WorldView {
     fn pane(&self, around: &Surroundings, plane: &Plane) -> Option<Pane> {
         let normal = unit(plane.normal)?;
         let height = normal.dot(plane.point);
-        let seen = self.resolved.iter().flat_map(|resolved| {
+        let seen = self.figure.resolved.iter().flat_map(|resolved| {
             let rays = corners(resolved).map(|uv| resolved.ray(uv));
             rays.into_iter().filter_map(|ray| Some(ray.at(plane.roots(&ray).first_positive()?)))
         });
@@ -168,10 +168,10 @@ impl WorldView {
 
     /// Returns a floor below all spheres and the camera.
     fn bare_floor(&self, around: &Surroundings) -> Option<Pane> {
-        let viewport = self
-            .resolved
-            .iter()
-            .flat_map(|resolved| corners(resolved).map(|uv| (resolved.viewport_point(uv), 0.0)));
+        let viewport =
+            self.figure.resolved.iter().flat_map(|resolved| {
+                corners(resolved).map(|uv| (resolved.viewport_point(uv), 0.0))
+            });
         let spheres = around.spheres.iter().map(|ball| (ball.center, ball.radius));
         let parts: Vec<(DVec3, f64)> = spheres.chain(viewport).chain([(around.eye, 0.0)]).collect();
         let bottoms = || parts.iter().map(|(center, radius)| center.y - radius);
@@ -238,7 +238,7 @@ impl Sketch<'_> {
         let color = self.colors.ink.gamma_multiply(0.6);
         let pen = LineStyle::new(Item::Floor, color, FINE).without_halo().where_visible();
         let pen = pen.patterned(Some(DROP));
-        let eye = Bound { center: view.camera.eye, radius: 0.0 };
+        let eye = Bound { center: view.figure.camera.eye, radius: 0.0 };
         for Bound { center, radius } in ground.spheres.into_iter().chain([eye]) {
             let (bottom, foot) = (center - radius * DVec3::Y, center.with_y(floor.corners()[0].y));
             if bottom.y - foot.y > SHORTEST_DROP * floor.step && floor.contains(foot) {

@@ -3,7 +3,7 @@
 
 use pinhole_core::{DVec2, DVec3};
 
-use crate::overlay::{LineStyle, Shape, Sketch, dot};
+use crate::overlay::{Figure, LineStyle, Shape, Sketch, dot};
 use crate::overlay_items::Item;
 
 /// The handles to draw, and data that is only needed while one of them is hovered or dragged.
@@ -66,8 +66,8 @@ const RIM: f64 = 2.4;
 impl Sketch<'_> {
     /// Draws all handles; the hovered or held one is drawn last.
     pub(crate) fn handles(&mut self) {
-        let handles = &self.view.handles;
-        if !self.items.shows(Item::Handles) {
+        let Figure { items, handles, .. } = &self.view.figure;
+        if !items.shows(Item::Handles) {
             return;
         }
         for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {

@@ -5,10 +5,9 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
 use crate::observer::{Length, Place};
 use crate::overlay::{
-    Emphasis, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch, Toward,
-    circle, corners, first, half_extent, numbers, tangents, unit,
+    Emphasis, Figure, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch,
+    Toward, circle, corners, first, half_extent, numbers, tangents, unit,
 };
-use crate::{Item, OverlayItems};
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
 /// handles would overlap and the frustum could hardly be seen.
@@ -30,13 +29,13 @@ impl Sketch<'_> {
     /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
     /// so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
-        let highlighted = self.view.highlighted;
-        let (mut on_top, mut of_behind) = (Vec::new(), Vec::new());
+        let Figure { items, highlighted, .. } = self.view.figure;
+        let (mut on_top, mut of_behind) = (Vec::new(), 0);
         for (k, part) in parts.into_iter().enumerate() {
             if k == behind {
-                of_behind = std::mem::take(&mut self.requests);
+                of_behind = self.requests.len();
             }
-            match part.emphasis(self.items, highlighted) {
+            match part.emphasis(items, highlighted) {
                 None => {}
                 Some(emphasis) if emphasis.is_on_top() => on_top.push(part.emphasized(emphasis)),
                 Some(emphasis) => {
@@ -45,12 +44,10 @@ impl Sketch<'_> {
                 }
             }
         }
-        self.fades = false;
-        self.requests.append(&mut of_behind);
+        (self.fades, self.has_labels) = (false, true);
+        self.requests.rotate_left(of_behind);
         let others = std::mem::take(&mut self.requests);
-        let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         on_top.iter().for_each(|part| self.part(part));
-        self.items = shown;
         self.requests = first(std::mem::take(&mut self.requests), others);
     }
 
@@ -89,7 +86,7 @@ impl Sketch<'_> {
             }
             (Form::Outline(sphere), _) => self.outline(&sphere, pen),
             (form, _) => {
-                if let Some(resolved) = &self.view.resolved {
+                if let Some(resolved) = &self.view.figure.resolved {
                     match form {
                         Form::Body => self.body(resolved, pen),
                         Form::Marks => self.marks(resolved, pen),
@@ -232,7 +229,7 @@ impl Sketch<'_> {
         for (text, uv) in named {
             if let (Some(center), Some(spot)) = (center, on_screen(self, uv))
                 && points > 90.0
-                && self.view.names_all
+                && self.view.figure.names_all
             {
                 self.label(pen, text, [spot, spot - center], MARK);
             }
@@ -242,7 +239,7 @@ impl Sketch<'_> {
     /// Writes the numbers of columns above the viewport and those of rows to its left, and W and H at the
     /// opposite sides.
     pub(crate) fn pixel_numbers(&mut self, resolved: &ResolvedCamera, pen: LineStyle) {
-        if !self.items.shows(Item::Labels) {
+        if !self.has_labels {
             return;
         }
         let (image, viewport, scale) = (resolved.image(), resolved.viewport(), self.screen.scale);

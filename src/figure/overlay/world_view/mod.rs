@@ -10,62 +10,36 @@ pub(super) mod under_pointer;
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, EdgeBlend, Frame, Ray, ResolvedCamera, Scene, Sphere};
+use pinhole_core::{DVec2, DVec3, EdgeBlend, Frame, Ray, ResolvedCamera, Scene, Sphere};
 use rayon::prelude::*;
 
+use crate::Item;
 use crate::overlay::{
-    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, GhostCamera, Grid, Handles,
-    Highlighted, Layers, Picture, Same, Screen, Sketch, Style, ViewportLayer, camera_uv_at, dot,
-    mix, place_labels, wide,
+    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
+    Screen, Sketch, ViewportLayer, camera_uv_at, dot, mix, place_labels, wide,
 };
-use crate::{AnswerMark, Inspection, Item, Observer, OverlayItems};
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorldView {
-    /// The edited camera as the user gives it; it may have no basis.
-    pub camera: Camera,
-    /// The edited camera, if it has a basis.
-    pub resolved: Option<ResolvedCamera>,
+    /// What is drawn besides the scene.
+    pub figure: Figure,
     /// The picture of the edited camera, if there is a current one, to be drawn on the viewport.
     pub picture: Option<Same<Picture>>,
-    /// The selected ray and its hits.
-    pub inspection: Option<Same<Inspection>>,
     /// The generation numbers of the objects and of their colours, which identify the scene.
     pub generations: [u64; 2],
     /// Indices of the spheres [around the camera](crate::observer::enclosing), which are drawn cut
     /// away so that the camera is visible.
     pub enclosing: Arc<Vec<u32>>,
-    /// The observer.
-    pub observer: Observer,
     /// The observer's picture of [`observer::traced_scene`](crate::observer::traced_scene),
     /// traced at every pixel.
     pub frame: Same<Frame<f32>>,
-    /// The overlay items to draw.
-    pub items: OverlayItems,
     /// The number of the first row and column, 0 or 1.
     pub first_number: u32,
     /// Screen pixels per point.
     pub scale: f32,
-    /// The colours.
-    pub style: Style,
-    /// The t of the point marked on the selected ray.
-    pub ray_point_t: Option<f64>,
-    /// The camera that is compared with the edited one.
-    pub ghost: Option<GhostCamera>,
-    /// The marks for answers: typed ones and the right ones.
-    pub answer_marks: Arc<[AnswerMark]>,
-    /// The highlighted concept, if any.
-    pub highlighted: Option<Highlighted>,
-    /// The handles that can be dragged.
-    pub handles: Handles,
     /// True if the picture is transparent where the observer's rays hit nothing.
     pub is_clear: bool,
-    /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
-    /// and the highlighted concept have labels.
-    pub names_all: bool,
-    /// True if the normal at the hit is drawn, as in figures and in lessons about it.
-    pub shows_normal: bool,
     /// The rectangles, in physical pixels, that an inset and a line of numbers cover: left, top, right and
     /// bottom of each.
     pub covered: Vec<[f32; 4]>,
@@ -182,14 +156,14 @@ impl WorldView {
     }
 
     fn screen(&self) -> Screen {
-        Screen::new(self.frame.camera(), self.observer.distance(), self.scale)
+        Screen::new(self.frame.camera(), self.figure.observer.distance(), self.scale)
     }
 
     /// Returns the layers below the camera and its marks.
     pub fn backdrop(&self, scene: ColoredScene<'_>) -> Backdrop {
         let background = match self.is_clear {
             true => Color32::TRANSPARENT,
-            false => self.style.colors().background,
+            false => self.figure.style.colors().background,
         };
         let rays = self.frame.camera().pixel_rays();
         let bowl = |(index, sphere)| Bowl { sphere, color: scene.color_of(index), rays };
@@ -215,16 +189,17 @@ impl WorldView {
 
     fn layers<'a>(&'a self, backdrop: &'a Backdrop) -> Layers<'a> {
         let mut layers = Layers::new(&self.frame, backdrop);
-        if let Some(resolved) = &self.resolved {
-            let behind = self.style.colors().background;
+        if let Some(resolved) = &self.figure.resolved {
+            let behind = self.figure.style.colors().background;
             layers.viewport = viewport_layer(resolved, self.frame.camera(), behind);
             if let Some(layer) = &mut layers.viewport {
-                let picture = self.picture.as_ref().filter(|_| self.items.shows(Item::Picture));
+                let picture =
+                    self.picture.as_ref().filter(|_| self.figure.items.shows(Item::Picture));
                 let image = resolved.image();
                 let picture = picture.filter(|p| p.is_whole() && p.image == image);
                 layer.picture =
                     picture.map(|p| p.on([image.width() as usize, image.height() as usize]));
-                if self.items.shows(Item::PixelGrid) {
+                if self.figure.items.shows(Item::PixelGrid) {
                     layer.grid = pixel_grid(&self.screen(), resolved);
                 }
             }
@@ -233,17 +208,17 @@ impl WorldView {
     }
 
     fn sketch(&self, scene: ColoredScene<'_>, layers: &Layers<'_>) -> Drawing {
-        let colors = self.style.colors();
+        let colors = self.figure.style.colors();
         let screen = self.screen();
         let mut sketch = Sketch {
             view: self,
             screen,
             layers,
-            items: self.items,
+            has_labels: self.figure.items.shows(Item::Labels),
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
-            fades: self.highlighted.is_some_and(|lit| lit.dims),
+            fades: self.figure.highlighted.is_some_and(|lit| lit.dims),
         };
         sketch.ground(scene);
         let cut_away = |(index, sphere)| {
@@ -251,25 +226,7 @@ impl WorldView {
             (index, sphere, mix(Color32::from_rgb(r, g, b), colors.ink, 0.3))
         };
         let cut_away: Vec<_> = self.drawn_around(scene.scene).map(cut_away).collect();
-        let figure = Figure {
-            camera: &self.camera,
-            resolved: self.resolved.as_ref(),
-            scene: scene.scene,
-            inspection: self.inspection.as_deref(),
-            ray_point_t: self.ray_point_t,
-            ghost: self.ghost.as_ref(),
-            answers: &self.answer_marks,
-            cut_away: &cut_away,
-            items: self.items,
-            highlighted: self.highlighted,
-            names_all: self.names_all,
-            shows_normal: self.shows_normal,
-            up: self.handles.up,
-            is_flat: false,
-            observer: self.observer,
-            colors,
-        };
-        sketch.parts(figure.parts());
+        sketch.parts(self.figure.parts(scene.scene, &cut_away));
         sketch.handles();
         let Sketch { mut drawing, requests, .. } = sketch;
         place_labels(requests, &mut drawing, screen.size, &self.covered);

@@ -7,14 +7,14 @@ use crate::overlay::{
     Colors, CutLine, Drawing, Head, LabelFont, Layers, LineStyle, Mark, Request, Screen, Shape,
     Spot, WorldView, dot,
 };
-use crate::{Item, OverlayItems};
 
 /// A drawing while it is built.
 pub(crate) struct Sketch<'a> {
     pub(crate) view: &'a WorldView,
     pub(crate) screen: Screen,
     pub(crate) layers: &'a Layers<'a>,
-    pub(crate) items: OverlayItems,
+    /// True if labels are written.
+    pub(crate) has_labels: bool,
     pub(crate) colors: &'static Colors,
     pub(crate) drawing: Drawing,
     pub(crate) requests: Vec<Request>,
@@ -55,9 +55,7 @@ impl Sketch<'_> {
 
     /// Draws a straight line in the world.
     pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: LineStyle) {
-        if self.items.shows(pen.item)
-            && let Some(cut) = self.screen.line(from, to)
-        {
+        if let Some(cut) = self.screen.line(from, to) {
             self.cut_line(cut.from, cut.to, pen);
         }
     }
@@ -71,9 +69,6 @@ impl Sketch<'_> {
         head: Head,
         pen: LineStyle,
     ) -> Option<[DVec2; 2]> {
-        if !self.items.shows(pen.item) {
-            return None;
-        }
         let CutLine { from, to, whole_to, .. } = self.screen.line(ends[0], ends[1])?;
         if !whole_to {
             self.cut_line(from, to, pen);
@@ -136,9 +131,6 @@ impl Sketch<'_> {
     /// Draws a point in the world as a disc of `radius` points. Returns its position on the screen, or
     /// `None` if it is not in the picture.
     pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: LineStyle) -> Option<Spot> {
-        if !self.items.shows(pen.item) {
-            return None;
-        }
         let spot = self.screen.spot(at)?;
         self.disc(spot, radius, pen);
         Some(spot)
@@ -169,9 +161,6 @@ impl Sketch<'_> {
     /// Draws the part inside the picture of a flat convex polygon. Draws nothing if objects hide all of its
     /// corners.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: LineStyle) {
-        if !self.items.shows(pen.item) {
-            return;
-        }
         let spots = self.screen.polygon(corners);
         let is_visible = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if is_visible {
@@ -184,7 +173,7 @@ impl Sketch<'_> {
     /// preferred direction from there. Ignores the request if the anchor is outside the picture.
     pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
         let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
-        if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
+        if self.has_labels && inside {
             self.request(Request::new(pen, text.to_owned(), at, font, self.colors.halo));
         }
     }
