@@ -12,42 +12,19 @@ use crate::model::files::{OpenDocument, title_of};
 use crate::model::practice::MistakesView;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
 use crate::model::session::{Session, ThemeName, ViewLayout, Workspace, ZOOM};
-use crate::model::translator::{Notice, Taken, imported, pasted};
+use crate::model::translator::{Notice, Taken, pasted};
 use crate::ui::action::{
-    Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
-    ShareAction,
+    Action, FileAction, FileUse, Leave, LessonAction, LookAction, PlayAction, ShareAction,
 };
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
 use crate::ui::app::{App, files};
-use crate::ui::dialogs::{Dialog, FileQuestion, Question};
+use crate::ui::dialogs::palette::CommandPalette;
+use crate::ui::dialogs::{Dialog, Question, help};
 use crate::ui::practice::vote;
 use crate::ui::widgets::may_explain;
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme::{self, Look};
-
-const OPEN: FileQuestion = FileQuestion {
-    title: "Open a scene",
-    endings: &["toml"],
-    hint: "path of a .toml scene",
-    writes: None,
-};
-const SAVE_AS: FileQuestion =
-    FileQuestion { title: "Save the scene as", writes: Some("toml"), ..OPEN };
-
-const IMPORT: FileQuestion = FileQuestion {
-    title: "Import a camera",
-    endings: &["gltf", "glb", "txt"],
-    hint: "path of a glTF or of a text with numbers",
-    writes: None,
-};
-
-const SAVE_PAGE: FileQuestion = FileQuestion {
-    title: "Save as a page for a browser",
-    endings: &["html"],
-    hint: "path of a .html file",
-    writes: Some("html"),
-};
 
 /// The title of the message about a file that was changed and cannot be read.
 pub(super) const NOT_READ: &str = "The changed scene cannot be read";
@@ -56,19 +33,25 @@ impl App {
     /// Applies the action and opens the dialog that it needs.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // During an animation that moves the camera, undo only ends the animation.
-        let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
+        let is_undone = action == Action::Undo && self.playback.plays_camera();
         // Opening something else restores the camera from before the animation; saving keeps the camera
         // as it is shown.
         match &action {
             Action::Leave(_)
             | Action::Share(ShareAction::Follow(_))
-            | Action::History(_)
+            | Action::Undo
+            | Action::Redo
             | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs(_))
             // The other lesson actions stop the animation once they know that there is a step to open.
             | Action::Lesson(LessonAction::Close) => self.stop_animation(),
-            Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {}
+            Action::File(FileAction::CheckFile | FileAction::DiscardRecovered) => {}
             Action::File(_) => self.keep_animation(ctx),
+            Action::Ask(of) | Action::Use(of, _) if of.saves_scene() => self.keep_animation(ctx),
             _ => {}
+        }
+        // The menu in which it was chosen may stay open for several clicks.
+        if let Action::Ask(_) | Action::Look(LookAction::Present) | Action::Vote(_) = action {
+            Popup::close_all(ctx);
         }
         let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
         if let Some(dialog) = dialog {
@@ -88,15 +71,24 @@ impl App {
                 }
             }
             Action::Leave(leave) => return self.leave(ctx, leave),
+            Action::Ask(of) => return self.ask(of),
+            Action::Use(of, path) => return self.use_file(ctx, of, path),
             Action::File(action) => return self.file(ctx, action),
             Action::Lesson(action) => return self.lesson_action(ctx, action),
-            Action::History(action) => self.undo_or_redo(ctx, action),
+            Action::Undo => self.undo_or_redo(ctx, false),
+            Action::Redo => self.undo_or_redo(ctx, true),
             Action::Figure(action) => return self.figure_action(ctx, action),
-            Action::Exchange(action) => return self.exchange(ctx, action),
+            // The text arrives later, as a paste event, like text pasted with the keyboard.
+            Action::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
+            Action::Paste(text) => {
+                let taken = pasted(&text, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "paste a camera");
+            }
             Action::Share(action) => return self.share(ctx, action),
             Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
             Action::Play(action) => self.play(ctx, action),
-            Action::Ghost(action) => self.scene.change_ghost(action),
+            Action::FreezeGhost => self.scene.freeze_ghost(),
+            Action::DropGhost => self.scene.drop_ghost(),
             Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);
@@ -113,18 +105,12 @@ impl App {
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(action) => {
-                if action == LookAction::Present {
-                    // The menu in which it was chosen stays open for several clicks.
-                    Popup::close_all(ctx);
-                }
-                change_look(&mut self.scene.session, action);
-            }
-            Action::Vote(action) => {
-                Popup::close_all(ctx);
-                vote::apply(ctx, &mut self.scene.session, action);
-            }
-            Action::Help(action) => self.over.apply(action),
+            Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Vote(action) => vote::apply(ctx, &mut self.scene.session, action),
+            Action::OpenPalette => self.over.palette = Some(CommandPalette::default()),
+            Action::ShowKeys => self.over.shows_keys = true,
+            Action::ShowConventions => return Some(help::conventions()),
+            Action::ShowAbout => return Some(help::about()),
         }
         None
     }
@@ -143,7 +129,7 @@ impl App {
     pub(super) fn ask_about_changes(&self, then: Leave) -> Dialog {
         let title = format!("Save the changes to {}?", title_of(self.scene.open.origin()));
         let answers = vec![
-            ("Save", "", Some(FileAction::SaveThen(then.clone()).into())),
+            ("Save", "", Some(FileAction::Save(Some(then.clone())).into())),
             ("Discard", "", Some(FileAction::Discard(then).into())),
             ("Cancel", "", None),
         ];
@@ -158,7 +144,7 @@ impl App {
             if saves { "Saves your version over theirs" } else { "Continues with your version" };
         let keep = FileAction::KeepMine { saves, then: then.clone() };
         let take = FileAction::TakeTheirs(then.clone());
-        let save_as = FileAction::AskSaveAs(then);
+        let save_as = FileUse::SaveAs(then);
         let answers = vec![
             ("Keep mine", mine, Some(keep.into())),
             ("Take theirs", "Reads the file again. Undo restores your version", Some(take.into())),
@@ -214,35 +200,8 @@ impl App {
 
     fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
         match action {
-            FileAction::AskOpen => {
-                Some(Dialog::file(OPEN, self.scene.open.file(), "", files::dropped))
-            }
-            FileAction::Save => self.save(ctx, None),
-            FileAction::AskSaveAs(then) => Some(self.ask_save_as(then)),
-            FileAction::SaveAs(path, then) => self.save_to(ctx, &path, then),
-            FileAction::AskSavePage => {
-                let open = &self.scene.open;
-                let name = Path::new(&open.file_name()).with_extension("html");
-                let name = name.to_string_lossy();
-                Some(Dialog::file(SAVE_PAGE, open.file(), &name, FileAction::SavePage))
-            }
-            FileAction::SavePage(path) => {
-                let saved = files::save_page(&self.scene, &path);
-                let (saved, notes) =
-                    saved.map_or_else(|e| (Err(e), Vec::new()), |notes| (Ok(()), notes));
-                let dialog = self.say_written(saved, "Saved to", &path, "The page was not saved");
-                let notice = self.scene.session.translator.notice.as_mut();
-                notice.into_iter().for_each(|notice| notice.notes.extend_from_slice(&notes));
-                dialog
-            }
-            FileAction::AskSaveStep => {
-                // The menu in which it was chosen stays open for several clicks.
-                Popup::close_all(ctx);
-                Some(self.ask_save_step())
-            }
+            FileAction::Save(then) => self.save(ctx, then),
             FileAction::KeepView => self.keep_view(),
-            FileAction::SaveStep(path) => self.save_step(&path),
-            FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
                 self.window.discarded = leave == Leave::Quit;
                 self.proceed(ctx, leave)
@@ -300,10 +259,10 @@ impl App {
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Shows a notice that something was written to a file. Returns a message if that failed.
+    /// Shows a notice that something was written to a file, with notes. Returns a message if that failed.
     pub(super) fn say_written(
         &mut self,
-        written: Result<(), String>,
+        written: Result<Vec<String>, String>,
         verb: &str,
         path: &Path,
         problem: &str,
@@ -312,7 +271,9 @@ impl App {
         let folder = path.parent().filter(|folder| folder.is_absolute());
         let folder = folder.map(|folder| format!("in the folder {}", folder.display()));
         match written {
-            Ok(()) => self.say(format!("{verb} {name}"), Vec::from_iter(folder)),
+            Ok(notes) => {
+                self.say(format!("{verb} {name}"), folder.into_iter().chain(notes).collect())
+            }
             Err(reason) => return Some(Dialog::message(problem, reason)),
         }
         None
@@ -336,11 +297,16 @@ impl App {
     fn save(&mut self, ctx: &Context, then: Option<Leave>) -> Option<Dialog> {
         match self.scene.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_to(ctx, &path, then),
-            None => Some(self.ask_save_as(then)),
+            None => self.ask(FileUse::SaveAs(then)),
         }
     }
 
-    fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
+    pub(super) fn save_to(
+        &mut self,
+        ctx: &Context,
+        path: &Path,
+        then: Option<Leave>,
+    ) -> Option<Dialog> {
         if self.scene.open.is_own(path) && self.scene.open.was_changed_by_others() {
             let title = title_of(self.scene.open.origin());
             return Some(App::ask_which_version(&title, true, then));
@@ -351,12 +317,6 @@ impl App {
         self.history.take_as_settled(&self.scene.open.document);
         self.window.remember(path);
         self.leave(ctx, then?)
-    }
-
-    fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
-        let save_as = move |path| FileAction::SaveAs(path, then.clone());
-        let open = &self.scene.open;
-        Dialog::file(SAVE_AS, open.file(), &open.file_name(), save_as)
     }
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
@@ -390,35 +350,8 @@ impl App {
         dialog
     }
 
-    fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {
-        match action {
-            // The text arrives later, as a paste event, like text pasted with the keyboard.
-            ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
-            ExchangeAction::Paste(text) => {
-                let taken = pasted(&text, &self.scene.open.document.camera);
-                self.take_camera(ctx, taken, "paste a camera");
-            }
-            ExchangeAction::AskImport => {
-                let near = self.scene.open.file();
-                return Some(Dialog::file(IMPORT, near, "", ExchangeAction::Import));
-            }
-            ExchangeAction::Import(path) => {
-                let taken = imported(&path, &self.scene.open.document.camera);
-                self.take_camera(ctx, taken, "import a camera");
-            }
-            ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
-            ExchangeAction::Save(path) => {
-                let saved = files::save_translation(&self.scene, &path);
-                return self.say_written(saved, "Saved to", &path, "The camera was not saved");
-            }
-        }
-        None
-    }
-}
-
-impl App {
     /// Replaces the camera by one that was read, as a step that the user can undo, and says what was read.
-    fn take_camera(&mut self, ctx: &Context, (camera, said): Taken, step: &str) {
+    pub(super) fn take_camera(&mut self, ctx: &Context, (camera, said): Taken, step: &str) {
         if let Some(camera) = camera {
             self.keep_animation(ctx);
             self.settle(ctx, None);

@@ -15,13 +15,13 @@ use pinhole_exchange::{
 use crate::figures::{Content, Figure, FigureSubject, MARGIN, Order, derivation_of};
 use crate::model::page_part;
 use crate::model::practice::code::codes_in;
-use crate::model::translator::with;
+use crate::model::translator::{imported, with};
 use crate::model::{AnswersFile, Exercises, Progress, Session, StudentAnswers, ViewLayout};
-use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
+use crate::ui::action::{Action, AnswersAction, FigureAction, FileUse, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
-use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, Question};
+use crate::ui::dialogs::{Dialog, ExportForm, FileQuestion, OnScreen, PathField, Question};
 use crate::ui::ray::lines;
 use crate::ui::tools::translator;
 use crate::ui::workspaces::page;
@@ -40,7 +40,7 @@ pub(super) fn pasted(ctx: &Context) -> Option<Action> {
         Event::Paste(text) if codes_in(text).next().is_some() => {
             Some(AnswersAction::AddCodes(text.clone()).into())
         }
-        Event::Paste(text) => Some(ExchangeAction::Paste(text.clone()).into()),
+        Event::Paste(text) => Some(Action::Paste(text.clone())),
         _ => None,
     };
     ctx.input(|input| input.events.iter().find_map(pasted))
@@ -63,37 +63,21 @@ fn translated(scene: &OpenScene) -> Option<Exported> {
     translator.chosen().write(&subject).ok()
 }
 
-/// Returns the dialog that asks where to save the translated camera.
-pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog> {
-    translated(scene)?;
-    let format = scene.session.translator.chosen();
-    let question = FileQuestion {
-        title: "Save the camera for another program",
-        endings: &[],
-        hint: "path of the file",
-        writes: Some(format.ending()),
-    };
-    Some(Dialog::file(question, scene.open.file(), format.file, ExchangeAction::Save))
-}
-
 /// Saves the translated camera.
 ///
 /// # Errors
 /// Returns the reason if there is no translation, or if the file cannot be written.
-pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), String> {
+fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), String> {
     let text = translated(scene).ok_or("The scene has no valid camera")?.text.text;
-    let write = |()| {
-        let written = host().write(path, text.as_bytes());
-        written.map_err(|error| error.to_string())
-    };
-    scene.open.check_output(path).and_then(write)
+    scene.open.check_output(path)?;
+    host().write(path, text.as_bytes()).map_err(|error| error.to_string())
 }
 
 /// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser. Returns notes about files in it.
 ///
 /// # Errors
 /// Returns the reason if there is no page of the program, or if the file cannot be written.
-pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, String> {
+fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, String> {
     scene.open.check_output(path)?;
     let step = scene.lessons.open.as_ref().filter(|_| !scene.differs_from_step());
     let of_scene = || Ok(scene.open.files().map(Path::to_owned).collect());
@@ -116,22 +100,15 @@ pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, S
 /// which take several seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
-const ANSWERS: FileQuestion = FileQuestion {
-    title: "Check a student's answers",
-    endings: &["csv", "png"],
-    hint: "path of a .csv or .png file of answers",
-    writes: None,
-};
-
 /// Returns the action for a file that is dropped on the window or opened. Its first bytes and its name
 /// tell whether it is a link, answers to grade, a glTF to take the camera from, or a scene to open.
-pub(super) fn dropped(path: PathBuf) -> Action {
+fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
     match host().open(&path).map(|file| file.take(FIRST).read_to_end(&mut bytes)) {
         Ok(Ok(_)) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
-        Ok(Ok(_)) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
-        _ if is_gltf(&path) => ExchangeAction::Import(path).into(),
+        Ok(Ok(_)) if answers::are_meant(&path, &bytes) => Action::Use(FileUse::CheckAnswers, path),
+        _ if is_gltf(&path) => Action::Use(FileUse::Import, path),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
@@ -149,13 +126,6 @@ fn link_in(bytes: &[u8]) -> Option<String> {
 pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
     let session = &mut scene.session;
     match action {
-        AnswersAction::Ask => {
-            // Start in the folder of the last answers, or of the scene.
-            let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let near = last.or(scene.open.file());
-            return Some(Dialog::file(ANSWERS, near, "", AnswersAction::Check));
-        }
-        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Question),
         AnswersAction::PutAway => {
             session.answers = None;
             if session.shown.setup.layout == ViewLayout::Answers {
@@ -214,6 +184,77 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
+    /// Returns the dialog that asks for a file, at first in a folder and with a name that suit its use; `None` if
+    /// there is nothing to save.
+    pub(super) fn ask(&self, of: FileUse) -> Option<Dialog> {
+        const STEP: &str = "Save this view at the end of a lesson, or begin one";
+        const NUMBERS: &str = "path of a glTF or of a text with numbers";
+        const ANSWERS: &str = "path of a .csv or .png file of answers";
+        let (title, endings, hint): (_, &[_], _) = match of {
+            FileUse::Open => ("Open a scene", &["toml"], "path of a .toml scene"),
+            FileUse::SaveAs(_) => ("Save the scene as", &["toml"], "path of a .toml scene"),
+            FileUse::SavePage => {
+                ("Save as a page for a browser", &["html"], "path of a .html file")
+            }
+            FileUse::SaveStep => (STEP, &["toml"], "path of a lesson; a new file begins one"),
+            FileUse::Import => ("Import a camera", &["gltf", "glb", "txt"], NUMBERS),
+            FileUse::SaveCamera => ("Save the camera for another program", &[], "path of the file"),
+            FileUse::CheckAnswers => ("Check a student's answers", &["csv", "png"], ANSWERS),
+        };
+        let OpenScene { open, session, lessons, .. } = &self.scene;
+        let last = match of {
+            FileUse::SaveStep => lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref()),
+            FileUse::CheckAnswers => session.answers.as_ref().map(|answers| &*answers.file.path),
+            _ => None,
+        };
+        let format = session.translator.chosen();
+        let (name, writes) = match of {
+            FileUse::Open | FileUse::Import | FileUse::CheckAnswers => (PathBuf::new(), None),
+            FileUse::SaveAs(_) => (open.file_name().into(), Some("toml")),
+            FileUse::SavePage => {
+                (Path::new(&open.file_name()).with_extension("html"), Some("html"))
+            }
+            FileUse::SaveStep => {
+                let name = last.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
+                (name.into(), Some("toml"))
+            }
+            FileUse::SaveCamera if translated(&self.scene).is_none() => return None,
+            FileUse::SaveCamera => (format.file.into(), Some(format.ending())),
+        };
+        let question = FileQuestion { title, endings, hint, writes };
+        let mut field = PathField::new(question, last.or(open.file()), &name.to_string_lossy());
+        field.adds = of == FileUse::SaveStep;
+        Some(Dialog::File(field, of))
+    }
+
+    /// Uses a file as it was asked for. Returns a dialog if the user must answer a question or read a message.
+    pub(super) fn use_file(&mut self, ctx: &Context, of: FileUse, path: PathBuf) -> Option<Dialog> {
+        match of {
+            FileUse::Open => {
+                self.apply(ctx, dropped(path));
+                None
+            }
+            FileUse::SaveAs(then) => self.save_to(ctx, &path, then),
+            FileUse::SavePage => {
+                let saved = save_page(&self.scene, &path);
+                self.say_written(saved, "Saved to", &path, "The page was not saved")
+            }
+            FileUse::SaveStep => self.save_step(&path),
+            FileUse::Import => {
+                let taken = imported(&path, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "import a camera");
+                None
+            }
+            FileUse::SaveCamera => {
+                let saved = save_translation(&self.scene, &path).map(|()| Vec::new());
+                self.say_written(saved, "Saved to", &path, "The camera was not saved")
+            }
+            FileUse::CheckAnswers => {
+                check(&mut self.scene.session, &path).err().map(Dialog::Question)
+            }
+        }
+    }
+
     /// Applies an action on figures or animations to export. Returns a dialog if the user must answer a
     /// question or read a message.
     pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
@@ -225,7 +266,7 @@ impl App {
                 Some(Dialog::Export(self.export_form(ctx, &subjects)))
             }
             FigureAction::Export(order, path) => {
-                let exported = self.export(&order, &path);
+                let exported = self.export(&order, &path).map(|()| Vec::new());
                 self.say_written(exported, "Exported to", &path, "The figure was not exported")
             }
             FigureAction::AskAnimation => {

@@ -17,7 +17,7 @@ use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Hovered, NumberStyle, Session, Shown, ViewLayout, Workspace};
 use crate::ui::action::{
-    Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
+    Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
 };
 use crate::ui::app::question::in_views;
@@ -131,7 +131,7 @@ impl App {
             }
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
             if let Some(path) = dropped {
-                request(ctx, files::dropped(path));
+                request(ctx, Action::Use(FileUse::Open, path));
             }
         }
         if self.window.is_to_close(ctx) {
@@ -499,7 +499,7 @@ impl App {
                 let can_undo = self.history.steps.undo_name().is_some();
                 let undo = ui.add_enabled(can_undo, egui::Button::new("Undo and go on"));
                 if undo.on_hover_text("Goes on without the last change").clicked() {
-                    self.undo_or_redo(&ctx, HistoryAction::Undo);
+                    self.undo_or_redo(&ctx, false);
                     stays = false;
                 }
                 if ui.button("Copy a report").clicked() {

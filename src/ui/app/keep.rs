@@ -9,15 +9,7 @@ use pinhole_exchange::limits;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::{Lesson, with_step};
-use crate::ui::action::FileAction;
-use crate::ui::dialogs::{Dialog, FileQuestion, PathField};
-
-const SAVE_STEP: FileQuestion = FileQuestion {
-    title: "Save this view at the end of a lesson, or begin one",
-    endings: &["toml"],
-    hint: "path of a lesson; a new file begins one",
-    writes: Some("toml"),
-};
+use crate::ui::dialogs::Dialog;
 
 /// Why the view of an exercise is not kept.
 const OF_EXERCISE: &str = "An exercise has a scene of its own: close it first.";
@@ -33,16 +25,6 @@ impl App {
         None
     }
 
-    /// Returns the dialog that asks for a lesson file, at first for the one that was opened or saved last.
-    pub(super) fn ask_save_step(&self) -> Dialog {
-        let known = self.scene.lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref());
-        let name = known.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
-        let place = known.or(self.scene.open.file());
-        let mut field = PathField::new(SAVE_STEP, place, &name.to_string_lossy());
-        field.adds = true;
-        Dialog::File(field, Box::new(|path| FileAction::SaveStep(path).into()))
-    }
-
     /// Adds what is shown to a lesson file, as its last step. Returns a message if that fails.
     pub(super) fn save_step(&mut self, path: &Path) -> Option<Dialog> {
         let lesson = self.write_step(path);
@@ -52,6 +34,7 @@ impl App {
         let written = lesson.map(|lesson| {
             self.scene.lessons.is_longer(lesson);
             self.window.remember(path);
+            Vec::new()
         });
         self.say_written(written, &verb, path, "This view was not saved")
     }

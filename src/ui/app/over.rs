@@ -8,7 +8,7 @@ use pinhole_exchange::scenes::SceneSource;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
-use crate::ui::action::{HelpAction, Leave};
+use crate::ui::action::Leave;
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::share::ShownCode;
@@ -24,8 +24,8 @@ pub(super) struct Overlays {
     pub(super) has_desktop: bool,
     /// The code that is shown over the figure while presenting.
     pub(super) code: Option<ShownCode>,
-    palette: Option<CommandPalette>,
-    shows_keys: bool,
+    pub(super) palette: Option<CommandPalette>,
+    pub(super) shows_keys: bool,
     /// True if the focus was last moved by the keyboard. A ring then shows the focus.
     by_keyboard: bool,
 }
@@ -55,16 +55,6 @@ impl Overlays {
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
         dialogs::answer(&mut self.dialog, answer);
-    }
-
-    /// Opens an entry of the Help menu.
-    pub(super) fn apply(&mut self, action: HelpAction) {
-        match action {
-            HelpAction::Palette => self.palette = Some(CommandPalette::default()),
-            HelpAction::Keys => self.shows_keys = true,
-            HelpAction::Conventions => self.dialog = Some(help::conventions()),
-            HelpAction::About => self.dialog = Some(help::about()),
-        }
     }
 
     /// Draws the focus ring.

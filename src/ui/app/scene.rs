@@ -17,9 +17,9 @@ use crate::model::observer::{Drawn, ORDINARY_ASPECT};
 use crate::model::play::Kind;
 use crate::model::session::resolve;
 use crate::model::{
-    Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, ViewLayout, ViewSize,
+    Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, Shown, ViewLayout, ViewSize,
 };
-use crate::ui::action::{GhostAction, ObjectAction, Observe};
+use crate::ui::action::{ObjectAction, Observe};
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::panels::{camera, objects};
 use crate::view::overlay::{GhostCamera, Under, drawn, drawn_of};
@@ -258,22 +258,19 @@ impl OpenScene {
         self.session.shown.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, with which it is then compared, or removes the ghost.
-    pub(super) fn change_ghost(&mut self, action: GhostAction) {
-        let (camera, ghost) = (self.open.document.camera, &mut self.session.shown.ghost);
-        match action {
-            GhostAction::Freeze => {
-                let shows_differences = ghost.is_some_and(|known| known.shows_differences);
-                *ghost = Some(Ghost { camera, shows_differences });
-            }
-            GhostAction::Drop => {
-                *ghost = None;
-                // Without a ghost, half of the comparison would be empty.
-                let layout = &mut self.session.shown.setup.layout;
-                if *layout == ViewLayout::Compare {
-                    *layout = ViewLayout::Both;
-                }
-            }
+    /// Freezes the camera as the ghost, with which it is then compared.
+    pub(super) fn freeze_ghost(&mut self) {
+        let ghost = &mut self.session.shown.ghost;
+        let shows_differences = ghost.is_some_and(|known| known.shows_differences);
+        *ghost = Some(Ghost { camera: self.open.document.camera, shows_differences });
+    }
+
+    /// Removes the ghost. Half of the comparison would be empty without it.
+    pub(super) fn drop_ghost(&mut self) {
+        let Shown { ghost, setup, .. } = &mut self.session.shown;
+        *ghost = None;
+        if setup.layout == ViewLayout::Compare {
+            setup.layout = ViewLayout::Both;
         }
     }
 

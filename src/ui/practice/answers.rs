@@ -10,7 +10,7 @@ use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::Session;
 use crate::model::symbols::typeset_message;
-use crate::ui::action::{AnswersAction, LookAction};
+use crate::ui::action::{Action, AnswersAction, FileUse, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::{Derived, SecondPicture};
@@ -108,10 +108,10 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
 
 fn buttons(ui: &mut Ui, session: &mut Session) {
     ui.horizontal(|ui| {
-        ui.button("Check answers…").asks(AnswersAction::Ask);
+        ui.button("Check answers…").asks(FileUse::CheckAnswers);
         let Some(answers) = &mut session.answers else { return };
         let again = ui.button("Read again").on_hover_text("Reads the file as it is now");
-        again.asks(AnswersAction::Check(answers.file.path.clone()));
+        again.asks(Action::Use(FileUse::CheckAnswers, answers.file.path.clone()));
         ui.button("Close the answers").asks(AnswersAction::PutAway);
         if !answers.are_numbered() {
             return;

@@ -8,7 +8,7 @@ use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
 use crate::model::{Ghost, Inspection, NumberStyle, Session};
-use crate::ui::action::GhostAction;
+use crate::ui::action::Action;
 use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
 use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
 use crate::view::typesetting::theme::STACKED;
@@ -69,9 +69,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let style = style.at_most(DIGITS);
     ui.horizontal_wrapped(|ui| {
         let freeze = ui.button("Freeze").named("Freeze the camera as a ghost");
-        freeze.asks(GhostAction::Freeze);
+        freeze.asks(Action::FreezeGhost);
         let remove = ui.add_enabled(ghost.is_some(), egui::Button::new("Remove"));
-        remove.named("Remove the ghost").asks(GhostAction::Drop);
+        remove.named("Remove the ghost").asks(Action::DropGhost);
         if let Some(against) = against {
             ui.add_space(8.0);
             ui.strong(share_that_differs(against));

@@ -17,7 +17,7 @@ use pinhole_exchange::programs::FORMATS;
 use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
 use crate::model::translator::{ConventionRow, MOST_OBJECTS, Notice, Translation, Translator};
-use crate::ui::action::ExchangeAction;
+use crate::ui::action::{Action, FileUse};
 use crate::ui::widgets::{ResponseExt as _, cell};
 use crate::view::typesetting::theme::error_color;
 
@@ -58,8 +58,8 @@ pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
             ui.ctx().copy_text(written.text.text.clone());
         }
         let save = ui.add_enabled(can, egui::Button::new("Save as a file…"));
-        save.asks(ExchangeAction::AskSave);
-        ui.button("Paste a camera").asks(ExchangeAction::AskPaste);
+        save.asks(FileUse::SaveCamera);
+        ui.button("Paste a camera").asks(Action::AskPaste);
         let few = document.object_count() <= MOST_OBJECTS;
         let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
         let many = "There are too many to show: pinhole export writes them";
