@@ -56,7 +56,7 @@ pub struct Figure {
     /// The background colour; `None` if the figure is transparent.
     ground: Option<Color32>,
     /// The raster image below everything else, which fills the figure; `None` if there is none. It has the
-    /// figure's size or, for a vector format, may be [finer](Order::refine).
+    /// figure's size or, for a vector format, may be [finer](Order::figure_as).
     picture: Option<ColorImage>,
     /// The spheres drawn over the picture.
     spheres: SphereEdges,

@@ -365,9 +365,7 @@ impl App {
                 derivation_of(document, &session).written_in(markup).into_bytes()
             }
             Content::Figure(format) => {
-                let mut figure = self.figure(order)?;
-                order.refine(&mut figure, format, document, &session)?;
-                figure.to_file(format)?
+                order.figure_as(format, document, &session)?.to_file(format)?
             }
         };
         host().write(path, &bytes).map_err(|error| error.to_string())
