@@ -7,16 +7,14 @@ use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Stroke, Tooltip,
-    Ui, pos2, vec2,
+    Align, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Stroke, Tooltip, Ui,
+    pos2, vec2,
 };
 use pinhole_exchange::document::Document;
 
-use crate::model::{
-    Concept, DerivationSection, Givens, HoverSource, Hovered, Session, Shown, ViewLayout,
-};
+use crate::model::{Concept, DerivationSection, Givens, HoverSource, Session, Shown, ViewLayout};
 use crate::ui::action::{Action, request};
-use crate::ui::widgets::{NumberField, ResponseExt as _};
+use crate::ui::widgets::{NumberField, ResponseExt as _, is_about};
 use crate::view::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
 use crate::view::formula::GivenBox;
 use crate::view::typesetting::derivation::{
@@ -31,8 +29,6 @@ pub(crate) struct DerivationPanel {
     laid: Option<Laid>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
-    /// The ids of the number fields in the formulas, each with the concept of the line that contains it.
-    fields: Vec<(Id, Option<Concept>)>,
     /// The number of lines that were revealed in the last egui pass; `None` if lines are not revealed one by
     /// one.
     revealed: Option<usize>,
@@ -86,28 +82,6 @@ impl<'a> DerivationPass<'a> {
 }
 
 impl DerivationPanel {
-    /// Returns the concept of the line under the mouse or, if there is none, of the line with the keyboard
-    /// focus, in the derivation as last drawn.
-    pub(crate) fn hovered(&self, ctx: &Context) -> Option<Hovered> {
-        let laid = self.laid.as_ref()?;
-        let focused = ctx.memory(|memory| memory.focused());
-        let (mut hovered, mut has_focus) = (None, None);
-        let sections = laid.derivation.sections.iter().zip(&laid.lines);
-        let lines = sections.flat_map(|(section, lines)| section.lines.iter().zip(lines));
-        let lines = lines.map(|(line, laid)| (laid.id, line.concept));
-        for (id, concept) in lines.chain(self.fields.iter().copied()) {
-            if focused == Some(id) {
-                has_focus = concept;
-            }
-            let is_held = |response: Response| response.hovered() || response.dragged();
-            if ctx.read_response(id).is_some_and(is_held) {
-                hovered = concept;
-            }
-        }
-        let concept = hovered.or(has_focus)?;
-        Some(Hovered { concept, by: HoverSource::Derivation })
-    }
-
     /// Returns the width of the panel when it was last shown, in points.
     pub(crate) fn width(&self) -> Option<f32> {
         self.laid.as_ref().map(|laid| laid.width)
@@ -135,7 +109,6 @@ impl DerivationPanel {
             goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
             ..DerivationPass::new(ui, document, session)
         };
-        self.fields.clear();
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, derivation, SIZE);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
@@ -167,7 +140,6 @@ impl DerivationPanel {
         session: &Session,
         size: f32,
     ) {
-        self.fields.clear();
         self.lay_out(ui, derivation, size);
         let Some(laid) = self.laid.as_ref().filter(|_| !session.shown.is_asking) else { return };
         let frame = DerivationPass::new(ui, document, session);
@@ -188,7 +160,7 @@ impl DerivationPanel {
             let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
             let response = show(ui, line, laid, frame.inks, is_lit);
             if frame.is_editable {
-                self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+                fields(ui, line, laid, &response, &frame.givens);
             }
         }
     }
@@ -239,7 +211,7 @@ impl DerivationPanel {
                 continue;
             }
             let response = show(ui, line, laid, frame.inks, is_lit(line));
-            self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+            fields(ui, line, laid, &response, &frame.givens);
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
             if is_goal {
                 frame.goal = None;
@@ -302,6 +274,7 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     // The accessible value of a plain text is the text.
     let mut response = ui.interact(rect, laid.id, Sense::click()).with_role(Role::Label);
     response = response.spoken(laid.text.as_str());
+    is_about(&response, line.concept, HoverSource::Derivation);
     if response.clicked() {
         response.request_focus();
     }
@@ -330,18 +303,14 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     response
 }
 
-/// Shows the fields of a line's input numbers. Returns the field's ids with the line's concept.
-fn fields(
-    ui: &mut Ui,
-    line: &DerivedLine,
-    laid: &LaidLine,
-    response: &Response,
-    givens: &Givens,
-) -> Vec<(Id, Option<Concept>)> {
-    let baseline = baseline_of(response.rect, laid);
-    let shown = laid.layout.givens.iter();
-    let fields = shown.filter_map(|given| field(ui, given, baseline, laid.size, givens));
-    fields.map(|field| (field.id, line.concept)).collect()
+/// Shows the fields of a line's input numbers.
+fn fields(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, whole: &Response, givens: &Givens) {
+    let baseline = baseline_of(whole.rect, laid);
+    for given in &laid.layout.givens {
+        if let Some(field) = field(ui, given, baseline, laid.size, givens) {
+            is_about(&field, line.concept, HoverSource::Derivation);
+        }
+    }
 }
 
 /// Distance between the dots of the dotted underline of an editable number, in points.

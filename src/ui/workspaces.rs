@@ -1,12 +1,12 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
 
 use crate::figures::FigureSubject;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::{Session, Split, ViewLayout};
-use crate::model::{Hovered, NumberStyle};
+use crate::model::{HoverSource, NumberStyle};
 use crate::ui::derivation::{self, DerivationPanel};
 use crate::ui::practice::gallery::Gallery;
 use crate::ui::practice::{answers, class, mistakes};
@@ -31,9 +31,9 @@ pub(crate) struct Page {
     pub(crate) second: Option<SecondPicture>,
     /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Returns the concept (such as a vector or an object) that is under the pointer, or has the keyboard
-    /// focus, in `rest`.
-    pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
+    /// What in `rest` lights its concept, such as a vector or an object, in the views while the pointer or the
+    /// keyboard focus is on it.
+    pub(crate) lights: Option<HoverSource>,
     /// The subject of the page's figure.
     pub(crate) figure: FigureSubject,
 }
@@ -68,7 +68,7 @@ impl Page {
         areas: |divider| divider.figure_and_column(),
         second: None,
         rest: |_, _| (),
-        hovered: |_, _, _| None,
+        lights: None,
         figure: FigureSubject::World,
     };
 }
@@ -83,7 +83,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 false => divider.figure_and_column(),
             },
             rest: numbers,
-            hovered: |ctx, _, _| readouts::hovered(ctx),
+            lights: Some(HoverSource::Numbers),
             ..Page::VIEWS
         },
         ViewLayout::World => Page {
@@ -101,7 +101,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             follows_pointer: true,
             areas: |divider| divider.stack_beside(),
             rest: derived_lines,
-            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+            lights: Some(HoverSource::Derivation),
             figure: FigureSubject::Derivation,
             ..Page::VIEWS
         },
@@ -119,7 +119,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 Areas { world: Some(left), camera: Some(right), second: None, rest }
             },
             rest: |ui, context| plot::ui(ui, context.session, context.derived),
-            hovered: |ctx, _, derived| plot::hovered(ctx, derived),
+            lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
         },
         ViewLayout::Lines => Page {
@@ -157,7 +157,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::Exercises => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
-            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+            lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
         },
         ViewLayout::Answers => Page {

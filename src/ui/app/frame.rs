@@ -28,7 +28,7 @@ use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::{Stage, navigation};
-use crate::ui::widgets::clipped;
+use crate::ui::widgets::{clipped, pointed_at};
 use crate::ui::workspaces::{Page, PageContext, page};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme;
@@ -378,7 +378,7 @@ impl App {
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
             hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
-                .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));
+                .or_else(|| pointed_at(ui.ctx(), page.lights?));
         }
         scene.session.live.hovered = hovered;
         scene.session.live.pointed_ray = pointed_ray;

@@ -4,13 +4,13 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, Context, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider,
-    Stroke, Ui, Vec2, pos2, vec2,
+    Align2, Color32, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider, Stroke,
+    Ui, Vec2, pos2, vec2,
 };
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
-use crate::model::{Concept, HoverSource, Hovered, Inspection, Session};
-use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
+use crate::model::{Concept, HoverSource, Inspection, Session};
+use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, is_about, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
 use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
@@ -118,18 +118,6 @@ fn objects_at(plot: &Plot, values: &[f64]) -> String {
     }
 }
 
-/// Returns, as a concept, the object whose text next to the plot was under the mouse in the last frame.
-pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
-    let mut objects = derived.plot.as_ref()?.curves.iter().map(|curve| curve.named.object);
-    let response = |object: &u32| ctx.read_response(curve_text_id(*object));
-    let object = objects.find(|k| response(k).is_some_and(|text| text.hovered()))?;
-    Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
-}
-
-fn curve_text_id(object: u32) -> Id {
-    Id::unique(("said of a curve", object))
-}
-
 /// Shows the text about a curve: a sample of its line, its title and description, and the value of f at the
 /// point on the ray.
 fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
@@ -151,7 +139,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, dig
             text(ui, &format!("at t {}: {reading}", equated(*t, digits)));
         }
     });
-    ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
+    let (area, id) = (title.response.rect | words.response.rect, ("said of a curve", object));
+    let response = ui.interact(area, Id::unique(id), Sense::hover());
+    is_about(&response, Some(Concept::Object(object)), HoverSource::Derivation);
 }
 
 /// Size of the text in the drawing, in points.

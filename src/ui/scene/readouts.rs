@@ -5,19 +5,17 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{
-    Align, Context, FontId, Grid, Id, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui,
-};
+use egui::{Align, FontId, Grid, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui};
 use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
-use crate::model::concept::{HoverSource, Hovered};
+use crate::model::concept::HoverSource;
 use crate::model::inspection::Inspection;
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
 use crate::model::{Item, OverlayItems};
-use crate::ui::widgets::{ResponseExt as _, vector_color};
+use crate::ui::widgets::{ResponseExt as _, is_about, vector_color};
 use crate::view::derive::Derived;
 use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme;
@@ -123,7 +121,7 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
 /// Sets a label's text for screen readers and its tooltip to the text and the meaning of the reading that it
 /// shows. Hovering the label highlights the reading's concept in the views.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
-    point(&label, reading);
+    is_about(&label, reading.concept, HoverSource::Numbers);
     let label = label.spoken(written(reading, style));
     if !reading.meaning().is_empty() {
         label.on_hover_text(reading.meaning());
@@ -141,10 +139,10 @@ fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
     Grid::new(title).num_columns(2).show(ui, |ui| {
         for reading in readings {
             let name = ui.label(name_of(ui, reading, true, size));
-            point(&name, reading);
+            is_about(&name, reading.concept, HoverSource::Numbers);
             name.on_hover_text(reading.meaning());
             let value = ui.label(style.equated_value(&reading.value));
-            point(&value, reading);
+            is_about(&value, reading.concept, HoverSource::Numbers);
             value.spoken(written(reading, style));
             ui.end_row();
         }
@@ -336,34 +334,4 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
     };
     let uv = style.equated_value(&ReadingValue::Uv(inspection.uv));
     format!("{}(𝑢, 𝑣) {uv}\n{hit}", pixel.unwrap_or_default())
-}
-
-/// The readout that was under the mouse in the last egui pass: the id of its label, and the concept that it
-/// is about.
-#[derive(Clone, Copy, PartialEq)]
-struct Pointed(Id, Hovered);
-
-fn pointed_key() -> Id {
-    Id::unique("number that is pointed at")
-}
-
-/// Stores the concept of a reading if the mouse is on its label.
-fn point(label: &Response, reading: &Reading) {
-    let Some(concept) = reading.concept.filter(|_| label.hovered()) else { return };
-    let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
-    if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
-        label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
-        // The views are drawn before the numbers, so they show the highlight only in the next pass.
-        label.ctx.request_repaint();
-    }
-}
-
-/// Returns the concept of the number under the mouse.
-pub(crate) fn hovered(ctx: &Context) -> Option<Hovered> {
-    let Pointed(id, hovered) = ctx.data(|data| data.get_temp(pointed_key()))?;
-    let is_on = ctx.read_response(id).is_some_and(|response| response.hovered());
-    if !is_on {
-        ctx.data_mut(|data| data.remove::<Pointed>(pointed_key()));
-    }
-    is_on.then_some(hovered)
 }
