@@ -121,37 +121,6 @@ fn link_in(bytes: &[u8]) -> Option<String> {
     link::is_meant(text).then(|| text.to_owned())
 }
 
-/// Applies an action on a student's answers. Returns a dialog if the user must answer a question or read a
-/// message.
-pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
-    let session = &mut scene.session;
-    match action {
-        AnswersAction::PutAway => {
-            session.answers = None;
-            if session.shown.setup.layout == ViewLayout::Answers {
-                session.shown.setup.layout = ViewLayout::Both;
-            }
-        }
-        AnswersAction::AskStartOver => {
-            let text = "No exercise is done then, and what was typed in them is gone.";
-            let yes = Some(AnswersAction::StartOver.into());
-            let answers = vec![("Start over", "", yes), ("Cancel", "", None)];
-            let title = "Start the exercises over?".to_owned();
-            return Some(Dialog::Question(Question::new(title, text, answers)));
-        }
-        AnswersAction::StartOver => {
-            let exercises = &session.exercises;
-            let opened = Exercises::open(exercises.question().exercise, exercises.seed());
-            (session.exercises, session.progress) = (opened, Progress::default());
-        }
-        AnswersAction::AddCodes(text) => {
-            session.class.add(&text);
-            session.shown.setup.layout = ViewLayout::Class;
-        }
-    }
-    None
-}
-
 /// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the
 /// file does.
 fn check(session: &mut Session, path: &Path) -> Result<(), Question> {
@@ -184,9 +153,8 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
-    /// Returns the dialog that asks for a file, at first in a folder and with a name that suit its use; `None` if
-    /// there is nothing to save.
-    pub(super) fn ask(&self, of: FileUse) -> Option<Dialog> {
+    /// Asks for a file, at first in a folder and with a name that suit its use, unless there is nothing to save.
+    pub(super) fn ask(&mut self, of: FileUse) {
         const STEP: &str = "Save this view at the end of a lesson, or begin one";
         const NUMBERS: &str = "path of a glTF or of a text with numbers";
         const ANSWERS: &str = "path of a .csv or .png file of answers";
@@ -218,22 +186,19 @@ impl App {
                 let name = last.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
                 (name.into(), Some("toml"))
             }
-            FileUse::SaveCamera if translated(&self.scene).is_none() => return None,
+            FileUse::SaveCamera if translated(&self.scene).is_none() => return,
             FileUse::SaveCamera => (format.file.into(), Some(format.ending())),
         };
         let question = FileQuestion { title, endings, hint, writes };
         let mut field = PathField::new(question, last.or(open.file()), &name.to_string_lossy());
         field.adds = of == FileUse::SaveStep;
-        Some(Dialog::File(field, of))
+        self.over.open(Dialog::File(field, of));
     }
 
-    /// Uses a file as it was asked for. Returns a dialog if the user must answer a question or read a message.
-    pub(super) fn use_file(&mut self, ctx: &Context, of: FileUse, path: PathBuf) -> Option<Dialog> {
+    /// Uses a file as it was asked for.
+    pub(super) fn use_file(&mut self, ctx: &Context, of: FileUse, path: PathBuf) {
         match of {
-            FileUse::Open => {
-                self.apply(ctx, dropped(path));
-                None
-            }
+            FileUse::Open => self.apply(ctx, dropped(path)),
             FileUse::SaveAs(then) => self.save_to(ctx, &path, then),
             FileUse::SavePage => {
                 let saved = save_page(&self.scene, &path);
@@ -243,38 +208,68 @@ impl App {
             FileUse::Import => {
                 let taken = imported(&path, &self.scene.open.document.camera);
                 self.take_camera(ctx, taken, "import a camera");
-                None
             }
             FileUse::SaveCamera => {
                 let saved = save_translation(&self.scene, &path).map(|()| Vec::new());
                 self.say_written(saved, "Saved to", &path, "The camera was not saved")
             }
             FileUse::CheckAnswers => {
-                check(&mut self.scene.session, &path).err().map(Dialog::Question)
+                if let Err(problem) = check(&mut self.scene.session, &path) {
+                    self.over.ask(problem);
+                }
             }
         }
     }
 
-    /// Applies an action on figures or animations to export. Returns a dialog if the user must answer a
-    /// question or read a message.
-    pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
+    /// Applies an action on a student's answers, on the exercises or on a class's answers.
+    pub(super) fn answers_action(&mut self, action: AnswersAction) {
+        let Session { answers, exercises, progress, class, shown, .. } = &mut self.scene.session;
+        let layout = &mut shown.setup.layout;
+        match action {
+            AnswersAction::PutAway => {
+                *answers = None;
+                if *layout == ViewLayout::Answers {
+                    *layout = ViewLayout::Both;
+                }
+            }
+            AnswersAction::AskStartOver => {
+                let text = "No exercise is done then, and what was typed in them is gone.";
+                let yes = Some(AnswersAction::StartOver.into());
+                let answers = vec![("Start over", "", yes), ("Cancel", "", None)];
+                let title = "Start the exercises over?".to_owned();
+                self.over.ask(Question::new(title, text, answers));
+            }
+            AnswersAction::StartOver => {
+                let opened = Exercises::open(exercises.question().exercise, exercises.seed());
+                (*exercises, *progress) = (opened, Progress::default());
+            }
+            AnswersAction::AddCodes(text) => {
+                class.add(&text);
+                *layout = ViewLayout::Class;
+            }
+        }
+    }
+
+    /// Applies an action on figures or animations to export.
+    pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) {
         match action {
             FigureAction::Ask => {
                 let first = self.layout_subject();
                 let mut subjects = FigureSubject::ALL.to_vec();
                 subjects.sort_by_key(|subject| *subject != first);
-                Some(Dialog::Export(self.export_form(ctx, &subjects)))
+                self.over.open(Dialog::Export(self.export_form(ctx, &subjects)));
             }
             FigureAction::Export(order, path) => {
                 let exported = self.export(&order, &path).map(|()| Vec::new());
                 self.say_written(exported, "Exported to", &path, "The figure was not exported")
             }
             FigureAction::AskAnimation => {
-                let player = self.playback.player.as_mut()?;
+                let Some(player) = &mut self.playback.player else { return };
                 player.running = false;
                 let kind = player.kind;
                 let subjects = [FigureSubject::World, FigureSubject::Camera];
-                Some(Dialog::Export(self.export_form(ctx, &subjects).animated(kind)))
+                let form = self.export_form(ctx, &subjects).animated(kind);
+                self.over.open(Dialog::Export(form));
             }
             FigureAction::ExportAnimation(order, frames, path) => {
                 self.export_animation(order, frames, path)
@@ -284,7 +279,6 @@ impl App {
                 let (document, session) = self.figure_source();
                 ctx.copy_text(derivation_of(document, &session).written_in(markup));
                 self.say(format!("Copied as {}", markup.label()), Vec::new());
-                None
             }
         }
     }
@@ -304,16 +298,15 @@ impl App {
     }
 
     /// Copies a figure of the open page to the clipboard, at the page's size on the screen.
-    fn copy_figure(&mut self, ctx: &Context) -> Option<Dialog> {
+    fn copy_figure(&mut self, ctx: &Context) {
         let shown = self.on_screen(ctx, self.layout_subject());
         let order = shown.order(shown.dots(), self.figure_style(ctx), false);
         match self.figure(&order) {
             Ok(figure) => {
                 ctx.copy_image(ColorImage::new(figure.size, figure.to_pixels()));
                 self.say("The figure is on the clipboard".to_owned(), Vec::new());
-                None
             }
-            Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
+            Err(problem) => self.tell("The figure was not copied", problem),
         }
     }
 

@@ -139,7 +139,7 @@ impl App {
             let has_changes = self.scene.open.has_changes();
             self.window.let_close(ctx, !has_changes);
             if has_changes {
-                self.over.dialog = Some(self.ask_about_changes(Leave::Quit));
+                self.ask_about_changes(Leave::Quit);
             }
         }
         self.window.kept.window.update(ctx);

@@ -12,7 +12,7 @@ use crate::ui::action::Leave;
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
 use crate::ui::dialogs::share::ShownCode;
-use crate::ui::dialogs::{self, Dialog, FileAnswer, help};
+use crate::ui::dialogs::{self, Dialog, FileAnswer, Question, help};
 use crate::ui::widgets::ResponseExt as _;
 use crate::view::typesetting::theme;
 
@@ -48,6 +48,11 @@ impl Overlays {
             dialog.leave_to_desktop();
         }
         self.dialog = Some(dialog);
+    }
+
+    /// Asks a question, or shows a message.
+    pub(super) fn ask(&mut self, question: Question) {
+        self.open(Dialog::Question(question));
     }
 
     /// Passes on the answer of the desktop's file dialog, and stops using that dialog if it does not

@@ -20,7 +20,7 @@ use crate::model::{
     Ghost, Item, Live, Observer, OpenDocument, OverlayItems, Session, Shown, ViewLayout, ViewSize,
 };
 use crate::ui::action::{ObjectAction, Observe};
-use crate::ui::dialogs::{Dialog, Question};
+use crate::ui::dialogs::Question;
 use crate::ui::panels::{camera, objects};
 use crate::view::overlay::{GhostCamera, Under, drawn, drawn_of};
 
@@ -228,27 +228,28 @@ impl OpenScene {
         }
     }
 
-    /// Adds an object, or deletes or copies the chosen one. Returns a message if that fails.
-    pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
+    /// Adds an object, or deletes or copies the chosen one. If that fails, returns what failed and why.
+    pub(super) fn change_objects(
+        &mut self,
+        action: ObjectAction,
+    ) -> Result<(), (&'static str, String)> {
         let document = &mut self.open.document;
-        let count = document.object_count();
-        let chosen = self.chosen_object.filter(|chosen| *chosen < count);
-        match action {
-            ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
-            ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
-            ObjectAction::Delete => {
-                let deleted = objects::delete(document, chosen?);
-                let problem = |reason| Dialog::message("This object was not deleted", reason);
-                return deleted.map(|()| self.chosen_object = None).err().map(problem);
+        let chosen = self.chosen_object.filter(|chosen| *chosen < document.object_count());
+        self.chosen_object = match (action, chosen) {
+            (ObjectAction::AddSphere, _) => Some(objects::add_sphere(document)),
+            (ObjectAction::AddPlane, _) => Some(objects::add_plane(document)),
+            (_, None) => return Ok(()),
+            (ObjectAction::Delete, Some(chosen)) => {
+                let problem = |reason| ("This object was not deleted", reason);
+                objects::delete(document, chosen).map_err(problem)?;
+                None
             }
-            ObjectAction::Duplicate => match objects::duplicate(document, chosen?) {
-                Ok(copy) => self.chosen_object = Some(copy),
-                Err(reason) => {
-                    return Some(Dialog::message("This object was not duplicated", reason));
-                }
-            },
-        }
-        None
+            (ObjectAction::Duplicate, Some(chosen)) => {
+                let problem = |reason| ("This object was not duplicated", reason);
+                Some(objects::duplicate(document, chosen).map_err(problem)?)
+            }
+        };
+        Ok(())
     }
 
     /// Replaces the camera. The selected pixel keeps its position in the image.
