@@ -7,7 +7,7 @@ use pinhole_exchange::{Document, limits, scene_file};
 
 use super::console::{CommandError, read, scene_fault, warn};
 use crate::cli::arguments::{ExportArguments, ImportArguments};
-use crate::cli::load::{deliver, files_of, load, pose};
+use crate::cli::load::{deliver, files_of, load, pose, refuse_overwriting};
 
 /// `pinhole export`: writes the camera and the scene in another program's format.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
@@ -31,6 +31,8 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
 
 /// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
+    let (inputs, output) = (std::slice::from_ref(&arguments.file), arguments.output.as_deref());
+    refuse_overwriting(inputs, output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::FOREIGN)?;
     let text = file_text(path, bytes)?;
     let text = Input { path, text: &text };
@@ -42,7 +44,6 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         ..Document::default()
     };
     let scene = scene_file::to_text(&document, None);
-    let (inputs, output) = (std::slice::from_ref(&arguments.file), arguments.output.as_deref());
     deliver(output, inputs, |out| out.write_all(scene.as_bytes()))?;
     taken.notes.iter().for_each(|note| warn(note));
     Ok(())

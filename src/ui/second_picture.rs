@@ -3,11 +3,11 @@
 
 use egui::{Rect, Ui};
 
+use crate::ui::PageContext;
 use crate::ui::practice::{answers, mistakes};
 use crate::ui::scene::{compare, views};
 use crate::ui::tools::accuracy;
 use crate::ui::widgets::no_picture;
-use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
 /// Returns the picture's name for screen readers. While a question is open, it does not say which camera is

@@ -4,19 +4,16 @@
 use egui::{Align, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
 
 use crate::figures::FigureSubject;
-use crate::model::files::{OpenDocument, title_of};
-use crate::model::session::{Session, Split, ViewLayout};
-use crate::model::{HoverSource, NumberStyle};
-use crate::ui::derivation::{self, DerivationPanel};
-use crate::ui::practice::gallery::Gallery;
+use crate::model::HoverSource;
+use crate::model::session::{Split, ViewLayout};
 use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
 use crate::ui::scene::{compare, readouts};
-use crate::ui::tools::accuracy::{self, Measuring};
-use crate::ui::tools::translator;
-use crate::ui::widgets::{ViewTexture, clipped, inside};
-use crate::view::derive::{Derived, SecondPicture};
+use crate::ui::tools::{accuracy, translator};
+use crate::ui::widgets::{clipped, inside};
+use crate::ui::{PageContext, derivation};
+use crate::view::derive::SecondPicture;
 use crate::view::typesetting::theme::{self, STACKED};
 
 /// A page of a workspace.
@@ -36,25 +33,6 @@ pub(crate) struct Page {
     pub(crate) lights: Option<HoverSource>,
     /// The subject of the page's figure.
     pub(crate) figure: FigureSubject,
-}
-
-/// The state of the pages from one pass to the next.
-#[derive(Default)]
-pub(crate) struct Tools {
-    pub(crate) derivation: DerivationPanel,
-    pub(crate) measuring: Measuring,
-    pub(crate) gallery: Gallery,
-    /// The second picture.
-    pub(crate) second: ViewTexture,
-}
-
-/// The values that a page shows or changes.
-pub(crate) struct PageContext<'a> {
-    pub(crate) open: &'a OpenDocument,
-    pub(crate) session: &'a mut Session,
-    pub(crate) derived: &'a Derived,
-    pub(crate) tools: &'a mut Tools,
-    pub(crate) style: NumberStyle,
 }
 
 /// Size of the text that replaces hidden content, in points.
@@ -100,7 +78,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::Derivation => Page {
             follows_pointer: true,
             areas: |divider| divider.stack_beside(),
-            rest: derived_lines,
+            rest: derivation::ui,
             lights: Some(HoverSource::Derivation),
             figure: FigureSubject::Derivation,
             ..Page::VIEWS
@@ -118,42 +96,33 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 let (left, right) = divider.across(views, Split::Views, "views handle");
                 Areas { world: Some(left), camera: Some(right), second: None, rest }
             },
-            rest: |ui, context| plot::ui(ui, context.session, context.derived),
+            rest: plot::ui,
             lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
         },
         ViewLayout::Lines => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
-            rest: |ui, context| {
-                lines::ui(ui, &mut context.session.shown.lines, context.style.digits)
-            },
+            rest: lines::ui,
             figure: FigureSubject::Lines,
             ..Page::VIEWS
         },
         ViewLayout::Mistakes => Page {
             areas: |divider| divider.three_above(Split::Mistakes),
             second: Some(SecondPicture::WrongCamera),
-            rest: |ui, context| {
-                let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
-                mistakes::ui(ui, context.derived, document, context.session, gallery);
-            },
+            rest: mistakes::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
         ViewLayout::Compare => Page {
             areas: |divider| divider.three_above(Split::Compare),
             second: Some(SecondPicture::Ghost),
-            rest: |ui, context| {
-                compare::ui(ui, context.derived, &context.open.document, context.session);
-            },
+            rest: compare::ui,
             ..Page::VIEWS
         },
-        ViewLayout::Translator => Page {
-            areas: |divider| divider.stack_beside(),
-            rest: |ui, context| translator::ui(ui, &context.open.document, context.session),
-            ..Page::VIEWS
-        },
+        ViewLayout::Translator => {
+            Page { areas: |divider| divider.stack_beside(), rest: translator::ui, ..Page::VIEWS }
+        }
         ViewLayout::Exercises => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
@@ -163,14 +132,14 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::Answers => Page {
             areas: |divider| divider.three_above(Split::Answers),
             second: Some(SecondPicture::Answers),
-            rest: |ui, context| answers::ui(ui, context.derived, context.session),
+            rest: answers::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
         ViewLayout::Class => Page {
             has_panel: false,
             areas: |divider| divider.no_views(),
-            rest: |ui, context| class::ui(ui, context.session),
+            rest: class::ui,
             ..Page::VIEWS
         },
         ViewLayout::Accuracy => Page {
@@ -183,12 +152,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 Areas { world: None, camera: Some(left), second: Some(right), rest }
             },
             second: Some(SecondPicture::ErrorMap),
-            rest: |ui, context| {
-                let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
-                let name = title_of(context.open.origin());
-                measuring.step(ui.ctx(), &name, &document.camera, context.derived);
-                accuracy::ui(ui, measuring, context.derived, document, context.session);
-            },
+            rest: accuracy::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
@@ -216,60 +180,54 @@ const BELOW_NUMBERS: f32 = 26.0;
 
 /// Shows the numbers of the page with both views: in the column, one per line, or all of them.
 fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let (derived, document, style) = (context.derived, &context.open.document, context.style);
     if context.session.presenting.is_some() {
         if context.session.preferences.presents_numbers {
-            readouts::column(ui, derived, document, style);
+            readouts::column(ui, context);
         }
         return;
     }
-    let all = &mut context.session.preferences.unfolded.numbers;
-    if *all {
+    if context.session.preferences.unfolded.numbers {
         ui.horizontal_wrapped(|ui| {
-            *all = !ui.small_button("Fewer numbers").clicked();
-            readouts::work(ui, derived);
+            fewer(ui, context);
+            readouts::work(ui, context.derived);
         });
-        return readouts::ui(ui, derived, document, style);
+        return readouts::ui(ui, context);
     }
     let whole = ui.available_rect_before_wrap();
     let (above, below) = whole.split_top_bottom_at_y(whole.bottom() - BELOW_NUMBERS);
-    clipped(ui, above, |ui| readouts::column(ui, derived, document, style));
+    clipped(ui, above, |ui| readouts::column(ui, context));
     inside(ui, below, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-        few(ui, all, |ui| readouts::left_out(ui, derived));
+        few(ui, context, |ui, context| readouts::left_out(ui, context.derived));
     });
 }
 
 /// Shows a few numbers, with the button for all of them on their right.
-fn few(ui: &mut Ui, all: &mut bool, numbers: impl FnOnce(&mut Ui)) {
+fn few(ui: &mut Ui, context: &mut PageContext<'_>, numbers: fn(&mut Ui, &PageContext<'_>)) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        *all |= ui.small_button("All numbers").clicked();
-        ui.with_layout(Layout::left_to_right(Align::Center), numbers);
+        let button = ui.small_button("All numbers");
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| numbers(ui, context));
+        context.session.preferences.unfolded.numbers |= button.clicked();
     });
+}
+
+/// Shows the button that leaves only a few of all numbers.
+fn fewer(ui: &mut Ui, context: &mut PageContext<'_>) {
+    context.session.preferences.unfolded.numbers = !ui.small_button("Fewer numbers").clicked();
 }
 
 /// Shows the numbers at the foot of the main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let (derived, document, style) = (context.derived, &context.open.document, context.style);
-    let items = context.session.shown.setup.items;
     let area = ui.available_rect_before_wrap();
     let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
     let ui = &mut ui.new_child(inner);
-    let all = &mut context.session.preferences.unfolded.numbers;
-    let band = |ui: &mut Ui| readouts::band(ui, derived, document, items, style);
+    let shows_all = context.session.preferences.unfolded.numbers;
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
-        band(ui);
-    } else if *all && area.height() > readouts::BAND {
-        *all = !ui.small_button("Fewer numbers").clicked();
-        readouts::ui(ui, derived, document, style);
+        readouts::band(ui, context);
+    } else if shows_all && area.height() > readouts::BAND {
+        fewer(ui, context);
+        readouts::ui(ui, context);
     } else {
-        few(ui, all, band);
+        few(ui, context, readouts::band);
     }
-}
-
-fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let Some(derived) = &context.derived.derivation else { return };
-    derivation::head(ui, derived, context.session);
-    let document = &context.open.document;
-    context.tools.derivation.ui(ui, derived, document, context.session);
 }

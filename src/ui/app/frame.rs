@@ -16,6 +16,7 @@ use pinhole_lecture::numbers::grouped;
 use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Hovered, NumberStyle, Session, Shown, ViewLayout, Workspace};
+use crate::ui::PageContext;
 use crate::ui::action::{
     Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
@@ -29,7 +30,7 @@ use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::{clipped, pointed_at};
-use crate::ui::workspaces::{Page, PageContext, page};
+use crate::ui::workspaces::{Page, page};
 use crate::view::derive::Deriver;
 use crate::view::typesetting::theme;
 
@@ -404,6 +405,7 @@ impl App {
             derived: &self.views.derived,
             tools: &mut self.tools,
             style,
+            step: self.scene.lessons.step(is_changed).filter(|_| !is_practice),
         };
         // A vote asks its own question, and reveals nothing about the step's question.
         let is_vote = context.session.shows_vote();
@@ -413,13 +415,12 @@ impl App {
             let on_stage = rects.camera_area.filter(|_| stage.is_some() && !is_vote);
             second_picture::show(ui, &mut context, second, [area, rect], on_stage);
         }
-        let step = self.scene.lessons.step(is_changed);
-        match (stage, step.filter(|_| !is_practice)) {
-            (Some(stage), _) if is_vote => {
+        match stage {
+            Some(stage) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }
-            (Some(stage), step) => stage.show(ui, rects.rest, step.as_ref(), &mut context),
-            _ => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
+            Some(stage) => stage.show(ui, rects.rest, &mut context),
+            None => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
         files::notice(ui, &mut self.scene);
     }

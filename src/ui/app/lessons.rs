@@ -12,8 +12,8 @@ use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
 use crate::model::{Observer, Session, Shown, ViewLayout, Workspace};
+use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
-use crate::ui::stage::column::OpenStep;
 use crate::view::derivation::Derivation;
 
 /// The open lesson, and the state to restore when it closes.

@@ -10,6 +10,7 @@ use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::Session;
 use crate::model::symbols::typeset_message;
+use crate::ui::PageContext;
 use crate::ui::action::{Action, AnswersAction, FileUse, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
@@ -88,7 +89,7 @@ pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
 }
 
 /// Shows the result of grading, and the buttons for the answers.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
+pub(crate) fn ui(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     buttons(ui, session);
     ui.add_space(4.0);

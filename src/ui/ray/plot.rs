@@ -9,10 +9,10 @@ use egui::{
 };
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
-use crate::model::{Concept, HoverSource, Inspection, Session};
+use crate::model::{Concept, HoverSource, Inspection};
+use crate::ui::PageContext;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, is_about, keep_arrows};
 use crate::view::chart::{self, GridInk, SOLID, Scale, Tick};
-use crate::view::derive::Derived;
 use crate::view::overlay::Colors;
 use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::labels::{Font, LabelLayout, around};
@@ -27,7 +27,8 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 const SLIDER: f32 = 72.0;
 
 /// Shows only the graph, as on a lesson's stage; only its axes while the step's question is open.
-pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
+pub(crate) fn graph(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { session, derived, .. } = context;
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
@@ -37,7 +38,8 @@ pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
 }
 
 /// Shows the plot, and the text on its right or, in a narrow area, below it.
-pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { session, derived, .. } = context;
     let (ray_point_t, digits) = (&mut session.shown.ray_point_t, session.shown.setup.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };

@@ -7,10 +7,11 @@ use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
-use crate::model::{Ghost, Inspection, NumberStyle, Session};
+use crate::model::{Ghost, Inspection, NumberStyle};
+use crate::ui::PageContext;
 use crate::ui::action::Action;
 use crate::ui::widgets::{ResponseExt as _, cell, vector_color};
-use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
+use crate::view::derive::{AgainstGhost, SecondPicture};
 use crate::view::typesetting::theme::STACKED;
 
 /// Size of the text, in points, where the tables are side by side and where they are stacked.
@@ -60,8 +61,9 @@ fn share_that_differs(against: &AgainstGhost) -> String {
 }
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
-    let (ghost, style) = (session.shown.ghost.as_ref(), NumberStyle::new(&session.shown.setup));
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, style, .. } = context;
+    let (document, ghost) = (&open.document, session.shown.ghost.as_ref());
     let is_stacked = ui.available_width() < STACKED;
     let size = TEXT[usize::from(is_stacked)];
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));

@@ -10,11 +10,12 @@ use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::grouped;
 
+use crate::model::Item;
 use crate::model::concept::HoverSource;
 use crate::model::inspection::Inspection;
 use crate::model::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use crate::model::session::presenting::WRITTEN;
-use crate::model::{Item, OverlayItems};
+use crate::ui::PageContext;
 use crate::ui::widgets::{ResponseExt as _, is_about, vector_color};
 use crate::view::derive::Derived;
 use crate::view::typesetting::notation::{self, formula};
@@ -24,7 +25,8 @@ use crate::view::typesetting::theme;
 const HITS: f32 = 280.0;
 
 /// Shows the blocks Basis, Ray and Hits side by side, or one below another where there is no space.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+pub(crate) fn ui(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         // This is as wide as the widest numbers, so that nothing moves sideways while they change.
         let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
@@ -49,7 +51,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             });
             let Some(inspection) = &derived.inspection else { return };
             block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
-            ui.vertical(|ui| hits(ui, derived, document, style));
+            ui.vertical(|ui| hits(ui, derived, &open.document, style));
         });
     });
 }
@@ -199,7 +201,8 @@ const LINES: f32 = 8.0;
 const SIZES: [f32; 6] = [18.0, 17.0, 16.0, 15.0, 14.0, WRITTEN];
 
 /// Shows the basis, the selected ray and its first hit, with one number or vector per line.
-pub(crate) fn column(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+pub(crate) fn column(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
     let Some(resolved) = derived.resolved.as_ref().filter(|_| derived.fault.is_none()) else {
         return;
     };
@@ -208,7 +211,7 @@ pub(crate) fn column(ui: &mut Ui, derived: &Derived, document: &Document, style:
         let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
         readings.extend([uv, d]);
         // A miss has neither t nor point, so that they come last and nothing else moves.
-        readings.extend(inspection.hit_readings(|k| document.title_of(k)).into_iter().rev());
+        readings.extend(inspection.hit_readings(|k| open.document.title_of(k)).into_iter().rev());
         let point = inspection.first.map(|first| inspection.root_readings(first));
         readings.extend(point.map(|[_, _, point, _]| point));
     }
@@ -230,13 +233,9 @@ pub(crate) const LEAST: f32 = 420.0;
 
 /// Shows the selected ray and its first hit in one line, as far as they are drawn and there is room for
 /// them.
-pub(crate) fn band(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    items: OverlayItems,
-    style: NumberStyle,
-) {
+pub(crate) fn band(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
+    let items = context.session.shown.setup.items;
     let shown = derived.resolved.as_ref().zip(derived.inspection.as_ref());
     let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
     let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
@@ -245,7 +244,7 @@ pub(crate) fn band(
         row.extend([uv, d]);
     }
     if items.shows_any(&[Item::Hit, Item::Roots, Item::SphereFigure]) {
-        row.extend(inspection.hit_readings(|object| document.title_of(object)));
+        row.extend(inspection.hit_readings(|object| open.document.title_of(object)));
     }
     if row.is_empty() {
         return;

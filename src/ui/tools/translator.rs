@@ -14,9 +14,9 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Format, Text};
 use pinhole_exchange::programs::FORMATS;
 
-use crate::model::session::Session;
 use crate::model::symbols::typeset_message;
 use crate::model::translator::{ConventionRow, MOST_OBJECTS, Notice, Translation, Translator};
+use crate::ui::PageContext;
 use crate::ui::action::{Action, FileUse};
 use crate::ui::widgets::{ResponseExt as _, cell};
 use crate::view::typesetting::theme::error_color;
@@ -37,7 +37,9 @@ const EDGE: f32 = 12.0;
 const ABOUT: f32 = 118.0;
 
 /// Shows the translator.
-pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, .. } = context;
+    let document = &open.document;
     let (choice, digits) = (&mut session.translator, session.shown.setup.digits);
     ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let resolved = document.camera.resolve().ok();
