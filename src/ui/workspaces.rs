@@ -8,7 +8,9 @@ use crate::model::HoverSource;
 use crate::model::session::{Split, ViewLayout};
 use crate::ui::practice::{answers, class, mistakes};
 use crate::ui::ray::{lines, plot};
-use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
+use crate::ui::scene::view_rects::{
+    Areas, Divider, STRIP, figure_and_column, figure_and_numbers, halves, no_views, stack_beside,
+};
 use crate::ui::scene::{compare, readouts};
 use crate::ui::tools::{accuracy, translator};
 use crate::ui::widgets::{clipped, inside};
@@ -43,12 +45,15 @@ impl Page {
     pub(crate) const VIEWS: Page = Page {
         has_panel: true,
         follows_pointer: false,
-        areas: |divider| divider.figure_and_column(),
+        areas: figure_and_column,
         second: None,
         rest: |_, _| (),
         lights: None,
         figure: FigureSubject::World,
     };
+
+    /// A page that is not about the scene: without views and side panel.
+    const ALONE: Page = Page { has_panel: false, areas: no_views, ..Page::VIEWS };
 }
 
 /// Returns the page of a layout.
@@ -56,10 +61,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
     match layout {
         ViewLayout::Both => Page {
             follows_pointer: true,
-            areas: |divider| match divider.has_all_numbers {
-                true => divider.above_numbers(),
-                false => divider.figure_and_column(),
-            },
+            areas: figure_and_numbers,
             rest: numbers,
             lights: Some(HoverSource::Numbers),
             ..Page::VIEWS
@@ -77,20 +79,18 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         },
         ViewLayout::Derivation => Page {
             follows_pointer: true,
-            areas: |divider| divider.stack_beside(),
+            areas: stack_beside,
             rest: derivation::ui,
             lights: Some(HoverSource::Derivation),
             figure: FigureSubject::Derivation,
             ..Page::VIEWS
         },
-        ViewLayout::DerivationAlone => {
-            Page { areas: |divider| divider.no_views(), ..page(ViewLayout::Derivation) }
-        }
+        ViewLayout::DerivationAlone => Page { areas: no_views, ..page(ViewLayout::Derivation) },
         ViewLayout::Plot => Page {
             follows_pointer: true,
             areas: |divider| {
                 if divider.whole.width() < STACKED {
-                    return divider.stack_beside();
+                    return stack_beside(divider);
                 }
                 let (views, rest) = divider.above(Split::Plot);
                 let (left, right) = divider.across(views, Split::Views, "views handle");
@@ -100,13 +100,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
         },
-        ViewLayout::Lines => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            rest: lines::ui,
-            figure: FigureSubject::Lines,
-            ..Page::VIEWS
-        },
+        ViewLayout::Lines => Page { rest: lines::ui, figure: FigureSubject::Lines, ..Page::ALONE },
         ViewLayout::Mistakes => Page {
             areas: |divider| divider.three_above(Split::Mistakes),
             second: Some(SecondPicture::WrongCamera),
@@ -120,15 +114,8 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             rest: compare::ui,
             ..Page::VIEWS
         },
-        ViewLayout::Translator => {
-            Page { areas: |divider| divider.stack_beside(), rest: translator::ui, ..Page::VIEWS }
-        }
-        ViewLayout::Exercises => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            lights: Some(HoverSource::Derivation),
-            ..Page::VIEWS
-        },
+        ViewLayout::Translator => Page { areas: stack_beside, rest: translator::ui, ..Page::VIEWS },
+        ViewLayout::Exercises => Page { lights: Some(HoverSource::Derivation), ..Page::ALONE },
         ViewLayout::Answers => Page {
             areas: |divider| divider.three_above(Split::Answers),
             second: Some(SecondPicture::Answers),
@@ -136,12 +123,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
-        ViewLayout::Class => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            rest: class::ui,
-            ..Page::VIEWS
-        },
+        ViewLayout::Class => Page { rest: class::ui, ..Page::ALONE },
         ViewLayout::Accuracy => Page {
             areas: |divider| {
                 let (views, rest) = divider.above(Split::Accuracy);

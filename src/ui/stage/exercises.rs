@@ -165,7 +165,6 @@ pub(crate) fn height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32
 /// Shows the answer fields with their verdicts, the buttons, and the solution if the user has asked for it.
 pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     let whole = ui.available_rect_before_wrap();
-    let is_lesson = context.step.is_some();
     let PageContext { session, derived, .. } = &*context;
     let answers = answer_fields::height(ui, &session.exercises, [whole.width(), size]);
     let (most, is_solved) = (whole.height() - bar(ui), session.exercises.is_solved);
@@ -192,7 +191,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     let hides_said = !hint_below && context.session.exercises.has_new_hint();
     inside(ui, above, |ui| match is_solved && !has_both {
         true => solution(ui, context, [solved, of_solution]),
-        false => answer_fields::fields(ui, context.session, size, [is_lesson, hides_said]),
+        false => answer_fields::fields(ui, context, size, hides_said),
     });
     let (buttons_area, rest) = below.split_top_bottom_at_y(below.top() + bar(ui));
     if buttons_area.height() > 0.0 {
