@@ -12,7 +12,9 @@ use pinhole_lecture::grading::{AnswerKind, AnswerValue, Grade, Graded, Truth, Wo
 use serde_json::{Value, json};
 
 use super::check_class;
-use super::console::{CommandError, is_standard, named, read, scene_fault, to_json, to_stdout};
+use super::console::{
+    CommandError, is_standard, named, read, refused, scene_fault, to_json, to_stdout,
+};
 use super::load::{files_of, load, pose, refuse_overwriting, refuse_reading_twice};
 use crate::cli::arguments::CheckArguments;
 
@@ -39,10 +41,6 @@ pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
 /// Returns the status of judged answers that all agree, or that do not.
 pub(super) fn status(all_agree: bool) -> Result<(), CommandError> {
     if all_agree { Ok(()) } else { Err(CommandError::Disagrees) }
-}
-
-fn refused<T>(problem: &str) -> Result<T, CommandError> {
-    Err(CommandError::Arguments(problem.to_owned()))
 }
 
 fn unreadable(error: CommandError) -> CommandError {

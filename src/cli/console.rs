@@ -82,8 +82,7 @@ pub(super) fn named(output: &Path, ending: &str, what: &str) -> Result<(), Comma
     match output.extension() {
         Some(other) if !other.eq_ignore_ascii_case(ending) => {
             let stem = output.with_extension(ending);
-            let problem = format!("{what}: not {} but {}", output.display(), stem.display());
-            Err(CommandError::Arguments(problem))
+            refused(format!("{what}: not {} but {}", output.display(), stem.display()))
         }
         _ => Ok(()),
     }
@@ -102,6 +101,11 @@ pub enum CommandError {
     Unreadable(String),
     /// The reader of standard output has stopped reading. This is not a failure.
     ReaderGone,
+}
+
+/// Returns an error about the arguments.
+pub(super) fn refused<T>(problem: impl Into<String>) -> Result<T, CommandError> {
+    Err(CommandError::Arguments(problem.into()))
 }
 
 impl fmt::Display for CommandError {

@@ -10,7 +10,7 @@ use pinhole_figure::export::FigureFormat;
 use pinhole_figure::overlay::observer_of;
 use pinhole_figure::{Item, ViewSize};
 
-use super::console::{CommandError, is_standard, scene_fault, unmade};
+use super::console::{CommandError, is_standard, refused, scene_fault, unmade};
 use super::load::{deliver, files_of, follow, load, pose, selection_of, size};
 use crate::cli::arguments::FigureArguments;
 use crate::features::export::order::{Content, FigureSubject, Order, derivation_of, scale_of};
@@ -46,12 +46,12 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         Content::Text(markup) => derivation_of(&document, &session).written_in(markup).into_bytes(),
         Content::Figure(format) => {
             let why = |problem| scene_fault(&arguments.scene, problem);
-            let mut figure = order.figure(&document, &session).map_err(why)?;
-            order.refine(&mut figure, format, &document, &session).map_err(why)?;
+            let figure = order.figure_as(format, &document, &session).map_err(why)?;
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }
     };
-    deliver(Some(&arguments.output), &files_of(&arguments.scene, &document), &bytes)
+    let inputs = files_of(&arguments.scene, &document);
+    deliver(Some(&arguments.output), &inputs, |out| out.write_all(&bytes))
 }
 
 /// Returns what to add to the error for a file's extension that other arguments would allow.
@@ -65,7 +65,6 @@ fn hint(output: &Path) -> &'static str {
 /// Rejects options that would have no effect.
 fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), CommandError> {
     let FigureArguments { view, output, width, height, transparent, .. } = arguments;
-    let refused = |problem: String| Err(CommandError::Arguments(problem));
     if !matches!(content, Content::Figure(_)) {
         let given = [
             ("--width", width.is_some()),
@@ -73,16 +72,12 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
             ("--transparent", *transparent),
         ];
         if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
-            return refused(format!(
-                "{name} is for pictures: leave it out, {} is text",
-                output.display()
-            ));
+            let output = output.display();
+            return refused(format!("{name} is for pictures: leave it out, {output} is text"));
         }
     }
     if *view == FigureSubject::Derivation && height.is_some() {
-        return refused(
-            "the derivation is as high as its lines: leave out --height, give --width".to_owned(),
-        );
+        return refused("the derivation is as high as its lines: leave out --height, give --width");
     }
     Ok(())
 }
@@ -148,8 +143,8 @@ fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<ImageS
     if fits {
         return Ok(size);
     }
-    Err(CommandError::Arguments(format!(
+    refused(format!(
         "{width} x {height} is not in the proportions of the camera's image, {columns} x {rows} \
          pixels: leave out --width or --height"
-    )))
+    ))
 }

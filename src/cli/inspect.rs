@@ -44,9 +44,7 @@ impl Readout<'_> {
             ("hits", self.hit_lines()),
         ];
         // A scene without an observer has no such part.
-        for (title, lines) in
-            parts.into_iter().filter(|(title, lines)| *title != "observer" || !lines.is_empty())
-        {
+        for (title, lines) in parts.into_iter().filter(|(_, lines)| !lines.is_empty()) {
             text.push_str(title);
             text.push('\n');
             for line in lines {
@@ -60,15 +58,12 @@ impl Readout<'_> {
         let camera = &self.document.camera;
         let viewport = self.camera.viewport();
         let mut lines = vec![row("eye", triple(camera.eye))];
-        match camera.orientation {
-            Orientation::At { at, up } => {
-                lines.extend([row("at", triple(at)), row("up", triple(up))]);
-            }
-            Orientation::View { view, up } => {
-                lines.extend([row("view", triple(view)), row("up", triple(up))]);
-            }
-            Orientation::Basis(_) => {}
-        }
+        let given = match camera.orientation {
+            Orientation::At { at, up } => vec![("at", at), ("up", up)],
+            Orientation::View { view, up } => vec![("view", view), ("up", up)],
+            Orientation::Basis(_) => Vec::new(),
+        };
+        lines.extend(given.into_iter().map(|(name, vector)| row(name, triple(vector))));
         let has_up = camera.orientation.has_up();
         let readings = of_basis(&self.camera, has_up.then_some(self.up_angle));
         lines.extend(readings.iter().map(|reading| self.row_of(reading)));

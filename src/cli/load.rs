@@ -1,13 +1,13 @@
 //! Loads the inputs of most commands: the scene, its camera, and the requested ray.
 
-use std::io::Write as _;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use pinhole_core::{CameraError, ImageSize, Pixel, ResolvedCamera, Selection};
 use pinhole_exchange::atomic::{self, is_same_file};
 use pinhole_exchange::{Document, FileError, SceneSource, limits, scene_file};
 
-use super::console::{CommandError, is_standard, read, scene_fault, to_stdout};
+use super::console::{CommandError, is_standard, read, refused, scene_fault, to_stdout};
 use crate::cli::arguments::RayArguments;
 
 /// Reads the scene that an argument names: a file, a built-in scene, or standard input for `-`.
@@ -35,9 +35,10 @@ pub(super) fn files_of(scene: &Path, document: &Document) -> Vec<PathBuf> {
 /// Refuses to read two inputs from standard input.
 pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result<(), CommandError> {
     if is_standard(scene) && is_standard(other.1) {
-        let problem =
-            format!("SCENE and {} are both -: standard input can be read only once", other.0);
-        return Err(CommandError::Arguments(problem));
+        let option = other.0;
+        return refused(format!(
+            "SCENE and {option} are both -: standard input can be read only once"
+        ));
     }
     Ok(())
 }
@@ -50,13 +51,17 @@ pub(super) fn refuse_reading_twice(scene: &Path, other: (&str, &Path)) -> Result
 pub(super) fn deliver(
     output: Option<&Path>,
     inputs: &[PathBuf],
-    bytes: &[u8],
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), CommandError> {
     let Some(output) = output.filter(|output| !is_standard(output)) else {
-        return to_stdout(|out| out.write_all(bytes));
+        return to_stdout(write);
     };
     refuse_overwriting(inputs, [("-o", output)])?;
-    Ok(atomic::write(output, |file| file.write_all(bytes))?)
+    Ok(atomic::write(output, |file| {
+        let mut out = BufWriter::new(file);
+        write(&mut out)?;
+        out.flush()
+    })?)
 }
 
 /// Rejects outputs that would overwrite an input. Each output is paired with the option that names
@@ -76,11 +81,10 @@ pub(super) fn refuse_overwriting<'a>(
                 _ if input == output => ", which is read".to_owned(),
                 _ => format!(", which is read as {}", input.display()),
             };
-            let problem = format!(
-                "{option} would write over {}{read}: choose another name",
-                output.display()
-            );
-            return Err(CommandError::Arguments(problem));
+            let output = output.display();
+            return refused(format!(
+                "{option} would write over {output}{read}: choose another name"
+            ));
         }
     }
     Ok(())

@@ -23,15 +23,15 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), CommandError> {
         ExportScene::new(&document, with).and_then(|subject| arguments.to.write(&subject));
     let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
     let text = written.text.text.as_bytes();
-    deliver(arguments.output.as_deref(), &files_of(&arguments.scene, &document), text)?;
+    let inputs = files_of(&arguments.scene, &document);
+    deliver(arguments.output.as_deref(), &inputs, |out| out.write_all(text))?;
     written.notes.iter().for_each(|note| warn(note));
     Ok(())
 }
 
 /// `pinhole import`: writes a scene with the camera of a glTF, or of literal numbers.
 pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
-    let inputs = std::slice::from_ref(&arguments.file);
-    let output = arguments.output.as_deref();
+    let (inputs, output) = (std::slice::from_ref(&arguments.file), arguments.output.as_deref());
     refuse_overwriting(inputs, output.map(|output| ("-o", output)))?;
     let (path, bytes) = read(&arguments.file, limits::FOREIGN)?;
     let text = file_text(path, bytes)?;
@@ -44,7 +44,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<(), CommandError> {
         ..Document::default()
     };
     let scene = scene_file::to_text(&document, None);
-    deliver(output, inputs, scene.as_bytes())?;
+    deliver(output, inputs, |out| out.write_all(scene.as_bytes()))?;
     taken.notes.iter().for_each(|note| warn(note));
     Ok(())
 }

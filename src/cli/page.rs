@@ -3,7 +3,7 @@
 use pinhole_exchange::host::host;
 use pinhole_exchange::{FileError, limits};
 
-use super::console::{CommandError, warn};
+use super::console::{CommandError, refused, warn};
 use super::load::{deliver, files_of, load};
 use crate::cli::arguments::PageArguments;
 use crate::model::lessons::{LessonArgument, OpenLesson, is_lesson};
@@ -25,8 +25,7 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
             (page_part::of_step(&open)?, page_part::files_of(&open)?)
         }
         (None, Some(_)) if step.is_some() => {
-            let problem = "--step is for a lesson: name a lesson, or leave it out";
-            return Err(CommandError::Arguments(problem.to_owned()));
+            return refused("--step is for a lesson: name a lesson, or leave it out");
         }
         (None, Some(scene)) => {
             let document = load(scene)?;
@@ -44,7 +43,7 @@ pub(super) fn run(arguments: &PageArguments) -> Result<(), CommandError> {
     })?;
     let notes = page_part::notes(&read);
     let read: Vec<_> = read.into_iter().chain(page.clone()).collect();
-    deliver(Some(output), &read, text.as_bytes())?;
+    deliver(Some(output), &read, |out| out.write_all(text.as_bytes()))?;
     notes.iter().for_each(|note| warn(note));
     Ok(())
 }

@@ -17,7 +17,9 @@ use pinhole_exchange::{FileError, limits};
 use pinhole_figure::overlay::{Style, observer_of};
 use pinhole_figure::{Item, OverlayItems, ViewSize};
 
-use super::console::{CommandError, is_standard, named, not_built, scene_fault, to_stdout, warn};
+use super::console::{
+    CommandError, is_standard, named, not_built, refused, scene_fault, to_stdout, warn,
+};
 use super::load::{files_of, load, pose, refuse_overwriting, size};
 use super::progress::Progress;
 use crate::cli::arguments::RenderArguments;
@@ -30,17 +32,15 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             return Err(not_built("--aov", "exr"));
         }
         if arguments.view == FigureSubject::World {
-            let problem = "--aov writes what the camera's rays meet: leave out --view world";
-            return Err(CommandError::Arguments(problem.to_owned()));
+            return refused("--aov writes what the camera's rays meet: leave out --view world");
         }
         if is_same_file(aov, &arguments.output) {
-            let problem = format!("--aov and -o both write {}", aov.display());
-            return Err(CommandError::Arguments(problem));
+            return refused(format!("--aov and -o both write {}", aov.display()));
         }
     }
     let output = Some(&arguments.output).filter(|output| !is_standard(output));
     if arguments.aov.as_deref().is_some_and(is_standard) {
-        return Err(CommandError::Arguments("--aov needs a file: - is for -o".to_owned()));
+        return refused("--aov needs a file: - is for -o");
     }
     named(&arguments.output, "png", "-o writes PNG")?;
     if let Some(aov) = &arguments.aov {

@@ -7,7 +7,9 @@ use pinhole_exchange::atomic::{self, Batch, is_same_file};
 use pinhole_exchange::scenes::BuiltinScene;
 use pinhole_figure::export::FigureFormat;
 
-use super::console::{CommandError, is_standard, named, scene_fault, to_json, to_stdout, unmade};
+use super::console::{
+    CommandError, is_standard, named, refused, scene_fault, to_json, to_stdout, unmade,
+};
 use super::load::{files_of, load, pose, refuse_overwriting};
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
@@ -24,9 +26,8 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
 
 /// Checks the arguments before the measurements, which take minutes.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
-    let refused = |problem: String| Err(CommandError::Arguments(problem));
     if arguments.plot.as_deref().is_some_and(is_standard) {
-        return refused("--plot needs a file: only --json can go to standard output".into());
+        return refused("--plot needs a file: only --json can go to standard output");
     }
     if let Some(json) = json_file(arguments) {
         if is_scene(json) {

@@ -6,7 +6,7 @@ use pinhole_exchange::Document;
 use pinhole_exchange::link::{self, Link, Linked};
 use pinhole_figure::export::QrCode;
 
-use super::console::{CommandError, is_standard, scene_fault, to_stdout, unmade};
+use super::console::{CommandError, is_standard, refused, scene_fault, to_stdout, unmade};
 use super::load::{deliver, files_of, load, pose, selection_of};
 use crate::cli::arguments::ShareArguments;
 use crate::features::export::order::by_ending;
@@ -22,9 +22,9 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
     let fragment = Link { shown, ray, page: None }.to_fragment();
     let fragment = fragment.map_err(|error| scene_fault(&scene, error.problem))?;
     if let Some(base) = arguments.base.as_deref().filter(|base| !link::is_address(base)) {
-        let problem =
-            format!("--base {base}: not the address of a page, which begins with https://");
-        return Err(CommandError::Arguments(problem));
+        return refused(format!(
+            "--base {base}: not the address of a page, which begins with https://"
+        ));
     }
     let url = link::url(arguments.base.as_deref().unwrap_or_default(), &fragment);
     let code = || QrCode::of(&url).map_err(|problem| scene_fault(&scene, problem));
@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &ShareArguments) -> Result<(), CommandError> {
         true => code.to_png().map_err(|error| unmade(output, &error))?,
         false => code.to_svg().into_bytes(),
     };
-    deliver(Some(output), &files_of(&scene, &document), &bytes)
+    deliver(Some(output), &files_of(&scene, &document), |out| out.write_all(&bytes))
 }
 
 /// Returns what is shared, with its document and its name in messages.

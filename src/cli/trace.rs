@@ -4,11 +4,11 @@ use std::io::{self, Write};
 
 use pinhole_core::{Ray, Root, Scene};
 use pinhole_exchange::csv;
-use pinhole_exchange::{atomic, limits};
+use pinhole_exchange::limits;
 use rayon::prelude::*;
 
-use super::console::{CommandError, is_standard, open, scene_fault, to_stdout};
-use super::load::{files_of, load, refuse_overwriting, refuse_reading_twice};
+use super::console::{CommandError, open, scene_fault};
+use super::load::{deliver, files_of, load, refuse_reading_twice};
 use crate::cli::arguments::TraceArguments;
 
 /// Number of rays that are traced and written at a time: enough to keep every core busy, few enough to
@@ -24,16 +24,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let rays = csv::rays(path, source)?;
     let mut inputs = files_of(&arguments.scene, &document);
     inputs.push(arguments.rays.clone());
-    let output = arguments.output.as_deref().filter(|output| !is_standard(output));
-    refuse_overwriting(&inputs, output.map(|output| ("-o", output)))?;
-    match output {
-        Some(path) => Ok(atomic::write(path, |file| {
-            let mut out = io::BufWriter::new(file);
-            write_hits(&scene, &rays, &mut out)?;
-            out.flush()
-        })?),
-        None => to_stdout(|out| write_hits(&scene, &rays, out)),
-    }
+    deliver(arguments.output.as_deref(), &inputs, |out| write_hits(&scene, &rays, out))
 }
 
 fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {

@@ -43,29 +43,39 @@ pub enum Leave {
     Quit,
 }
 
-/// Opens or saves a scene's file.
+/// The use of a file that the user chooses.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileUse {
+    /// Open a scene, or whatever else the file holds.
+    Open,
+    /// Save the scene to it, and take the action once the scene is saved.
+    SaveAs(Option<Leave>),
+    /// Save the scene, or the lesson's step, as a page for a browser.
+    SavePage,
+    /// Add what is shown to a lesson file, as its last step.
+    SaveStep,
+    /// Set the camera from another program's file.
+    Import,
+    /// Save the translated camera.
+    SaveCamera,
+    /// Grade a student's answers.
+    CheckAnswers,
+}
+
+impl FileUse {
+    /// Returns true if the file gets the scene as it is shown.
+    pub(crate) fn saves_scene(&self) -> bool {
+        matches!(self, FileUse::SaveAs(_) | FileUse::SavePage | FileUse::SaveStep)
+    }
+}
+
+/// Saves the scene, or settles what becomes of changes to it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileAction {
-    /// Ask for the path of a scene to open.
-    AskOpen,
-    /// Save to the scene's file; ask for a path if the scene has no file.
-    Save,
-    /// Ask for a path to save to, and take the action once the scene is saved.
-    AskSaveAs(Option<Leave>),
-    /// Save to this path, and take the action once the scene is saved.
-    SaveAs(PathBuf, Option<Leave>),
-    /// Ask for the path of a page for a browser.
-    AskSavePage,
-    /// Save the scene, or the lesson's step, as a page for a browser.
-    SavePage(PathBuf),
+    /// Save to the scene's file, or ask for one if the scene has none; take the action once the scene is saved.
+    Save(Option<Leave>),
     /// Let the scene open with the observer that is shown. Moving the observer alone never changes a scene.
     KeepView,
-    /// Ask for the lesson file to which to add a step.
-    AskSaveStep,
-    /// Add what is shown to this lesson file, as its last step.
-    SaveStep(PathBuf),
-    /// Save, then leave if the scene was saved.
-    SaveThen(Leave),
     /// Leave without saving.
     Discard(Leave),
     /// Delete the recovered changes that were offered.
@@ -97,15 +107,6 @@ pub enum LessonAction {
     Close,
 }
 
-/// Moves through the history.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HistoryAction {
-    /// Undo the last step.
-    Undo,
-    /// Redo the step that was last undone.
-    Redo,
-}
-
 /// Writes what the window shows to a file or the clipboard.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FigureAction {
@@ -123,23 +124,6 @@ pub enum FigureAction {
     CopyDerivation(Markup),
 }
 
-/// Imports or exports the camera in another program's format.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ExchangeAction {
-    /// Ask for the clipboard's text.
-    AskPaste,
-    /// Set the camera from another program's text.
-    Paste(String),
-    /// Ask for the path of a file with a camera.
-    AskImport,
-    /// Set the camera from another program's file.
-    Import(PathBuf),
-    /// Ask where to save the translated camera.
-    AskSave,
-    /// Save the translated camera.
-    Save(PathBuf),
-}
-
 /// Shares what the window shows as a link, or the answers to an exercise as a code; opens a link.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShareAction {
@@ -153,14 +137,10 @@ pub enum ShareAction {
     CopyAnswer,
 }
 
-/// Opens, grades or closes a student's answers, starts the exercises over, and collects codes of a class's.
+/// Closes a student's answers, starts the exercises over, and collects codes of a class's answers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswersAction {
-    /// Ask for the path of their file.
-    Ask,
-    /// Grade the answers in this file.
-    Check(PathBuf),
-    /// Close the answers.
+    /// Close the student's answers.
     PutAway,
     /// Ask whether to start the exercises over.
     AskStartOver,
@@ -185,15 +165,6 @@ pub enum PlayAction {
     Keep,
     /// Close the animation and restore the state from before it.
     Close,
-}
-
-/// Changes the ghost, a frozen copy of the camera for comparison.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GhostAction {
-    /// Make the camera the ghost.
-    Freeze,
-    /// Remove the ghost.
-    Drop,
 }
 
 /// A way in which a drag, a key or the wheel moves the camera in the camera view.
@@ -311,19 +282,6 @@ pub enum VoteAction {
     End,
 }
 
-/// Opens an entry of the Help menu over the window.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HelpAction {
-    /// The command palette.
-    Palette,
-    /// The list of all keys.
-    Keys,
-    /// The lecture's conventions.
-    Conventions,
-    /// The program's version, purpose and licences.
-    About,
-}
-
 /// Defines the enum `Action`, and the conversions to it from the action type of each part of the window.
 macro_rules! actions {
     ($($(#[$doc:meta])* $part:ident($action:ty),)*) => {
@@ -332,6 +290,28 @@ macro_rules! actions {
         #[derive(Clone, Debug, PartialEq)]
         pub enum Action {
             $($(#[$doc])* $part($action),)*
+            /// Use this file.
+            Use(FileUse, PathBuf),
+            /// Undo the last step.
+            Undo,
+            /// Redo the step that was last undone.
+            Redo,
+            /// Ask for the clipboard's text.
+            AskPaste,
+            /// Set the camera from another program's text.
+            Paste(String),
+            /// Make the camera the ghost, a frozen copy for comparison.
+            FreezeGhost,
+            /// Remove the ghost.
+            DropGhost,
+            /// Open the command palette.
+            OpenPalette,
+            /// Show the list of all keys.
+            ShowKeys,
+            /// Show the lecture's conventions.
+            ShowConventions,
+            /// Show the program's version, purpose and licences.
+            ShowAbout,
             /// Set an input number, which is given rather than computed, to a value in the units that the
             /// window shows.
             Give(Given, f64),
@@ -354,24 +334,20 @@ macro_rules! actions {
 actions! {
     /// Leave the open scene.
     Leave(Leave),
-    /// Open or save a scene.
+    /// Ask which file to use.
+    Ask(FileUse),
+    /// Save the scene.
     File(FileAction),
     /// Move through the open lesson.
     Lesson(LessonAction),
-    /// Undo or redo.
-    History(HistoryAction),
     /// Export a figure.
     Figure(FigureAction),
-    /// Read or write another program's camera.
-    Exchange(ExchangeAction),
     /// Share a link, or open one.
     Share(ShareAction),
-    /// Open, grade or close a student's answers.
+    /// Close a student's answers, or collect a class's.
     Answers(AnswersAction),
     /// Open or control an animation.
     Play(PlayAction),
-    /// Freeze or drop the ghost.
-    Ghost(GhostAction),
     /// Vote.
     Vote(VoteAction),
     /// Move the camera.
@@ -382,8 +358,6 @@ actions! {
     Object(ObjectAction),
     /// Change how the scene is shown.
     Look(LookAction),
-    /// Open an entry of the Help menu.
-    Help(HelpAction),
 }
 
 fn queue() -> Id {
@@ -428,11 +402,11 @@ impl Action {
     pub(crate) fn is_possible(&self, there: Available<'_>) -> bool {
         let session = there.session;
         match self {
-            Action::History(HistoryAction::Undo) => there.undo.is_some(),
-            Action::History(HistoryAction::Redo) => there.redo.is_some(),
+            Action::Undo => there.undo.is_some(),
+            Action::Redo => there.redo.is_some(),
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
             Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
-            Action::Ghost(GhostAction::Drop) => session.shown.ghost.is_some(),
+            Action::DropGhost => session.shown.ghost.is_some(),
             Action::Play(PlayAction::Open(_)) => true,
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway)

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Stroke, Tooltip,
-    Ui, pos2, vec2,
+    Align, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Stroke, Tooltip, Ui,
+    pos2, vec2,
 };
 use pinhole_exchange::document::Document;
 use pinhole_figure::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
@@ -18,11 +18,12 @@ use pinhole_figure::typesetting::derivation::{
     paint_line,
 };
 use pinhole_figure::typesetting::theme;
-use pinhole_figure::{Concept, DerivationSection, Givens, HoverSource, Hovered};
+use pinhole_figure::{Concept, DerivationSection, Givens, HoverSource};
 
 use crate::model::{Session, Shown, ViewLayout};
+use crate::ui::PageContext;
 use crate::ui::action::{Action, request};
-use crate::ui::widgets::{NumberField, ResponseExt as _};
+use crate::ui::widgets::{NumberField, ResponseExt as _, is_about};
 
 /// The derivation's layout, and what was shown of it last.
 #[derive(Default)]
@@ -30,8 +31,6 @@ pub(crate) struct DerivationPanel {
     laid: Option<Laid>,
     /// The concept that the panel scrolled to last.
     scrolled_to: Option<Concept>,
-    /// The ids of the number fields in the formulas, each with the concept of the line that contains it.
-    fields: Vec<(Id, Option<Concept>)>,
     /// The number of lines that were revealed in the last egui pass; `None` if lines are not revealed one by
     /// one.
     revealed: Option<usize>,
@@ -85,42 +84,13 @@ impl<'a> DerivationPass<'a> {
 }
 
 impl DerivationPanel {
-    /// Returns the concept of the line under the mouse or, if there is none, of the line with the keyboard
-    /// focus, in the derivation as last drawn.
-    pub(crate) fn hovered(&self, ctx: &Context) -> Option<Hovered> {
-        let laid = self.laid.as_ref()?;
-        let focused = ctx.memory(|memory| memory.focused());
-        let (mut hovered, mut has_focus) = (None, None);
-        let sections = laid.derivation.sections.iter().zip(&laid.lines);
-        let lines = sections.flat_map(|(section, lines)| section.lines.iter().zip(lines));
-        let lines = lines.map(|(line, laid)| (laid.id, line.concept));
-        for (id, concept) in lines.chain(self.fields.iter().copied()) {
-            if focused == Some(id) {
-                has_focus = concept;
-            }
-            let is_held = |response: Response| response.hovered() || response.dragged();
-            if ctx.read_response(id).is_some_and(is_held) {
-                hovered = concept;
-            }
-        }
-        let concept = hovered.or(has_focus)?;
-        Some(Hovered { concept, by: HoverSource::Derivation })
-    }
-
     /// Returns the width of the panel when it was last shown, in points.
     pub(crate) fn width(&self) -> Option<f32> {
         self.laid.as_ref().map(|laid| laid.width)
     }
 
-    /// Shows the lines of the derivation, without the title and the options that `head` shows above them. The
-    /// user can change the input numbers; each change requests an action.
-    pub(crate) fn ui(
-        &mut self,
-        ui: &mut Ui,
-        derivation: &Arc<Derivation>,
-        document: &Document,
-        session: &Session,
-    ) {
+    /// Shows the lines of the derivation. The user can change the input numbers; each change requests an action.
+    fn ui(&mut self, ui: &mut Ui, lines: &Arc<Derivation>, document: &Document, session: &Session) {
         // Scrolls only once to the line of a concept that is hovered in a view, and once to a newly revealed
         // line.
         let by_view = session.live.hovered.filter(|hovered| hovered.by == HoverSource::View);
@@ -134,62 +104,19 @@ impl DerivationPanel {
             goal_line: revealed.filter(|_| is_new).and_then(|count| count.checked_sub(1)),
             ..DerivationPass::new(ui, document, session)
         };
-        self.fields.clear();
         ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
-            self.lay_out(ui, derivation, SIZE);
+            self.lay_out(ui, lines, SIZE);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
-            for (k, section) in derivation.sections.iter().enumerate() {
+            for (k, section) in lines.sections.iter().enumerate() {
                 self.section(ui, k, section, &mut frame);
             }
             let is_all = revealed.is_none_or(|count| count >= frame.line);
-            if derivation.left_out > 0 && is_all {
+            if lines.left_out > 0 && is_all {
                 ui.add_space(BEFORE_SECTION);
-                ui.label(RichText::new(left_out(derivation.left_out)).size(NOTE));
+                ui.label(RichText::new(left_out(lines.left_out)).size(NOTE));
             }
             ui.add_space(12.0);
         });
-    }
-
-    /// Returns the height of all lines without titles at this size and width, in points.
-    pub(crate) fn card_height(ui: &Ui, derivation: &Derivation, width: f32, size: f32) -> f32 {
-        let laid = laid_lines(ui, derivation, [width, size], |_, _| Id::NULL);
-        laid.iter().flatten().map(|laid| laid.height + BETWEEN_LINES).sum()
-    }
-
-    /// Shows the lines without titles and without scrolling, with the newest one lit. If they do not all
-    /// fit, the last ones are shown. While the step's question is open, none is shown.
-    pub(crate) fn card(
-        &mut self,
-        ui: &mut Ui,
-        derivation: &Arc<Derivation>,
-        document: &Document,
-        session: &Session,
-        size: f32,
-    ) {
-        self.fields.clear();
-        self.lay_out(ui, derivation, size);
-        let Some(laid) = self.laid.as_ref().filter(|_| !session.shown.is_asking) else { return };
-        let frame = DerivationPass::new(ui, document, session);
-        let lines = derivation.sections.iter().flat_map(|section| &section.lines);
-        let lines: Vec<(&DerivedLine, &LaidLine)> =
-            lines.zip(laid.lines.iter().flatten()).collect();
-        let shown = &lines[..frame.revealed.unwrap_or(lines.len()).min(lines.len())];
-        let newest = frame.revealed.and(shown.len().checked_sub(1));
-        let mut room = ui.available_height();
-        let fits = |(_, laid): &&(&DerivedLine, &LaidLine)| {
-            room -= laid.height + BETWEEN_LINES;
-            room >= -1.0
-        };
-        let first = shown.len() - shown.iter().rev().take_while(fits).count();
-        ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
-        for (k, (line, laid)) in shown.iter().enumerate().skip(first) {
-            let is_about = |concept| line.is_about(concept);
-            let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
-            let response = show(ui, line, laid, frame.inks, is_lit);
-            if frame.is_editable {
-                self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
-            }
-        }
     }
 
     fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>, size: f32) {
@@ -237,8 +164,7 @@ impl DerivationPanel {
                 ui.allocate_space(vec2(ui.available_width(), laid.height));
                 continue;
             }
-            let response = show(ui, line, laid, frame.inks, is_lit(line));
-            self.fields.extend(fields(ui, line, laid, &response, &frame.givens));
+            let response = show(ui, line, laid, frame, is_lit(line));
             let is_goal = frame.goal.is_some_and(|goal| line.is_about(goal));
             if is_goal {
                 frame.goal = None;
@@ -252,9 +178,49 @@ impl DerivationPanel {
     }
 }
 
+/// Shows the derivation with its title and its options.
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, tools, .. } = context;
+    let Some(lines) = &derived.derivation else { return };
+    head(ui, lines, session);
+    tools.derivation.ui(ui, lines, &open.document, session);
+}
+
+/// Returns the height of all lines without titles at this size and width, in points.
+pub(crate) fn card_height(ui: &Ui, derivation: &Derivation, width: f32, size: f32) -> f32 {
+    let laid = laid_lines(ui, derivation, [width, size], |_, _| Id::NULL);
+    laid.iter().flatten().map(|laid| laid.height + BETWEEN_LINES).sum()
+}
+
+/// Shows these lines without titles and without scrolling, with the newest one lit. If they do not all fit, the
+/// last ones are shown. While the step's question is open, none is shown.
+pub(crate) fn card(ui: &mut Ui, context: &mut PageContext<'_>, all: &Arc<Derivation>, size: f32) {
+    let PageContext { open, session, tools, .. } = context;
+    tools.derivation.lay_out(ui, all, size);
+    let laid = tools.derivation.laid.as_ref().filter(|_| !session.shown.is_asking);
+    let Some(laid) = laid else { return };
+    let frame = DerivationPass::new(ui, &open.document, session);
+    let lines = all.sections.iter().flat_map(|section| &section.lines);
+    let lines: Vec<(&DerivedLine, &LaidLine)> = lines.zip(laid.lines.iter().flatten()).collect();
+    let shown = &lines[..frame.revealed.unwrap_or(lines.len()).min(lines.len())];
+    let newest = frame.revealed.and(shown.len().checked_sub(1));
+    let mut room = ui.available_height();
+    let fits = |(_, laid): &&(&DerivedLine, &LaidLine)| {
+        room -= laid.height + BETWEEN_LINES;
+        room >= -1.0
+    };
+    let first = shown.len() - shown.iter().rev().take_while(fits).count();
+    ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
+    for (k, (line, laid)) in shown.iter().enumerate().skip(first) {
+        let is_about = |concept| line.is_about(concept);
+        let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
+        show(ui, line, laid, &frame, is_lit);
+    }
+}
+
 /// Shows the derivation's title, the choice of how numbers are written, a checkbox for each section, and a
 /// button that copies the derivation. Shows nothing in presenter mode.
-pub(crate) fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
+fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
     if theme::installed(ui.ctx()).presenting {
         return;
     }
@@ -295,12 +261,20 @@ fn band(ui: &Ui, rect: Rect) {
     ui.painter().rect_filled(edge, CornerRadius::same(2), ui.visuals().selection.stroke.color);
 }
 
-fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bool) -> Response {
+/// Shows a line with the fields of its input numbers.
+fn show(
+    ui: &mut Ui,
+    line: &DerivedLine,
+    laid: &LaidLine,
+    frame: &DerivationPass<'_>,
+    is_lit: bool,
+) -> Response {
     let size = vec2(ui.available_width(), laid.height);
     let (_, rect) = ui.allocate_space(size);
     // The accessible value of a plain text is the text.
     let mut response = ui.interact(rect, laid.id, Sense::click()).with_role(Role::Label);
     response = response.spoken(laid.text.as_str());
+    is_about(&response, line.concept, HoverSource::Derivation);
     if response.clicked() {
         response.request_focus();
     }
@@ -310,37 +284,27 @@ fn show(ui: &mut Ui, line: &DerivedLine, laid: &LaidLine, inks: Inks, is_lit: bo
     if response.gained_focus() {
         response.scroll_to_me(None);
     }
-    if !ui.is_rect_visible(rect) {
-        return response;
+    let baseline = baseline_of(rect, laid);
+    if ui.is_rect_visible(rect) {
+        if is_lit {
+            band(ui, rect);
+        }
+        paint_line(ui, rect, line, laid, frame.inks);
     }
-    if is_lit {
-        band(ui, rect);
-    }
-    paint_line(ui, rect, line, laid, inks);
     let hovered = response.hover_pos().filter(|_| response.hovered());
-    let symbol =
-        hovered.and_then(|at| meaning_at(ui.ctx(), &laid.layout, at - baseline_of(rect, laid)));
+    let symbol = hovered.and_then(|at| meaning_at(ui.ctx(), &laid.layout, at - baseline));
     if let Some(words) = symbol {
         Tooltip::for_enabled(&response).show(|ui| {
             let words = egui::Label::new(RichText::new(words).size(NOTE));
             ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
         });
     }
+    for given in laid.layout.givens.iter().filter(|_| frame.is_editable) {
+        if let Some(field) = field(ui, given, baseline, laid.size, &frame.givens) {
+            is_about(&field, line.concept, HoverSource::Derivation);
+        }
+    }
     response
-}
-
-/// Shows the fields of a line's input numbers. Returns the field's ids with the line's concept.
-fn fields(
-    ui: &mut Ui,
-    line: &DerivedLine,
-    laid: &LaidLine,
-    response: &Response,
-    givens: &Givens,
-) -> Vec<(Id, Option<Concept>)> {
-    let baseline = baseline_of(response.rect, laid);
-    let shown = laid.layout.givens.iter();
-    let fields = shown.filter_map(|given| field(ui, given, baseline, laid.size, givens));
-    fields.map(|field| (field.id, line.concept)).collect()
 }
 
 /// Distance between the dots of the dotted underline of an editable number, in points.

@@ -4,9 +4,9 @@
 use egui::{Rect, Ui};
 
 use crate::features::{accuracy, answers, mistakes};
+use crate::ui::PageContext;
 use crate::ui::scene::{compare, views};
 use crate::ui::widgets::{Words, no_picture};
-use crate::ui::workspaces::PageContext;
 use crate::view::derive::SecondPicture;
 
 /// Returns the picture's name for screen readers. While a question is open, it does not say which camera is

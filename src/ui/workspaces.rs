@@ -1,22 +1,20 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Context, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
-use pinhole_figure::Hovered;
-use pinhole_figure::NumberStyle;
+use egui::{Align, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
 use pinhole_figure::typesetting::theme::{self, STACKED};
 
-use crate::features::accuracy::ui::Measuring;
 use crate::features::export::order::FigureSubject;
-use crate::features::mistakes::ui_gallery::Gallery;
 use crate::features::{accuracy, answers, class, lines, mistakes, plot, translator};
-use crate::model::files::{OpenDocument, title_of};
-use crate::model::session::{Session, Split, ViewLayout};
-use crate::ui::derivation::{self, DerivationPanel};
-use crate::ui::scene::view_rects::{Areas, Divider, STRIP, halves};
+use crate::model::session::{Split, ViewLayout};
+use crate::ui::scene::view_rects::{
+    Areas, Divider, STRIP, figure_and_column, figure_and_numbers, halves, no_views, stack_beside,
+};
 use crate::ui::scene::{compare, readouts};
-use crate::ui::widgets::{ViewTexture, clipped, inside};
-use crate::view::derive::{Derived, SecondPicture};
+use crate::ui::widgets::{clipped, inside};
+use crate::ui::{PageContext, derivation};
+use crate::view::derive::SecondPicture;
+use pinhole_figure::HoverSource;
 
 /// A page of a workspace.
 pub(crate) struct Page {
@@ -30,30 +28,11 @@ pub(crate) struct Page {
     pub(crate) second: Option<SecondPicture>,
     /// Shows the rest of the page, which is below the views, next to them or in their place.
     pub(crate) rest: fn(&mut Ui, &mut PageContext<'_>),
-    /// Returns the concept (such as a vector or an object) that is under the pointer, or has the keyboard
-    /// focus, in `rest`.
-    pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
+    /// What in `rest` lights its concept, such as a vector or an object, in the views while the pointer or the
+    /// keyboard focus is on it.
+    pub(crate) lights: Option<HoverSource>,
     /// The subject of the page's figure.
     pub(crate) figure: FigureSubject,
-}
-
-/// The state of the pages from one pass to the next.
-#[derive(Default)]
-pub(crate) struct Tools {
-    pub(crate) derivation: DerivationPanel,
-    pub(crate) measuring: Measuring,
-    pub(crate) gallery: Gallery,
-    /// The second picture.
-    pub(crate) second: ViewTexture,
-}
-
-/// The values that a page shows or changes.
-pub(crate) struct PageContext<'a> {
-    pub(crate) open: &'a OpenDocument,
-    pub(crate) session: &'a mut Session,
-    pub(crate) derived: &'a Derived,
-    pub(crate) tools: &'a mut Tools,
-    pub(crate) style: NumberStyle,
 }
 
 /// Size of the text that replaces hidden content, in points.
@@ -64,12 +43,15 @@ impl Page {
     pub(crate) const VIEWS: Page = Page {
         has_panel: true,
         follows_pointer: false,
-        areas: |divider| divider.figure_and_column(),
+        areas: figure_and_column,
         second: None,
         rest: |_, _| (),
-        hovered: |_, _, _| None,
+        lights: None,
         figure: FigureSubject::World,
     };
+
+    /// A page that is not about the scene: without views and side panel.
+    const ALONE: Page = Page { has_panel: false, areas: no_views, ..Page::VIEWS };
 }
 
 /// Returns the page of a layout.
@@ -77,12 +59,9 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
     match layout {
         ViewLayout::Both => Page {
             follows_pointer: true,
-            areas: |divider| match divider.has_all_numbers {
-                true => divider.above_numbers(),
-                false => divider.figure_and_column(),
-            },
+            areas: figure_and_numbers,
             rest: numbers,
-            hovered: |ctx, _, _| readouts::hovered(ctx),
+            lights: Some(HoverSource::Numbers),
             ..Page::VIEWS
         },
         ViewLayout::World => Page {
@@ -98,80 +77,55 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         },
         ViewLayout::Derivation => Page {
             follows_pointer: true,
-            areas: |divider| divider.stack_beside(),
-            rest: derived_lines,
-            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+            areas: stack_beside,
+            rest: derivation::ui,
+            lights: Some(HoverSource::Derivation),
             figure: FigureSubject::Derivation,
             ..Page::VIEWS
         },
-        ViewLayout::DerivationAlone => {
-            Page { areas: |divider| divider.no_views(), ..page(ViewLayout::Derivation) }
-        }
+        ViewLayout::DerivationAlone => Page { areas: no_views, ..page(ViewLayout::Derivation) },
         ViewLayout::Plot => Page {
             follows_pointer: true,
             areas: |divider| {
                 if divider.whole.width() < STACKED {
-                    return divider.stack_beside();
+                    return stack_beside(divider);
                 }
                 let (views, rest) = divider.above(Split::Plot);
                 let (left, right) = divider.across(views, Split::Views, "views handle");
                 Areas { world: Some(left), camera: Some(right), second: None, rest }
             },
-            rest: |ui, context| plot::ui::ui(ui, context.session, context.derived),
-            hovered: |ctx, _, derived| plot::ui::hovered(ctx, derived),
+            rest: plot::ui::ui,
+            lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
         },
-        ViewLayout::Lines => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            rest: |ui, context| {
-                lines::ui::ui(ui, &mut context.session.shown.lines, context.style.digits)
-            },
-            figure: FigureSubject::Lines,
-            ..Page::VIEWS
-        },
+        ViewLayout::Lines => {
+            Page { rest: lines::ui::ui, figure: FigureSubject::Lines, ..Page::ALONE }
+        }
         ViewLayout::Mistakes => Page {
             areas: |divider| divider.three_above(Split::Mistakes),
             second: Some(SecondPicture::WrongCamera),
-            rest: |ui, context| {
-                let (document, gallery) = (&context.open.document, &mut context.tools.gallery);
-                mistakes::ui::ui(ui, context.derived, document, context.session, gallery);
-            },
+            rest: mistakes::ui::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
         ViewLayout::Compare => Page {
             areas: |divider| divider.three_above(Split::Compare),
             second: Some(SecondPicture::Ghost),
-            rest: |ui, context| {
-                compare::ui(ui, context.derived, &context.open.document, context.session);
-            },
+            rest: compare::ui,
             ..Page::VIEWS
         },
-        ViewLayout::Translator => Page {
-            areas: |divider| divider.stack_beside(),
-            rest: |ui, context| translator::ui::ui(ui, &context.open.document, context.session),
-            ..Page::VIEWS
-        },
-        ViewLayout::Exercises => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
-            ..Page::VIEWS
-        },
+        ViewLayout::Translator => {
+            Page { areas: stack_beside, rest: translator::ui::ui, ..Page::VIEWS }
+        }
+        ViewLayout::Exercises => Page { lights: Some(HoverSource::Derivation), ..Page::ALONE },
         ViewLayout::Answers => Page {
             areas: |divider| divider.three_above(Split::Answers),
             second: Some(SecondPicture::Answers),
-            rest: |ui, context| answers::ui::ui(ui, context.derived, context.session),
+            rest: answers::ui::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
-        ViewLayout::Class => Page {
-            has_panel: false,
-            areas: |divider| divider.no_views(),
-            rest: |ui, context| class::ui::ui(ui, context.session),
-            ..Page::VIEWS
-        },
+        ViewLayout::Class => Page { rest: class::ui::ui, ..Page::ALONE },
         ViewLayout::Accuracy => Page {
             areas: |divider| {
                 let (views, rest) = divider.above(Split::Accuracy);
@@ -182,12 +136,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
                 Areas { world: None, camera: Some(left), second: Some(right), rest }
             },
             second: Some(SecondPicture::ErrorMap),
-            rest: |ui, context| {
-                let (document, measuring) = (&context.open.document, &mut context.tools.measuring);
-                let name = title_of(context.open.origin());
-                measuring.step(ui.ctx(), &name, &document.camera, context.derived);
-                accuracy::ui::ui(ui, measuring, context.derived, document, context.session);
-            },
+            rest: accuracy::ui::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
@@ -215,60 +164,54 @@ const BELOW_NUMBERS: f32 = 26.0;
 
 /// Shows the numbers of the page with both views: in the column, one per line, or all of them.
 fn numbers(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let (derived, document, style) = (context.derived, &context.open.document, context.style);
     if context.session.presenting.is_some() {
         if context.session.preferences.presents_numbers {
-            readouts::column(ui, derived, document, style);
+            readouts::column(ui, context);
         }
         return;
     }
-    let all = &mut context.session.preferences.unfolded.numbers;
-    if *all {
+    if context.session.preferences.unfolded.numbers {
         ui.horizontal_wrapped(|ui| {
-            *all = !ui.small_button("Fewer numbers").clicked();
-            readouts::work(ui, derived);
+            fewer(ui, context);
+            readouts::work(ui, context.derived);
         });
-        return readouts::ui(ui, derived, document, style);
+        return readouts::ui(ui, context);
     }
     let whole = ui.available_rect_before_wrap();
     let (above, below) = whole.split_top_bottom_at_y(whole.bottom() - BELOW_NUMBERS);
-    clipped(ui, above, |ui| readouts::column(ui, derived, document, style));
+    clipped(ui, above, |ui| readouts::column(ui, context));
     inside(ui, below, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-        few(ui, all, |ui| readouts::left_out(ui, derived));
+        few(ui, context, |ui, context| readouts::left_out(ui, context.derived));
     });
 }
 
 /// Shows a few numbers, with the button for all of them on their right.
-fn few(ui: &mut Ui, all: &mut bool, numbers: impl FnOnce(&mut Ui)) {
+fn few(ui: &mut Ui, context: &mut PageContext<'_>, numbers: fn(&mut Ui, &PageContext<'_>)) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        *all |= ui.small_button("All numbers").clicked();
-        ui.with_layout(Layout::left_to_right(Align::Center), numbers);
+        let button = ui.small_button("All numbers");
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| numbers(ui, context));
+        context.session.preferences.unfolded.numbers |= button.clicked();
     });
+}
+
+/// Shows the button that leaves only a few of all numbers.
+fn fewer(ui: &mut Ui, context: &mut PageContext<'_>) {
+    context.session.preferences.unfolded.numbers = !ui.small_button("Fewer numbers").clicked();
 }
 
 /// Shows the numbers at the foot of the main figure: one line of them, or all.
 pub(crate) fn foot(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let (derived, document, style) = (context.derived, &context.open.document, context.style);
-    let items = context.session.shown.setup.items;
     let area = ui.available_rect_before_wrap();
     let inner = UiBuilder::new().max_rect(area.shrink2(vec2(BESIDE_NUMBERS, 0.0)));
     let ui = &mut ui.new_child(inner);
-    let all = &mut context.session.preferences.unfolded.numbers;
-    let band = |ui: &mut Ui| readouts::band(ui, derived, document, items, style);
+    let shows_all = context.session.preferences.unfolded.numbers;
     if context.session.presenting.is_some() || area.width() <= readouts::LEAST {
-        band(ui);
-    } else if *all && area.height() > readouts::BAND {
-        *all = !ui.small_button("Fewer numbers").clicked();
-        readouts::ui(ui, derived, document, style);
+        readouts::band(ui, context);
+    } else if shows_all && area.height() > readouts::BAND {
+        fewer(ui, context);
+        readouts::ui(ui, context);
     } else {
-        few(ui, all, band);
+        few(ui, context, readouts::band);
     }
-}
-
-fn derived_lines(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let Some(derived) = &context.derived.derivation else { return };
-    derivation::head(ui, derived, context.session);
-    let document = &context.open.document;
-    context.tools.derivation.ui(ui, derived, document, context.session);
 }

@@ -20,11 +20,13 @@ use pinhole_lecture::numbers::{grouped, short, written_whole};
 
 use crate::features::accuracy;
 use crate::features::accuracy::comparison::{Comparison, PixelError};
+use crate::model::files::title_of;
 use crate::model::session::Session;
 use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
 use crate::report::plot::marker::marker_of;
 use crate::report::plot::panels;
 use crate::report::summary::Summary;
+use crate::ui::PageContext;
 use crate::ui::scene::readouts;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, clipped, combo, inside};
@@ -108,13 +110,10 @@ pub(crate) fn summary(compared: &Compared) -> String {
 }
 
 /// Shows the plot and the table; above them, the progress of measuring and the results at the selected pixel.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    measuring: &Measuring,
-    derived: &Derived,
-    document: &Document,
-    session: &mut Session,
-) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, tools, .. } = context;
+    let (document, measuring) = (&open.document, &mut tools.measuring);
+    measuring.step(ui.ctx(), &title_of(open.origin()), &document.camera, derived);
     // This is always a single line, so that the content below does not jump during a drag.
     let text = selected(derived, document, session).unwrap_or_default();
     ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);

@@ -11,7 +11,8 @@ use pinhole_figure::typesetting::theme::error_color;
 use pinhole_lecture::grading::{Cell, Graded};
 
 use crate::model::Session;
-use crate::ui::action::{AnswersAction, LookAction};
+use crate::ui::PageContext;
+use crate::ui::action::{Action, AnswersAction, FileUse, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::{Derived, SecondPicture};
@@ -88,7 +89,7 @@ pub(crate) fn why_not(derived: &Derived, session: &Session) -> &'static str {
 }
 
 /// Shows the result of grading, and the buttons for the answers.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
+pub(crate) fn ui(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     buttons(ui, session);
     ui.add_space(4.0);
@@ -108,10 +109,10 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session) {
 
 fn buttons(ui: &mut Ui, session: &mut Session) {
     ui.horizontal(|ui| {
-        ui.button("Check answers…").asks(AnswersAction::Ask);
+        ui.button("Check answers…").asks(FileUse::CheckAnswers);
         let Some(answers) = &mut session.answers else { return };
         let again = ui.button("Read again").on_hover_text("Reads the file as it is now");
-        again.asks(AnswersAction::Check(answers.file.path.clone()));
+        again.asks(Action::Use(FileUse::CheckAnswers, answers.file.path.clone()));
         ui.button("Close the answers").asks(AnswersAction::PutAway);
         if !answers.are_numbered() {
             return;

@@ -10,6 +10,7 @@ use pinhole_figure::typesetting::theme::{self, STACKED, error_color};
 
 use crate::features::class::state::{ClassAnswers, ClassExercise, RIGHT};
 use crate::model::Session;
+use crate::ui::PageContext;
 use crate::ui::widgets::{ResponseExt as _, clipped, fault_text, marked_text};
 
 /// Size of the text, in points, and of the labels of the bars.
@@ -34,7 +35,7 @@ const HINT: &str = "In an exercise, Copy my answer puts a code on the clipboard,
                     lecturer in any way. The codes are pasted into this page. Any other text is ignored.";
 
 /// Shows the page. While presenting, it hides the codes, since names may stand beside them.
-pub(crate) fn ui(ui: &mut Ui, session: &mut Session) {
+pub(crate) fn ui(ui: &mut Ui, PageContext { session, .. }: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
     if session.presenting.is_some() {

@@ -18,12 +18,11 @@ use crate::features::lines::state::{LinesLab, Window};
 use crate::features::lines::view::{draw_exercise, substitution};
 use crate::model::Session;
 use crate::ui::action::{AnswersAction, ShareAction};
-use crate::ui::derivation::DerivationPanel;
 use crate::ui::scene::views;
 use crate::ui::stage::column::SIZES;
 use crate::ui::widgets::seed_field;
 use crate::ui::widgets::{self, ResponseExt as _, button_width, combo, inside, marked_text};
-use crate::ui::workspaces::PageContext;
+use crate::ui::{PageContext, derivation};
 use crate::view::derive::Derived;
 
 /// The button for a hint.
@@ -66,9 +65,9 @@ pub(crate) fn row(ui: &Ui) -> f32 {
 
 /// Returns the height of the choice of exercise and numbers above the question. While presenting, there is
 /// none; in a lesson, its step chooses the exercise.
-pub(crate) fn choice_height(ui: &Ui, session: &Session, is_lesson: bool) -> f32 {
-    let has_none = !session.shows_exercise() || theme::installed(ui.ctx()).presenting;
-    match (has_none, is_lesson) {
+pub(crate) fn choice_height(ui: &Ui, context: &PageContext<'_>) -> f32 {
+    let has_none = !context.session.shows_exercise() || theme::installed(ui.ctx()).presenting;
+    match (has_none, context.step.is_some()) {
         (true, _) => 0.0,
         (false, true) => row(ui),
         (false, false) => 2.0 * row(ui),
@@ -76,8 +75,8 @@ pub(crate) fn choice_height(ui: &Ui, session: &Session, is_lesson: bool) -> f32 
 }
 
 /// Shows the choice of exercise and numbers.
-pub(crate) fn choice(ui: &mut Ui, session: &mut Session, is_lesson: bool) {
-    if !is_lesson {
+pub(crate) fn choice(ui: &mut Ui, PageContext { session, step, .. }: &mut PageContext<'_>) {
+    if step.is_none() {
         ui.horizontal(|ui| {
             let done = format!("{} of {} done", session.progress.count(), Exercise::LISTED.len());
             let title = session.exercises.question().exercise.title();
@@ -146,7 +145,7 @@ fn solution_height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32; 
     let [width, size] = at;
     match &derived.derivation {
         Some(lines) if lab(&session.exercises).is_none() => {
-            DerivationPanel::card_height(ui, lines, width, size)
+            derivation::card_height(ui, lines, width, size)
         }
         _ => SUBSTITUTION * marked_text::row_height(ui, size),
     }
@@ -166,9 +165,9 @@ pub(crate) fn height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32
 }
 
 /// Shows the answer fields with their verdicts, the buttons, and the solution if the user has asked for it.
-pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bool) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     let whole = ui.available_rect_before_wrap();
-    let PageContext { session, derived, .. } = context;
+    let PageContext { session, derived, .. } = &*context;
     let answers = ui_fields::height(ui, &session.exercises, [whole.width(), size]);
     let (most, is_solved) = (whole.height() - bar(ui), session.exercises.is_solved);
     let mut solved = |size| solution_height(ui, session, derived, [whole.width(), size]);
@@ -194,7 +193,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesso
     let hides_said = !hint_below && context.session.exercises.has_new_hint();
     inside(ui, above, |ui| match is_solved && !has_both {
         true => solution(ui, context, [solved, of_solution]),
-        false => ui_fields::fields(ui, context.session, size, [is_lesson, hides_said]),
+        false => ui_fields::fields(ui, context, size, hides_said),
     });
     let (buttons_area, rest) = below.split_top_bottom_at_y(below.top() + bar(ui));
     if buttons_area.height() > 0.0 {
@@ -262,7 +261,7 @@ fn plane_hints(exercises: &Exercises) -> Range<usize> {
 
 /// Shows the hints that were given or, where there is little room, the newest ones.
 fn hint(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
-    let PageContext { open, session, derived, tools, style } = context;
+    let PageContext { ref session, derived, style, .. } = *context;
     let count = session.exercises.hints();
     if let Some(lab) = lab(&session.exercises) {
         let last = plane_hints(&session.exercises).start + count;
@@ -272,7 +271,7 @@ fn hint(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
             (ui.available_height() / (BETWEEN_STEPS * marked_text::row_height(ui, size))) as usize;
         lines::view::hint(ui, &lab, style.digits, last - fit.clamp(1, count)..last);
     } else if let Some(lines) = lines_left(&session.exercises, derived) {
-        tools.derivation.card(ui, &Arc::new(lines.hint(count)), &open.document, session, size);
+        derivation::card(ui, context, &Arc::new(lines.hint(count)), size);
     }
 }
 
@@ -281,13 +280,13 @@ fn solution(ui: &mut Ui, context: &mut PageContext<'_>, [height, size]: [f32; 2]
     let area = ui.available_rect_before_wrap();
     let area = area.with_max_y(area.top() + height).expand2(vec2(PADDING, 0.0));
     ui.painter().rect_filled(area, ROUNDING, ui.visuals().faint_bg_color);
-    let PageContext { open, session, derived, tools, style } = context;
+    let PageContext { ref session, derived, style, .. } = *context;
     match (&derived.derivation, lab(&session.exercises)) {
         (_, Some(lab)) => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
             substitution(ui, &lab, style.digits);
         }
-        (Some(lines), None) => tools.derivation.card(ui, lines, &open.document, session, size),
+        (Some(lines), None) => derivation::card(ui, context, lines, size),
         _ => {}
     }
 }

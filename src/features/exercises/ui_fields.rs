@@ -9,10 +9,12 @@ use pinhole_lecture::exercises::{QuestionPart, Verdict};
 use super::ui::row;
 use crate::features::exercises::{Exercises, Feedback, TypedAnswer};
 use crate::model::Session;
+use crate::ui::PageContext;
 use crate::ui::action::LookAction;
 use crate::ui::widgets::{
     ResponseExt as _, line_field, marked_text, sign, text_width, vector_color,
 };
+use pinhole_figure::typesetting::theme::text_size;
 
 /// Describes what the user may type.
 const HINT: &str =
@@ -55,12 +57,8 @@ pub(crate) fn small(size: f32) -> f32 {
 }
 
 /// Shows the fields, each with what is said of it, and below them what may be typed, or is still missing.
-pub(crate) fn fields(
-    ui: &mut Ui,
-    session: &mut Session,
-    size: f32,
-    [is_lesson, hides_said]: [bool; 2],
-) {
+pub(super) fn fields(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, hides_said: bool) {
+    let PageContext { session, step, .. } = context;
     let exercises = &mut session.exercises;
     ui.style_mut().override_font_id = Some(FontId::proportional(size));
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -114,7 +112,7 @@ pub(crate) fn fields(
     }
     ui.add_space(BEFORE_VERDICTS);
     if !hides_said {
-        note(ui, session, small, [has_room, is_lesson, wants_check]);
+        note(ui, session, small, [has_room, step.is_some(), wants_check]);
     }
 }
 
@@ -132,7 +130,7 @@ fn field_row(
     let content = |ui: &mut Ui| {
         ui.set_min_size(row);
         let typed = &mut exercises.answers[k];
-        let entered = answer(ui, &part, typed, [indent, size]);
+        let entered = answer(ui, &part, typed, indent);
         verdict(ui, &part, typed);
         let is_wrong = typed.feedback.as_ref().is_some_and(Feedback::is_wrong);
         let color = if is_wrong { error_color(ui) } else { ui.visuals().text_color() };
@@ -221,12 +219,8 @@ fn at_fields(exercises: &Exercises) -> Vec<Option<RichText>> {
 }
 
 /// Shows the fields for the answer to one part of the question. Returns whether Enter was pressed in one.
-fn answer(
-    ui: &mut Ui,
-    part: &QuestionPart,
-    typed: &mut TypedAnswer,
-    [indent, size]: [f32; 2],
-) -> bool {
+fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut TypedAnswer, indent: f32) -> bool {
+    let size = text_size(ui);
     let name = part.asked.id();
     // Without a frame, a field hardly stands out from a white or a black page.
     let frame = Stroke::new(1.0, ui.visuals().weak_text_color());

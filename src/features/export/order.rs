@@ -140,28 +140,28 @@ impl Order {
         }
     }
 
-    /// Replaces a world view's picture by one that is as fine as print needs, if the figure is to be written
-    /// in a vector format. The strokes and the text, which lie over the picture, stay as they are. The
-    /// camera view's picture stays, too: its pixels are what it shows.
+    /// Draws the figure for a file of this format. In a vector format, a world view's picture is as fine as print
+    /// needs. The strokes and the text, which lie over the picture, are as without it. The camera view's picture
+    /// is, too: its pixels are what it shows.
     ///
     /// # Errors
     /// Returns an error, as a sentence, if there is nothing to draw.
-    pub fn refine(
+    pub fn figure_as(
         &self,
-        figure: &mut Figure,
         format: FigureFormat,
         document: &Document,
         session: &Session,
-    ) -> Result<(), String> {
+    ) -> Result<Figure, String> {
+        let mut figure = self.figure(document, session)?;
         if self.subject != FigureSubject::World || format == FigureFormat::Png {
-            return Ok(());
+            return Ok(figure);
         }
         let longer = self.size[0].max(self.size[1]) as f32;
         let finer = FINE.min(LARGEST / longer).max(1.0);
         let size = self.size.map(|dots| (dots as f32 * finer).round() as u32);
         let fine = Order { size, scale: self.scale * finer, ..*self };
         figure.refine(fine.view(document, session).map_err(|fault| fault.to_string())?);
-        Ok(())
+        Ok(figure)
     }
 
     fn view(&self, document: &Document, session: &Session) -> Result<Figure, Fault> {

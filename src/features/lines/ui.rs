@@ -11,6 +11,7 @@ use crate::features::lines::state::{LARGEST, LineHandle, LinesLab};
 use crate::features::lines::view::{
     GRASP, PlaneView, TEXT, draw_question, parts, substitution, text,
 };
+use crate::ui::PageContext;
 use crate::ui::scene::views;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
 
@@ -27,7 +28,8 @@ pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
 }
 
 /// Shows the lab.
-pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let (lab, digits) = (&mut context.session.shown.lines, context.style.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
     let (left, right) = parts(area);
@@ -45,10 +47,10 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
 }
 
 /// Shows only the drawing of the lab, in which the lines can be dragged.
-pub(crate) fn figure(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
+pub(crate) fn figure(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
-    plane(ui, area, lab, digits);
+    plane(ui, area, &mut context.session.shown.lines, context.style.digits);
 }
 
 /// Shows both lines, but not their intersection, while a lesson asks the class where they meet.

@@ -6,20 +6,20 @@ use egui::{
     Align, Color32, FontId, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui,
     UiBuilder, pos2,
 };
-use pinhole_exchange::document::Document;
-use pinhole_figure::Concept;
-use pinhole_figure::NumberStyle;
 use pinhole_figure::typesetting::theme::{STACKED, error_color, text_size};
+use pinhole_figure::{Concept, NumberStyle};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
 use crate::features::mistakes::MistakesView;
-use crate::features::mistakes::ui_gallery::{CELL, Gallery};
+use crate::features::mistakes::ui_gallery::CELL;
 use crate::features::vote;
 use crate::model::Session;
+use crate::ui::PageContext;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{self, ResponseExt as _, Words, cell, combo, sign, vector_color};
-use crate::view::derive::{Derived, SecondPicture};
+use crate::view::derive::SecondPicture;
+use pinhole_figure::Formulas;
 use pinhole_figure::readings::ReadingValue;
 
 /// Size of the text, in points.
@@ -134,14 +134,9 @@ fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
 
 /// Shows the gallery, the explanation and the checks side by side, or the vote instead of them. In a narrow
 /// area, the gallery is in a menu.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    session: &mut Session,
-    gallery: &mut Gallery,
-) {
-    let style = session.shown.setup.number_style();
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, tools, style, .. } = context;
+    let (document, gallery, style) = (&open.document, &mut tools.gallery, *style);
     let mistakes_view = &mut session.shown.mistakes_view;
     let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
     let inputs = inputs.map(|(resolved, scene)| (&document.camera, resolved, scene));
@@ -204,16 +199,16 @@ pub(crate) fn ui(
     }
 }
 
+/// Returns what the step's card is about.
+fn about(session: &Session) -> &[Concept] {
+    session.shown.formulas.as_ref().map_or(&[], Formulas::concepts)
+}
+
 /// Shows the card of a lesson's step in this text size: the right and the wrong basis, of which only the vectors
-/// in `about`, and the checks. If `about` has all three vectors, these are the checks of the basis that pass; if
-/// it is empty, the checks that catch the mistake.
-pub(crate) fn card(
-    ui: &mut Ui,
-    wrong: &ComparedCamera,
-    style: NumberStyle,
-    about: &[Concept],
-    size: f32,
-) {
+/// that the card is about, and the checks. If it is about all three vectors, these are the checks of the basis that
+/// pass; if about none, the checks that catch the mistake.
+pub(crate) fn card(ui: &mut Ui, context: &PageContext<'_>, wrong: &ComparedCamera, size: f32) {
+    let (style, about) = (context.style, about(context.session));
     ui.style_mut().override_font_id = Some(FontId::proportional(size));
     ui.spacing_mut().item_spacing.y = 0.2 * size;
     if let Ok(camera) = &wrong.camera {
@@ -248,8 +243,8 @@ fn passed(ui: &mut Ui, Checked { check, value, .. }: &Checked, style: NumberStyl
 }
 
 /// Returns an upper bound for the number of rows of text on the card.
-pub(crate) fn card_rows(wrong: &ComparedCamera, about: &[Concept]) -> usize {
-    match about.len() {
+pub(crate) fn card_rows(wrong: &ComparedCamera, session: &Session) -> usize {
+    match about(session).len() {
         0 => 5 + 2 * wrong.failing().count(),
         3 => 9,
         // A wrong vector may be below the right one.

@@ -4,21 +4,21 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, Context, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider,
-    Stroke, Ui, Vec2, pos2, vec2,
+    Align2, Color32, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider, Stroke,
+    Ui, Vec2, pos2, vec2,
 };
+use pinhole_core::Root;
 use pinhole_figure::chart::{self, GridInk, SOLID, Scale, Tick};
 use pinhole_figure::overlay::Colors;
 use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
 use pinhole_figure::typesetting::notation::{self, formula};
 use pinhole_figure::typesetting::theme::{self, STACKED};
-use pinhole_figure::{Concept, HoverSource, Hovered, Inspection};
+use pinhole_figure::{Concept, HoverSource, Inspection};
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
 use crate::features::plot::curves::{Curve, Plot};
-use crate::model::Session;
-use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
-use crate::view::derive::Derived;
+use crate::ui::PageContext;
+use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, is_about, keep_arrows};
 
 /// Size of the text, in points; it is legible from the back row of a classroom.
 const TEXT: f32 = 15.5;
@@ -27,22 +27,16 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 /// Minimum width of the slider of t, in points.
 const SLIDER: f32 = 72.0;
 
-/// Shows only the graph, as on a lesson's stage; only its axes while the step's question is open.
-pub(crate) fn graph(ui: &mut Ui, session: &mut Session, derived: &Derived) {
-    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
+/// Shows only the graph, as on a lesson's stage.
+pub(crate) fn graph(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
-    let t = (!session.shown.is_asking).then_some(&mut session.shown.ray_point_t);
-    draw(ui, area.shrink(2.0), plot, first, t);
+    draw(ui, area.shrink(2.0), context);
 }
 
 /// Shows the plot, and the text on its right or, in a narrow area, below it.
-pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
-    let (ray_point_t, digits) = (&mut session.shown.ray_point_t, session.shown.setup.digits);
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
-    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let area = ui.available_rect_before_wrap();
     let (graph, words) = if area.width() < STACKED {
         area.split_top_bottom_at_y(area.center().y)
@@ -51,26 +45,32 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived) {
         let (left, right) = area.split_left_right_at_x(middle);
         (left.with_max_x(middle - 10.0).with_max_y(area.bottom() - 4.0), right)
     };
-    draw(ui, graph, plot, first, Some(ray_point_t));
+    draw(ui, graph, context);
     inside(ui, words, |ui| {
-        ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
-            walk(ui, ray_point_t, plot, first.map_or(1.0, |(_, t)| t));
-            if let Some(t) = plot.ray_point_t {
-                text(ui, &point(inspection, t, digits));
-                ui.label(RichText::new(objects_at_point(plot)).strong());
-            }
-            ui.separator();
-            for curve in &plot.curves {
-                curve_text(ui, plot, curve, first, digits);
-            }
-            match plot.left_out {
-                0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
-                0 => {}
-                1 => drop(ui.label("1 more object is left out")),
-                n => drop(ui.label(format!("{} more objects are left out", grouped(n as u64)))),
-            }
-        });
+        let scrolled = ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false);
+        scrolled.show(ui, |ui| self::words(ui, context));
     });
+}
+
+/// Shows the point that the user moves along the ray, and a text for each curve.
+fn words(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageContext<'_>) {
+    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
+    let (first, digits) = (inspection.first_hit(), session.shown.setup.digits);
+    walk(ui, &mut session.shown.ray_point_t, plot, first.map_or(1.0, |hit| hit.t));
+    if let Some(t) = plot.ray_point_t {
+        text(ui, &point(inspection, t, digits));
+        ui.label(RichText::new(objects_at_point(plot)).strong());
+    }
+    ui.separator();
+    for curve in &plot.curves {
+        curve_text(ui, plot, curve, first, digits);
+    }
+    match plot.left_out {
+        0 if plot.curves.is_empty() => drop(ui.label("There is no object.")),
+        0 => {}
+        1 => drop(ui.label("1 more object is left out")),
+        n => drop(ui.label(format!("{} more objects are left out", grouped(n as u64)))),
+    }
 }
 
 fn text(ui: &mut Ui, text: &str) {
@@ -119,28 +119,16 @@ fn objects_at_point(plot: &Plot) -> String {
     }
 }
 
-/// Returns, as a concept, the object whose text next to the plot was under the mouse in the last frame.
-pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
-    let mut objects = derived.plot.as_ref()?.curves.iter().map(|curve| curve.named.object);
-    let response = |object: &u32| ctx.read_response(curve_text_id(*object));
-    let object = objects.find(|k| response(k).is_some_and(|text| text.hovered()))?;
-    Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
-}
-
-fn curve_text_id(object: u32) -> Id {
-    Id::unique(("said of a curve", object))
-}
-
 /// Shows the text about a curve: a sample of its line, its title and description, and the value of f at the
 /// point on the ray.
-fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<(u32, f64)>, digits: usize) {
+fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<&Root>, digits: usize) {
     let object = curve.named.object;
     let title = ui.horizontal_wrapped(|ui| {
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
         line_sample(ui, sample, curve);
         ui.label(RichText::new(&curve.named.title).strong());
         text(ui, &curve.unit_words(digits));
-        if first.is_some_and(|(hit, _)| hit == object) {
+        if first.is_some_and(|hit| hit.object == object) {
             ui.add(Label::new(RichText::new("the first hit").strong()).extend());
         }
     });
@@ -151,7 +139,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<(u32, f64)>
             text(ui, &format!("at t {}: {reading}", equated(t, digits)));
         }
     });
-    ui.interact(title.response.rect | words.response.rect, curve_text_id(object), Sense::hover());
+    let (area, id) = (title.response.rect | words.response.rect, ("said of a curve", object));
+    let response = ui.interact(area, Id::unique(id), Sense::hover());
+    is_about(&response, Some(Concept::Object(object)), HoverSource::Derivation);
 }
 
 /// Size of the text in the drawing, in points.
@@ -186,14 +176,10 @@ struct DrawnCurve {
     exits: Vec<(Pos2, Vec2)>,
 }
 
-/// Shows the drawing, and handles drags of t in it; without t, shows only the axes.
-fn draw(
-    ui: &Ui,
-    rect: Rect,
-    plot: &Plot,
-    first: Option<(u32, f64)>,
-    ray_t: Option<&mut Option<f64>>,
-) {
+/// Shows the drawing, and handles drags of t in it; while the step's question is open, shows only the axes.
+fn draw(ui: &Ui, rect: Rect, PageContext { session, derived, .. }: &mut PageContext<'_>) {
+    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
+    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
     let colors = theme::style(ui).colors();
     // Leaves space for the numbers of f on the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
@@ -208,8 +194,10 @@ fn draw(
     for x in [0.0, 1.0].map(|t| drawing.t.position(t)) {
         words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, inner.y_range()));
     }
-    let Some(ray_t) = ray_t else { return drawing.captions(&curves, &mut words) };
-    input(ui, inner, &drawing.t, ray_t);
+    if session.shown.is_asking {
+        return drawing.captions(&curves, &mut words);
+    }
+    input(ui, inner, &drawing.t, &mut session.shown.ray_point_t);
     drawing.curves(&curves);
     drawing.roots(&mut words);
     drawing.ray_point(&mut words);

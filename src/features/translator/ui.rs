@@ -19,8 +19,8 @@ use pinhole_figure::typesetting::theme::error_color;
 use crate::features::translator::state::{
     ConventionRow, MOST_OBJECTS, Notice, Translation, Translator,
 };
-use crate::model::session::Session;
-use crate::ui::action::ExchangeAction;
+use crate::ui::PageContext;
+use crate::ui::action::{Action, FileUse};
 use crate::ui::widgets::{ResponseExt as _, cell};
 
 /// Sizes of text, in points.
@@ -39,7 +39,9 @@ const EDGE: f32 = 12.0;
 const ABOUT: f32 = 118.0;
 
 /// Shows the translator.
-pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, .. } = context;
+    let document = &open.document;
     let (choice, digits) = (&mut session.translator, session.shown.setup.digits);
     ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let resolved = document.camera.resolve().ok();
@@ -60,8 +62,8 @@ pub(crate) fn ui(ui: &mut Ui, document: &Document, session: &mut Session) {
             ui.ctx().copy_text(written.text.text.clone());
         }
         let save = ui.add_enabled(can, egui::Button::new("Save as a file…"));
-        save.asks(ExchangeAction::AskSave);
-        ui.button("Paste a camera").asks(ExchangeAction::AskPaste);
+        save.asks(FileUse::SaveCamera);
+        ui.button("Paste a camera").asks(Action::AskPaste);
         let few = document.object_count() <= MOST_OBJECTS;
         let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
         let many = "There are too many to show: pinhole export writes them";

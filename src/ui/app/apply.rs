@@ -10,7 +10,7 @@ use pinhole_exchange::scenes::SceneSource;
 use pinhole_figure::typesetting::theme::{self, Look};
 
 use crate::features::mistakes::MistakesView;
-use crate::features::translator::state::{Notice, Taken, imported, pasted};
+use crate::features::translator::state::{Notice, Taken, pasted};
 use crate::features::vote;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
@@ -18,70 +18,51 @@ use crate::model::session::{
     Preferences, Session, Settings, ThemeName, ViewLayout, Workspace, ZOOM,
 };
 use crate::ui::action::{
-    Action, ExchangeAction, FileAction, HistoryAction, Leave, LessonAction, LookAction, PlayAction,
-    ShareAction,
+    Action, FileAction, FileUse, Leave, LessonAction, LookAction, PlayAction, ShareAction,
 };
+use crate::ui::app::App;
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
-use crate::ui::app::{App, files};
-use crate::ui::dialogs::{Dialog, Question};
+use crate::ui::dialogs::palette::CommandPalette;
+use crate::ui::dialogs::{Question, help};
 use crate::ui::widgets::may_explain;
-use crate::ui::widgets::path_field::FileQuestion;
 use crate::view::derive::Deriver;
-
-const OPEN: FileQuestion = FileQuestion {
-    title: "Open a scene",
-    endings: &["toml"],
-    hint: "path of a .toml scene",
-    writes: None,
-};
-const SAVE_AS: FileQuestion =
-    FileQuestion { title: "Save the scene as", writes: Some("toml"), ..OPEN };
-
-const IMPORT: FileQuestion = FileQuestion {
-    title: "Import a camera",
-    endings: &["gltf", "glb", "txt"],
-    hint: "path of a glTF or of a text with numbers",
-    writes: None,
-};
-
-const SAVE_PAGE: FileQuestion = FileQuestion {
-    title: "Save as a page for a browser",
-    endings: &["html"],
-    hint: "path of a .html file",
-    writes: Some("html"),
-};
 
 /// The title of the message about a file that was changed and cannot be read.
 pub(super) const NOT_READ: &str = "The changed scene cannot be read";
 
 impl App {
-    /// Applies the action and opens the dialog that it needs.
+    /// Applies the action.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         // During an animation that moves the camera, undo only ends the animation.
-        let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
+        let is_undone = action == Action::Undo && self.playback.plays_camera();
         // Opening something else restores the camera from before the animation; saving keeps the camera
         // as it is shown.
         match &action {
             Action::Leave(_)
             | Action::Share(ShareAction::Follow(_))
-            | Action::History(_)
+            | Action::Undo
+            | Action::Redo
             | Action::File(FileAction::Discard(_) | FileAction::TakeTheirs(_))
             // The other lesson actions stop the animation once they know that there is a step to open.
             | Action::Lesson(LessonAction::Close) => self.stop_animation(),
-            Action::File(FileAction::AskOpen | FileAction::CheckFile | FileAction::DiscardRecovered) => {}
+            Action::File(FileAction::CheckFile | FileAction::DiscardRecovered) => {}
             Action::File(_) => self.keep_animation(ctx),
+            Action::Ask(of) | Action::Use(of, _) if of.saves_scene() => self.keep_animation(ctx),
             _ => {}
         }
-        let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
-        if let Some(dialog) = dialog {
-            self.over.open(dialog);
+        // The menu in which it was chosen may stay open for several clicks.
+        if let Action::Ask(_) | Action::Look(LookAction::Present) | Action::Vote(_) = action {
+            Popup::close_all(ctx);
+        }
+        if !is_undone {
+            self.carry_out(ctx, action);
         }
         ctx.request_repaint();
     }
 
-    /// Applies the action. Returns a dialog if the user must answer a question or read a message.
-    fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
+    /// Applies the action, which may open a dialog.
+    fn carry_out(&mut self, ctx: &Context, action: Action) {
         match action {
             Action::Leave(Leave::New) if !action.is_possible(self.available()) => {}
             Action::Object(_) if !action.is_possible(self.available()) => {
@@ -90,16 +71,25 @@ impl App {
                     self.say("No object is chosen".to_owned(), vec![note.to_owned()]);
                 }
             }
-            Action::Leave(leave) => return self.leave(ctx, leave),
-            Action::File(action) => return self.file(ctx, action),
-            Action::Lesson(action) => return self.lesson_action(ctx, action),
-            Action::History(action) => self.undo_or_redo(ctx, action),
-            Action::Figure(action) => return self.figure_action(ctx, action),
-            Action::Exchange(action) => return self.exchange(ctx, action),
-            Action::Share(action) => return self.share(ctx, action),
-            Action::Answers(action) => return files::apply_answers_action(&mut self.scene, action),
+            Action::Leave(leave) => self.leave(ctx, leave),
+            Action::Ask(of) => self.ask(of),
+            Action::Use(of, path) => self.use_file(ctx, of, path),
+            Action::File(action) => self.file(ctx, action),
+            Action::Lesson(action) => self.lesson_action(ctx, action),
+            Action::Undo => self.undo_or_redo(ctx, false),
+            Action::Redo => self.undo_or_redo(ctx, true),
+            Action::Figure(action) => self.figure_action(ctx, action),
+            // The text arrives later, as a paste event, like text pasted with the keyboard.
+            Action::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
+            Action::Paste(text) => {
+                let taken = pasted(&text, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "paste a camera");
+            }
+            Action::Share(action) => self.share(ctx, action),
+            Action::Answers(action) => self.answers_action(action),
             Action::Play(action) => self.play(ctx, action),
-            Action::Ghost(action) => self.scene.change_ghost(action),
+            Action::FreezeGhost => self.scene.freeze_ghost(),
+            Action::DropGhost => self.scene.drop_ghost(),
             Action::Give(given, value) => self.scene.give(ctx, given, value),
             Action::Steer(steer) => {
                 let time = ctx.input(|i| i.time);
@@ -112,56 +102,54 @@ impl App {
                 }
                 in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
             }
-            Action::Object(action) => return self.scene.change_objects(action),
+            Action::Object(action) => {
+                if let Err((title, reason)) = self.scene.change_objects(action) {
+                    self.tell(title, reason);
+                }
+            }
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(action) => {
-                if action == LookAction::Present {
-                    // The menu in which it was chosen stays open for several clicks.
-                    Popup::close_all(ctx);
-                }
-                change_look(&mut self.scene.session, action);
-            }
-            Action::Vote(action) => {
-                Popup::close_all(ctx);
-                vote::ui::apply(ctx, &mut self.scene.session, action);
-            }
-            Action::Help(action) => self.over.apply(action),
+            Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Vote(action) => vote::ui::apply(ctx, &mut self.scene.session, action),
+            Action::OpenPalette => self.over.palette = Some(CommandPalette::default()),
+            Action::ShowKeys => self.over.shows_keys = true,
+            Action::ShowConventions => self.over.open(help::conventions()),
+            Action::ShowAbout => self.over.open(help::about()),
         }
-        None
     }
 
     /// Leaves the open scene, or asks about unsaved changes first.
-    pub(super) fn leave(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
+    pub(super) fn leave(&mut self, ctx: &Context, leave: Leave) {
         if leave == Leave::BackToStep && !self.scene.differs_from_step() {
-            return None;
+            return;
         }
         if self.scene.open.has_changes() {
-            return Some(self.ask_about_changes(leave));
+            self.ask_about_changes(leave);
+        } else {
+            self.proceed(ctx, leave);
         }
-        self.proceed(ctx, leave)
     }
 
-    pub(super) fn ask_about_changes(&self, then: Leave) -> Dialog {
+    pub(super) fn ask_about_changes(&mut self, then: Leave) {
         let title = format!("Save the changes to {}?", title_of(self.scene.open.origin()));
         let answers = vec![
-            ("Save", "", Some(FileAction::SaveThen(then.clone()).into())),
+            ("Save", "", Some(FileAction::Save(Some(then.clone())).into())),
             ("Discard", "", Some(FileAction::Discard(then).into())),
             ("Cancel", "", None),
         ];
-        Dialog::Question(Question::new(title, "Unsaved changes will be lost.", answers))
+        self.over.ask(Question::new(title, "Unsaved changes will be lost.", answers));
     }
 
-    /// Returns the dialog that asks which version to keep after another program has changed the scene's
-    /// file. `saves` is true if the user was about to save the scene to that file.
-    fn ask_which_version(title: &str, saves: bool, then: Option<Leave>) -> Dialog {
+    /// Asks which version to keep after another program has changed the scene's file. `saves` is true if the user
+    /// was about to save the scene to that file.
+    fn ask_which_version(&mut self, title: &str, saves: bool, then: Option<Leave>) {
         let text = "Your changes are not in the file, and the other program's changes are not on the screen.";
         let mine =
             if saves { "Saves your version over theirs" } else { "Continues with your version" };
         let keep = FileAction::KeepMine { saves, then: then.clone() };
         let take = FileAction::TakeTheirs(then.clone());
-        let save_as = FileAction::AskSaveAs(then);
+        let save_as = FileUse::SaveAs(then);
         let answers = vec![
             ("Keep mine", mine, Some(keep.into())),
             ("Take theirs", "Reads the file again. Undo restores your version", Some(take.into())),
@@ -169,12 +157,11 @@ impl App {
             ("Cancel", "", None),
         ];
         let title = format!("Another program has changed {title}");
-        Dialog::Question(Question::new(title, text, answers))
+        self.over.ask(Question::new(title, text, answers));
     }
 
-    /// Opens what `leave` names, or closes the window, without asking about unsaved changes. Returns a
-    /// message if that fails.
-    fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
+    /// Opens what `leave` names, or closes the window, without asking about unsaved changes.
+    fn proceed(&mut self, ctx: &Context, leave: Leave) {
         self.settle(ctx, None);
         let before = self.scene.clone();
         let opened = match leave {
@@ -192,9 +179,11 @@ impl App {
                 Ok(Opened::default())
             }
         };
-        let problem = opened.map(|opened| self.show_opened(opened)).err();
+        match opened {
+            Ok(opened) => self.show_opened(opened),
+            Err(problem) => self.over.ask(problem),
+        }
         self.history.went_elsewhere(before, &self.scene);
-        problem.map(Dialog::Question)
     }
 
     fn open(&mut self, source: SceneSource) -> Result<Opened, Question> {
@@ -215,53 +204,30 @@ impl App {
         self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
     }
 
-    fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
+    fn file(&mut self, ctx: &Context, action: FileAction) {
         match action {
-            FileAction::AskOpen => {
-                Some(Dialog::file(OPEN, self.scene.open.file(), "", files::dropped))
-            }
-            FileAction::Save => self.save(ctx, None),
-            FileAction::AskSaveAs(then) => Some(self.ask_save_as(then)),
-            FileAction::SaveAs(path, then) => self.save_to(ctx, &path, then),
-            FileAction::AskSavePage => {
-                let open = &self.scene.open;
-                let name = Path::new(&open.file_name()).with_extension("html");
-                let name = name.to_string_lossy();
-                Some(Dialog::file(SAVE_PAGE, open.file(), &name, FileAction::SavePage))
-            }
-            FileAction::SavePage(path) => {
-                let saved = files::save_page(&self.scene, &path);
-                let (saved, notes) =
-                    saved.map_or_else(|e| (Err(e), Vec::new()), |notes| (Ok(()), notes));
-                let dialog = self.say_written(saved, "Saved to", &path, "The page was not saved");
-                let notice = self.scene.session.translator.notice.as_mut();
-                notice.into_iter().for_each(|notice| notice.notes.extend_from_slice(&notes));
-                dialog
-            }
-            FileAction::AskSaveStep => {
-                // The menu in which it was chosen stays open for several clicks.
-                Popup::close_all(ctx);
-                Some(self.ask_save_step())
-            }
+            FileAction::Save(then) => self.save(ctx, then),
             FileAction::KeepView => self.keep_view(),
-            FileAction::SaveStep(path) => self.save_step(&path),
-            FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
             FileAction::Discard(leave) => {
                 self.window.discarded = leave == Leave::Quit;
                 self.proceed(ctx, leave)
             }
             FileAction::DiscardRecovered => {
-                self.recovery.take()?.discard();
-                None
+                if let Some(found) = self.recovery.take() {
+                    found.discard();
+                }
             }
             FileAction::CheckFile => self.check_file(ctx),
             FileAction::KeepMine { saves, then } => {
                 self.scene.open.keep_mine();
-                if saves { self.save(ctx, then) } else { None }
+                if saves {
+                    self.save(ctx, then);
+                }
             }
             FileAction::TakeTheirs(then) => {
-                let dialog = self.take_theirs(ctx);
-                if dialog.is_some() { dialog } else { self.leave(ctx, then?) }
+                if let (true, Some(then)) = (self.take_theirs(ctx), then) {
+                    self.leave(ctx, then);
+                }
             }
         }
     }
@@ -277,23 +243,24 @@ impl App {
 
     /// Reads the scene's files again if another program has changed them. If there are unsaved changes,
     /// asks the user first.
-    fn check_file(&mut self, ctx: &Context) -> Option<Dialog> {
+    fn check_file(&mut self, ctx: &Context) {
         if self.scene.open.take_removal() {
             let title = title_of(self.scene.open.origin());
             let note = "The scene stays open here; Save writes the file again.".to_owned();
-            self.say(format!("{title} was removed by another program"), vec![note]);
-            return None;
+            return self.say(format!("{title} was removed by another program"), vec![note]);
         }
-        let file = self.scene.open.changed_by_others()?;
+        let Some(file) = self.scene.open.changed_by_others() else { return };
         if self.scene.open.has_edits() {
-            return Some(App::ask_which_version(&file, false, None));
-        }
-        let dialog = self.take_theirs(ctx);
-        if dialog.is_none() {
+            self.ask_which_version(&file, false, None);
+        } else if self.take_theirs(ctx) {
             let title = format!("{file} was changed by another program and has been read again");
             self.say(title, Vec::new());
         }
-        dialog
+    }
+
+    /// Opens a dialog with a message.
+    pub(super) fn tell(&mut self, title: &str, text: impl ToString) {
+        self.over.ask(Question::message(title, text));
     }
 
     /// Shows a notice, which disappears by itself, with a title and notes below it.
@@ -303,71 +270,69 @@ impl App {
         self.scene.session.translator.notice = Some(notice);
     }
 
-    /// Shows a notice that something was written to a file. Returns a message if that failed.
+    /// Shows a notice that something was written to a file, with notes, or a message that it was not.
     pub(super) fn say_written(
         &mut self,
-        written: Result<(), String>,
+        written: Result<Vec<String>, String>,
         verb: &str,
         path: &Path,
         problem: &str,
-    ) -> Option<Dialog> {
+    ) {
         let name = path.file_name().unwrap_or(path.as_os_str()).display();
         let folder = path.parent().filter(|folder| folder.is_absolute());
         let folder = folder.map(|folder| format!("in the folder {}", folder.display()));
         match written {
-            Ok(()) => self.say(format!("{verb} {name}"), Vec::from_iter(folder)),
-            Err(reason) => return Some(Dialog::message(problem, reason)),
+            Ok(notes) => {
+                self.say(format!("{verb} {name}"), folder.into_iter().chain(notes).collect())
+            }
+            Err(reason) => self.tell(problem, reason),
         }
-        None
     }
 
     /// Reads the scene's file, which another program has changed, again as a step that the user can undo.
-    /// Returns a message if that fails.
-    fn take_theirs(&mut self, ctx: &Context) -> Option<Dialog> {
+    /// Returns true if it can be read.
+    fn take_theirs(&mut self, ctx: &Context) -> bool {
         self.settle(ctx, None);
         if let Err(error) = self.scene.reload() {
-            return Some(Dialog::message(NOT_READ, error));
+            self.tell(NOT_READ, error);
+            return false;
         }
         if self.over.says(NOT_READ) {
             self.over.dialog = None;
         }
         self.settle(ctx, Some("reload the file"));
-        None
+        true
     }
 
     /// Saves to the scene's file, or asks for a path.
-    fn save(&mut self, ctx: &Context, then: Option<Leave>) -> Option<Dialog> {
+    fn save(&mut self, ctx: &Context, then: Option<Leave>) {
         match self.scene.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_to(ctx, &path, then),
-            None => Some(self.ask_save_as(then)),
+            None => self.ask(FileUse::SaveAs(then)),
         }
     }
 
-    fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
+    pub(super) fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) {
         if self.scene.open.is_own(path) && self.scene.open.was_changed_by_others() {
             let title = title_of(self.scene.open.origin());
-            return Some(App::ask_which_version(&title, true, then));
+            return self.ask_which_version(&title, true, then);
         }
         if let Err(reason) = self.scene.open.save_to(path) {
-            return Some(Dialog::message("The scene was not saved", reason));
+            return self.tell("The scene was not saved", reason);
         }
         self.history.take_as_settled(&self.scene.open.document);
         self.window.remember(path);
-        self.leave(ctx, then?)
+        if let Some(then) = then {
+            self.leave(ctx, then);
+        }
     }
 
-    fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
-        let save_as = move |path| FileAction::SaveAs(path, then.clone());
-        let open = &self.scene.open;
-        Dialog::file(SAVE_AS, open.file(), &open.file_name(), save_as)
-    }
-
-    fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
+    fn lesson_action(&mut self, ctx: &Context, action: LessonAction) {
         let derivation = self.views.derived.derivation.as_deref();
         if action == LessonAction::Next && self.scene.reveal(derivation) {
-            return None;
+            return;
         }
-        let open = self.scene.lessons.open.as_ref()?;
+        let Some(open) = &self.scene.lessons.open else { return };
         let to = match action {
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
@@ -376,52 +341,21 @@ impl App {
                 if session.shows_exercise() && !session.exercises.is_solved {
                     session.exercises.toggle_solution();
                 }
-                self.scene.show_all();
-                None
+                return self.scene.show_all();
             }
-            LessonAction::Close => {
-                self.scene.close_lesson();
-                None
-            }
-        }?;
+            LessonAction::Close => return self.scene.close_lesson(),
+        };
+        let Some(to) = to else { return };
         self.stop_animation();
-        let dialog = self.leave(ctx, Leave::GoTo(to));
+        self.leave(ctx, Leave::GoTo(to));
         // Going back shows the answer and every line, since the class has already seen them.
-        if action == LessonAction::Previous && dialog.is_none() {
+        if action == LessonAction::Previous && self.over.dialog.is_none() {
             self.scene.show_all();
         }
-        dialog
     }
 
-    fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {
-        match action {
-            // The text arrives later, as a paste event, like text pasted with the keyboard.
-            ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
-            ExchangeAction::Paste(text) => {
-                let taken = pasted(&text, &self.scene.open.document.camera);
-                self.take_camera(ctx, taken, "paste a camera");
-            }
-            ExchangeAction::AskImport => {
-                let near = self.scene.open.file();
-                return Some(Dialog::file(IMPORT, near, "", ExchangeAction::Import));
-            }
-            ExchangeAction::Import(path) => {
-                let taken = imported(&path, &self.scene.open.document.camera);
-                self.take_camera(ctx, taken, "import a camera");
-            }
-            ExchangeAction::AskSave => return files::ask_where_to_save_translation(&self.scene),
-            ExchangeAction::Save(path) => {
-                let saved = files::save_translation(&self.scene, &path);
-                return self.say_written(saved, "Saved to", &path, "The camera was not saved");
-            }
-        }
-        None
-    }
-}
-
-impl App {
     /// Replaces the camera by one that was read, as a step that the user can undo, and says what was read.
-    fn take_camera(&mut self, ctx: &Context, (camera, said): Taken, step: &str) {
+    pub(super) fn take_camera(&mut self, ctx: &Context, (camera, said): Taken, step: &str) {
         if let Some(camera) = camera {
             self.keep_animation(ctx);
             self.settle(ctx, None);

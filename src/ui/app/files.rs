@@ -19,16 +19,17 @@ use crate::features::class::code::codes_in;
 use crate::features::exercises::{Exercises, Progress};
 use crate::features::export::order::{Content, FigureSubject, MARGIN, Order, derivation_of};
 use crate::features::export::ui::{ExportForm, OnScreen};
+use crate::features::translator::state::imported;
 use crate::features::translator::state::with;
 use crate::features::{lines, translator};
 use crate::model::page_part;
 use crate::model::{Session, ViewLayout};
-use crate::ui::action::{Action, AnswersAction, ExchangeAction, FigureAction, Leave, ShareAction};
+use crate::ui::action::{Action, AnswersAction, FigureAction, FileUse, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::dialogs::{Dialog, Question};
-use crate::ui::widgets::path_field::FileQuestion;
+use crate::ui::widgets::path_field::{FileQuestion, PathField};
 use crate::ui::workspaces::page;
 
 /// Returns the action for a text that was pasted while no text field had the focus: a link is opened, codes of
@@ -44,7 +45,7 @@ pub(super) fn pasted(ctx: &Context) -> Option<Action> {
         Event::Paste(text) if codes_in(text).next().is_some() => {
             Some(AnswersAction::AddCodes(text.clone()).into())
         }
-        Event::Paste(text) => Some(ExchangeAction::Paste(text.clone()).into()),
+        Event::Paste(text) => Some(Action::Paste(text.clone())),
         _ => None,
     };
     ctx.input(|input| input.events.iter().find_map(pasted))
@@ -67,37 +68,21 @@ fn translated(scene: &OpenScene) -> Option<Exported> {
     translator.chosen().write(&subject).ok()
 }
 
-/// Returns the dialog that asks where to save the translated camera.
-pub(super) fn ask_where_to_save_translation(scene: &OpenScene) -> Option<Dialog> {
-    translated(scene)?;
-    let format = scene.session.translator.chosen();
-    let question = FileQuestion {
-        title: "Save the camera for another program",
-        endings: &[],
-        hint: "path of the file",
-        writes: Some(format.ending()),
-    };
-    Some(Dialog::file(question, scene.open.file(), format.file, ExchangeAction::Save))
-}
-
 /// Saves the translated camera.
 ///
 /// # Errors
 /// Returns the reason if there is no translation, or if the file cannot be written.
-pub(super) fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), String> {
+fn save_translation(scene: &OpenScene, path: &Path) -> Result<(), String> {
     let text = translated(scene).ok_or("The scene has no valid camera")?.text.text;
-    let write = |()| {
-        let written = host().write(path, text.as_bytes());
-        written.map_err(|error| error.to_string())
-    };
-    scene.open.check_output(path).and_then(write)
+    scene.open.check_output(path)?;
+    host().write(path, text.as_bytes()).map_err(|error| error.to_string())
 }
 
 /// Saves the scene, or the lesson's step if it is unchanged, as a page for a browser. Returns notes about files in it.
 ///
 /// # Errors
 /// Returns the reason if there is no page of the program, or if the file cannot be written.
-pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, String> {
+fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, String> {
     scene.open.check_output(path)?;
     let step = scene.lessons.open.as_ref().filter(|_| !scene.differs_from_step());
     let of_scene = || Ok(scene.open.files().map(Path::to_owned).collect());
@@ -120,22 +105,15 @@ pub(super) fn save_page(scene: &OpenScene, path: &Path) -> Result<Vec<String>, S
 /// which take several seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
-const ANSWERS: FileQuestion = FileQuestion {
-    title: "Check a student's answers",
-    endings: &["csv", "png"],
-    hint: "path of a .csv or .png file of answers",
-    writes: None,
-};
-
 /// Returns the action for a file that is dropped on the window or opened. Its first bytes and its name
 /// tell whether it is a link, answers to grade, a glTF to take the camera from, or a scene to open.
-pub(super) fn dropped(path: PathBuf) -> Action {
+fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();
     match host().open(&path).map(|file| file.take(FIRST).read_to_end(&mut bytes)) {
         Ok(Ok(_)) if let Some(link) = link_in(&bytes) => ShareAction::Follow(link).into(),
-        Ok(Ok(_)) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
-        _ if is_gltf(&path) => ExchangeAction::Import(path).into(),
+        Ok(Ok(_)) if answers::are_meant(&path, &bytes) => Action::Use(FileUse::CheckAnswers, path),
+        _ if is_gltf(&path) => Action::Use(FileUse::Import, path),
         _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
@@ -146,44 +124,6 @@ fn link_in(bytes: &[u8]) -> Option<String> {
     let of_shortcut = text.lines().find_map(|line| line.strip_prefix("URL="));
     let text = of_shortcut.unwrap_or(text);
     link::is_meant(text).then(|| text.to_owned())
-}
-
-/// Applies an action on a student's answers. Returns a dialog if the user must answer a question or read a
-/// message.
-pub(super) fn apply_answers_action(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
-    let session = &mut scene.session;
-    match action {
-        AnswersAction::Ask => {
-            // Start in the folder of the last answers, or of the scene.
-            let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let near = last.or(scene.open.file());
-            return Some(Dialog::file(ANSWERS, near, "", AnswersAction::Check));
-        }
-        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Question),
-        AnswersAction::PutAway => {
-            session.answers = None;
-            if session.shown.setup.layout == ViewLayout::Answers {
-                session.shown.setup.layout = ViewLayout::Both;
-            }
-        }
-        AnswersAction::AskStartOver => {
-            let text = "No exercise is done then, and what was typed in them is gone.";
-            let yes = Some(AnswersAction::StartOver.into());
-            let answers = vec![("Start over", "", yes), ("Cancel", "", None)];
-            let title = "Start the exercises over?".to_owned();
-            return Some(Dialog::Question(Question::new(title, text, answers)));
-        }
-        AnswersAction::StartOver => {
-            let exercises = &session.exercises;
-            let opened = Exercises::open(exercises.question().exercise, exercises.seed());
-            (session.exercises, session.progress) = (opened, Progress::default());
-        }
-        AnswersAction::AddCodes(text) => {
-            session.class.add(&text);
-            session.shown.setup.layout = ViewLayout::Class;
-        }
-    }
-    None
 }
 
 /// Reads and grades a file of answers. The grade is updated when the scene changes, but not when the
@@ -218,26 +158,123 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
-    /// Applies an action on figures or animations to export. Returns a dialog if the user must answer a
-    /// question or read a message.
-    pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
+    /// Asks for a file, at first in a folder and with a name that suit its use, unless there is nothing to save.
+    pub(super) fn ask(&mut self, of: FileUse) {
+        const STEP: &str = "Save this view at the end of a lesson, or begin one";
+        const NUMBERS: &str = "path of a glTF or of a text with numbers";
+        const ANSWERS: &str = "path of a .csv or .png file of answers";
+        let (title, endings, hint): (_, &[_], _) = match of {
+            FileUse::Open => ("Open a scene", &["toml"], "path of a .toml scene"),
+            FileUse::SaveAs(_) => ("Save the scene as", &["toml"], "path of a .toml scene"),
+            FileUse::SavePage => {
+                ("Save as a page for a browser", &["html"], "path of a .html file")
+            }
+            FileUse::SaveStep => (STEP, &["toml"], "path of a lesson; a new file begins one"),
+            FileUse::Import => ("Import a camera", &["gltf", "glb", "txt"], NUMBERS),
+            FileUse::SaveCamera => ("Save the camera for another program", &[], "path of the file"),
+            FileUse::CheckAnswers => ("Check a student's answers", &["csv", "png"], ANSWERS),
+        };
+        let OpenScene { open, session, lessons, .. } = &self.scene;
+        let last = match of {
+            FileUse::SaveStep => lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref()),
+            FileUse::CheckAnswers => session.answers.as_ref().map(|answers| &*answers.file.path),
+            _ => None,
+        };
+        let format = session.translator.chosen();
+        let (name, writes) = match of {
+            FileUse::Open | FileUse::Import | FileUse::CheckAnswers => (PathBuf::new(), None),
+            FileUse::SaveAs(_) => (open.file_name().into(), Some("toml")),
+            FileUse::SavePage => {
+                (Path::new(&open.file_name()).with_extension("html"), Some("html"))
+            }
+            FileUse::SaveStep => {
+                let name = last.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
+                (name.into(), Some("toml"))
+            }
+            FileUse::SaveCamera if translated(&self.scene).is_none() => return,
+            FileUse::SaveCamera => (format.file.into(), Some(format.ending())),
+        };
+        let question = FileQuestion { title, endings, hint, writes };
+        let mut field = PathField::new(question, last.or(open.file()), &name.to_string_lossy());
+        field.adds = of == FileUse::SaveStep;
+        self.over.open(Dialog::File(field, of));
+    }
+
+    /// Uses a file as it was asked for.
+    pub(super) fn use_file(&mut self, ctx: &Context, of: FileUse, path: PathBuf) {
+        match of {
+            FileUse::Open => self.apply(ctx, dropped(path)),
+            FileUse::SaveAs(then) => self.save_to(ctx, &path, then),
+            FileUse::SavePage => {
+                let saved = save_page(&self.scene, &path);
+                self.say_written(saved, "Saved to", &path, "The page was not saved")
+            }
+            FileUse::SaveStep => self.save_step(&path),
+            FileUse::Import => {
+                let taken = imported(&path, &self.scene.open.document.camera);
+                self.take_camera(ctx, taken, "import a camera");
+            }
+            FileUse::SaveCamera => {
+                let saved = save_translation(&self.scene, &path).map(|()| Vec::new());
+                self.say_written(saved, "Saved to", &path, "The camera was not saved")
+            }
+            FileUse::CheckAnswers => {
+                if let Err(problem) = check(&mut self.scene.session, &path) {
+                    self.over.ask(problem);
+                }
+            }
+        }
+    }
+
+    /// Applies an action on a student's answers, on the exercises or on a class's answers.
+    pub(super) fn answers_action(&mut self, action: AnswersAction) {
+        let Session { answers, exercises, progress, class, shown, .. } = &mut self.scene.session;
+        let layout = &mut shown.setup.layout;
+        match action {
+            AnswersAction::PutAway => {
+                *answers = None;
+                if *layout == ViewLayout::Answers {
+                    *layout = ViewLayout::Both;
+                }
+            }
+            AnswersAction::AskStartOver => {
+                let text = "No exercise is done then, and what was typed in them is gone.";
+                let yes = Some(AnswersAction::StartOver.into());
+                let answers = vec![("Start over", "", yes), ("Cancel", "", None)];
+                let title = "Start the exercises over?".to_owned();
+                self.over.ask(Question::new(title, text, answers));
+            }
+            AnswersAction::StartOver => {
+                let opened = Exercises::open(exercises.question().exercise, exercises.seed());
+                (*exercises, *progress) = (opened, Progress::default());
+            }
+            AnswersAction::AddCodes(text) => {
+                class.add(&text);
+                *layout = ViewLayout::Class;
+            }
+        }
+    }
+
+    /// Applies an action on figures or animations to export.
+    pub(super) fn figure_action(&mut self, ctx: &Context, action: FigureAction) {
         match action {
             FigureAction::Ask => {
                 let first = self.layout_subject();
                 let mut subjects = FigureSubject::ALL.to_vec();
                 subjects.sort_by_key(|subject| *subject != first);
-                Some(Dialog::Export(self.export_form(ctx, &subjects)))
+                self.over.open(Dialog::Export(self.export_form(ctx, &subjects)));
             }
             FigureAction::Export(order, path) => {
-                let exported = self.export(&order, &path);
+                let exported = self.export(&order, &path).map(|()| Vec::new());
                 self.say_written(exported, "Exported to", &path, "The figure was not exported")
             }
             FigureAction::AskAnimation => {
-                let player = self.playback.player.as_mut()?;
+                let Some(player) = &mut self.playback.player else { return };
                 player.running = false;
                 let kind = player.kind;
                 let subjects = [FigureSubject::World, FigureSubject::Camera];
-                Some(Dialog::Export(self.export_form(ctx, &subjects).animated(kind)))
+                let form = self.export_form(ctx, &subjects).animated(kind);
+                self.over.open(Dialog::Export(form));
             }
             FigureAction::ExportAnimation(order, frames, path) => {
                 self.export_animation(order, frames, path)
@@ -247,7 +284,6 @@ impl App {
                 let (document, session) = self.figure_source();
                 ctx.copy_text(derivation_of(document, &session).written_in(markup));
                 self.say(format!("Copied as {}", markup.label()), Vec::new());
-                None
             }
         }
     }
@@ -267,16 +303,15 @@ impl App {
     }
 
     /// Copies a figure of the open page to the clipboard, at the page's size on the screen.
-    fn copy_figure(&mut self, ctx: &Context) -> Option<Dialog> {
+    fn copy_figure(&mut self, ctx: &Context) {
         let shown = self.on_screen(ctx, self.layout_subject());
         let order = shown.order(shown.dots(), self.figure_style(ctx), false);
         match self.figure(&order) {
             Ok(figure) => {
                 ctx.copy_image(ColorImage::new(figure.size, figure.to_pixels()));
                 self.say("The figure is on the clipboard".to_owned(), Vec::new());
-                None
             }
-            Err(problem) => Some(Dialog::message("The figure was not copied", problem)),
+            Err(problem) => self.tell("The figure was not copied", problem),
         }
     }
 
@@ -328,9 +363,7 @@ impl App {
                 derivation_of(document, &session).written_in(markup).into_bytes()
             }
             Content::Figure(format) => {
-                let mut figure = self.figure(order)?;
-                order.refine(&mut figure, format, document, &session)?;
-                figure.to_file(format)?
+                order.figure_as(format, document, &session)?.to_file(format)?
             }
         };
         host().write(path, &bytes).map_err(|error| error.to_string())

@@ -18,8 +18,9 @@ use pinhole_lecture::numbers::grouped;
 use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Session, Shown, ViewLayout, Workspace};
+use crate::ui::PageContext;
 use crate::ui::action::{
-    Action, Available, HistoryAction, Leave, LookAction, Switch, is_any_requested, request,
+    Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
 };
 use crate::ui::app::question::in_views;
@@ -30,8 +31,8 @@ use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::{Stage, navigation};
-use crate::ui::widgets::clipped;
-use crate::ui::workspaces::{Page, PageContext, page};
+use crate::ui::widgets::{clipped, pointed_at};
+use crate::ui::workspaces::{Page, page};
 use crate::view::derive::Deriver;
 
 /// Minimum width of the window in which the panel is beside the views, in points.
@@ -132,7 +133,7 @@ impl App {
             }
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
             if let Some(path) = dropped {
-                request(ctx, files::dropped(path));
+                request(ctx, Action::Use(FileUse::Open, path));
             }
         }
         if self.window.is_to_close(ctx) {
@@ -140,7 +141,7 @@ impl App {
             let has_changes = self.scene.open.has_changes();
             self.window.let_close(ctx, !has_changes);
             if has_changes {
-                self.over.dialog = Some(self.ask_about_changes(Leave::Quit));
+                self.ask_about_changes(Leave::Quit);
             }
         }
         self.window.kept.window.update(ctx);
@@ -379,7 +380,7 @@ impl App {
             let is_followed = page.follows_pointer && is_free && !rests;
             pointed_ray = is_followed.then(|| views::pointed_ray(ui, rects, shown)).flatten();
             hovered = views::hovered(ui, rects, shown, pointed_ray.is_some())
-                .or_else(|| (page.hovered)(ui.ctx(), &self.tools, shown));
+                .or_else(|| pointed_at(ui.ctx(), page.lights?));
         }
         scene.session.live.hovered = hovered;
         scene.session.live.pointed_ray = pointed_ray;
@@ -405,6 +406,7 @@ impl App {
             derived: &self.views.derived,
             tools: &mut self.tools,
             style,
+            step: self.scene.lessons.step(is_changed).filter(|_| !is_practice),
         };
         // A vote asks its own question, and reveals nothing about the step's question.
         let is_vote = context.session.shows_vote();
@@ -414,13 +416,12 @@ impl App {
             let on_stage = rects.camera_area.filter(|_| stage.is_some() && !is_vote);
             second_picture::show(ui, &mut context, second, [area, rect], on_stage);
         }
-        let step = self.scene.lessons.step(is_changed);
-        match (stage, step.filter(|_| !is_practice)) {
-            (Some(stage), _) if is_vote => {
+        match stage {
+            Some(stage) if is_vote => {
                 clipped(ui, stage.column, |ui| (page.rest)(ui, &mut context));
             }
-            (Some(stage), step) => stage.show(ui, rects.rest, step.as_ref(), &mut context),
-            _ => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
+            Some(stage) => stage.show(ui, rects.rest, &mut context),
+            None => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
         files::notice(ui, &mut self.scene);
     }
@@ -500,7 +501,7 @@ impl App {
                 let can_undo = self.history.steps.undo_name().is_some();
                 let undo = ui.add_enabled(can_undo, egui::Button::new("Undo and go on"));
                 if undo.on_hover_text("Goes on without the last change").clicked() {
-                    self.undo_or_redo(&ctx, HistoryAction::Undo);
+                    self.undo_or_redo(&ctx, false);
                     stays = false;
                 }
                 if ui.button("Copy a report").clicked() {

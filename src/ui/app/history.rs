@@ -11,7 +11,6 @@ use super::App;
 use super::scene::{OpenScene, Opened};
 use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
-use crate::ui::action::HistoryAction;
 
 /// Maximum time, in seconds, after which another change of the same kind, made without a mouse button (such
 /// as by scrolling), still extends the last undo step.
@@ -119,15 +118,15 @@ impl App {
         self.history.settle(ctx, &self.scene.open.document, name);
     }
 
-    /// Undoes or redoes a step.
-    pub(super) fn undo_or_redo(&mut self, ctx: &Context, action: HistoryAction) {
+    /// Undoes a step, or redoes one.
+    pub(super) fn undo_or_redo(&mut self, ctx: &Context, is_redo: bool) {
         self.settle(ctx, None);
         let scene = &mut self.scene;
         let here = |moment: &Moment| match moment {
             Moment::Edited(_) => Moment::Edited(Box::new(scene.open.document.clone())),
             Moment::Elsewhere(_) => Moment::Elsewhere(Box::new(scene.clone())),
         };
-        let moment = self.history.steps.step(action == HistoryAction::Redo, here);
+        let moment = self.history.steps.step(is_redo, here);
         let is_another = matches!(moment, Some(Moment::Elsewhere(_)));
         match moment {
             None => return,

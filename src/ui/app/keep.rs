@@ -9,43 +9,23 @@ use pinhole_exchange::limits;
 use super::App;
 use super::scene::OpenScene;
 use crate::model::lessons::{Lesson, with_step};
-use crate::ui::action::FileAction;
-use crate::ui::dialogs::Dialog;
-use crate::ui::widgets::path_field::{FileQuestion, PathField};
-
-const SAVE_STEP: FileQuestion = FileQuestion {
-    title: "Save this view at the end of a lesson, or begin one",
-    endings: &["toml"],
-    hint: "path of a lesson; a new file begins one",
-    writes: Some("toml"),
-};
 
 /// Why the view of an exercise is not kept.
 const OF_EXERCISE: &str = "An exercise has a scene of its own: close it first.";
 
 impl App {
-    /// Keeps the observer in the scene. Returns a message if that is impossible.
-    pub(super) fn keep_view(&mut self) -> Option<Dialog> {
+    /// Keeps the observer in the scene, if that is possible.
+    pub(super) fn keep_view(&mut self) {
         if self.question.is_some() {
-            return Some(Dialog::message("This view was not kept", OF_EXERCISE));
+            return self.tell("This view was not kept", OF_EXERCISE);
         }
-        self.scene.open.document.observer = Some(self.scene.session.shown.observer?.stored());
+        let Some(observer) = self.scene.session.shown.observer else { return };
+        self.scene.open.document.observer = Some(observer.stored());
         self.say("The scene opens with this view once it is saved".to_owned(), Vec::new());
-        None
     }
 
-    /// Returns the dialog that asks for a lesson file, at first for the one that was opened or saved last.
-    pub(super) fn ask_save_step(&self) -> Dialog {
-        let known = self.scene.lessons.file.as_ref().and_then(|lesson| lesson.file.as_deref());
-        let name = known.and_then(Path::file_name).unwrap_or("lesson.toml".as_ref());
-        let place = known.or(self.scene.open.file());
-        let mut field = PathField::new(SAVE_STEP, place, &name.to_string_lossy());
-        field.adds = true;
-        Dialog::File(field, Box::new(|path| FileAction::SaveStep(path).into()))
-    }
-
-    /// Adds what is shown to a lesson file, as its last step. Returns a message if that fails.
-    pub(super) fn save_step(&mut self, path: &Path) -> Option<Dialog> {
+    /// Adds what is shown to a lesson file, as its last step.
+    pub(super) fn save_step(&mut self, path: &Path) {
         let lesson = self.write_step(path);
         let count = lesson.as_ref().map_or(0, |lesson| lesson.steps.len());
         let ghost = self.scene.session.shown.ghost.map_or("", |_| ", without the ghost,");
@@ -53,8 +33,9 @@ impl App {
         let written = lesson.map(|lesson| {
             self.scene.lessons.is_longer(lesson);
             self.window.remember(path);
+            Vec::new()
         });
-        self.say_written(written, &verb, path, "This view was not saved")
+        self.say_written(written, &verb, path, "This view was not saved");
     }
 
     fn write_step(&self, path: &Path) -> Result<Lesson, String> {

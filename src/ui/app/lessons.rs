@@ -14,8 +14,8 @@ use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
 use crate::model::{Session, Shown, ViewLayout, Workspace};
+use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
-use crate::ui::stage::column::OpenStep;
 
 /// The open lesson, and the state to restore when it closes.
 #[derive(Clone, Debug, Default)]

@@ -39,12 +39,11 @@ use crate::features::play::Player;
 use crate::model::recovery::{Slot, Unsaved};
 use crate::model::session::{Session, Settings, Shown, ZOOM};
 use crate::model::{Lesson, OpenDocument, OpenLesson, Remembered, StepId, Store};
+use crate::ui::Tools;
 use crate::ui::action::{Action, FileAction, LookAction};
-use crate::ui::dialogs::Dialog;
 use crate::ui::frame_times::WorkTimes;
 use crate::ui::scene::Dragging;
 use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
-use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
 
@@ -134,7 +133,7 @@ impl App {
 
     /// Shows a message about an error that occurred before the window opened.
     pub fn show_message(&mut self, title: &str, text: String) {
-        self.over.dialog = Some(Dialog::message(title, text));
+        self.tell(title, text);
     }
 
     /// Opens a lesson at this step; `file` is the lesson if it comes from a file. Does nothing if the step
@@ -146,7 +145,7 @@ impl App {
                 self.history.take_as_settled(&self.scene.open.document);
                 self.show_opened(opened);
             }
-            Err(problem) => self.over.dialog = Some(Dialog::Question(problem)),
+            Err(problem) => self.over.ask(problem),
         }
     }
 

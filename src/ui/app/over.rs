@@ -10,10 +10,10 @@ use super::App;
 use super::scene::OpenScene;
 use crate::features::share::ui::ShownCode;
 use crate::model::lessons::Which;
-use crate::ui::action::{HelpAction, Leave};
+use crate::ui::action::Leave;
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::palette::{self, CommandPalette};
-use crate::ui::dialogs::{self, Dialog, help};
+use crate::ui::dialogs::{self, Dialog, Question, help};
 use crate::ui::widgets::ResponseExt as _;
 use crate::ui::widgets::path_field::FileAnswer;
 
@@ -25,8 +25,8 @@ pub(super) struct Overlays {
     pub(super) has_desktop: bool,
     /// The code that is shown over the figure while presenting.
     pub(super) code: Option<ShownCode>,
-    palette: Option<CommandPalette>,
-    shows_keys: bool,
+    pub(super) palette: Option<CommandPalette>,
+    pub(super) shows_keys: bool,
     /// True if the focus was last moved by the keyboard. A ring then shows the focus.
     by_keyboard: bool,
 }
@@ -51,21 +51,16 @@ impl Overlays {
         self.dialog = Some(dialog);
     }
 
+    /// Asks a question, or shows a message.
+    pub(super) fn ask(&mut self, question: Question) {
+        self.open(Dialog::Question(question));
+    }
+
     /// Passes on the answer of the desktop's file dialog, and stops using that dialog if it does not
     /// work.
     pub(super) fn answer(&mut self, answer: FileAnswer) {
         self.has_desktop &= answer != FileAnswer::Unavailable;
         dialogs::answer(&mut self.dialog, answer);
-    }
-
-    /// Opens an entry of the Help menu.
-    pub(super) fn apply(&mut self, action: HelpAction) {
-        match action {
-            HelpAction::Palette => self.palette = Some(CommandPalette::default()),
-            HelpAction::Keys => self.shows_keys = true,
-            HelpAction::Conventions => self.dialog = Some(help::conventions()),
-            HelpAction::About => self.dialog = Some(help::about()),
-        }
     }
 
     /// Draws the focus ring.

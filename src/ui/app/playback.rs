@@ -136,14 +136,9 @@ impl App {
         }
     }
 
-    /// Starts to export the open animation. Returns the dialog that shows the progress or an error.
-    pub(super) fn export_animation(
-        &mut self,
-        order: Order,
-        frames: Frames,
-        path: PathBuf,
-    ) -> Option<Dialog> {
-        let (player, scene) = (self.playback.player.as_ref()?, &self.scene);
+    /// Starts to export the open animation, with a dialog that shows the progress.
+    pub(super) fn export_animation(&mut self, order: Order, frames: Frames, path: PathBuf) {
+        let (Some(player), scene) = (&self.playback.player, &self.scene) else { return };
         let mut session = scene.session.clone();
         session.live.hovered = None;
         let animation = Animation {
@@ -154,14 +149,13 @@ impl App {
             order,
             frames,
         };
-        let recorder = scene.open.check_output(&path).and_then(|()| Recorder::new(animation, path));
-        Some(match recorder {
+        match scene.open.check_output(&path).and_then(|()| Recorder::new(animation, path)) {
             Ok(recorder) => {
                 self.playback.recorder = Some(recorder);
-                Dialog::Progress { done: 0, frames: frames.count }
+                self.over.open(Dialog::Progress { done: 0, frames: frames.count });
             }
-            Err(problem) => Dialog::message("The animation was not exported", problem),
-        })
+            Err(problem) => self.tell("The animation was not exported", problem),
+        }
     }
 
     /// Writes the next frame of the export, if one is running. Cancels the export if its dialog was closed.

@@ -18,9 +18,9 @@ use crate::features::play::state::Kind;
 use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
 use crate::model::lessons::{self, OpenLesson, StepId, Which, apply};
 use crate::model::session::resolve;
-use crate::model::{Ghost, Live, OpenDocument, Session, ViewLayout};
-use crate::ui::action::{GhostAction, ObjectAction, Observe};
-use crate::ui::dialogs::{Dialog, Question};
+use crate::model::{Ghost, Live, OpenDocument, Session, Shown, ViewLayout};
+use crate::ui::action::{ObjectAction, Observe};
+use crate::ui::dialogs::Question;
 use crate::ui::panels::{camera, objects};
 
 /// The open scene, and everything that undo restores when it returns to a scene.
@@ -221,27 +221,28 @@ impl OpenScene {
         }
     }
 
-    /// Adds an object, or deletes or copies the chosen one. Returns a message if that fails.
-    pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
+    /// Adds an object, or deletes or copies the chosen one. If that fails, returns what failed and why.
+    pub(super) fn change_objects(
+        &mut self,
+        action: ObjectAction,
+    ) -> Result<(), (&'static str, String)> {
         let document = &mut self.open.document;
-        let count = document.object_count();
-        let chosen = self.chosen_object.filter(|chosen| *chosen < count);
-        match action {
-            ObjectAction::AddSphere => self.chosen_object = Some(objects::add_sphere(document)),
-            ObjectAction::AddPlane => self.chosen_object = Some(objects::add_plane(document)),
-            ObjectAction::Delete => {
-                let deleted = objects::delete(document, chosen?);
-                let problem = |reason| Dialog::message("This object was not deleted", reason);
-                return deleted.map(|()| self.chosen_object = None).err().map(problem);
+        let chosen = self.chosen_object.filter(|chosen| *chosen < document.object_count());
+        self.chosen_object = match (action, chosen) {
+            (ObjectAction::AddSphere, _) => Some(objects::add_sphere(document)),
+            (ObjectAction::AddPlane, _) => Some(objects::add_plane(document)),
+            (_, None) => return Ok(()),
+            (ObjectAction::Delete, Some(chosen)) => {
+                let problem = |reason| ("This object was not deleted", reason);
+                objects::delete(document, chosen).map_err(problem)?;
+                None
             }
-            ObjectAction::Duplicate => match objects::duplicate(document, chosen?) {
-                Ok(copy) => self.chosen_object = Some(copy),
-                Err(reason) => {
-                    return Some(Dialog::message("This object was not duplicated", reason));
-                }
-            },
-        }
-        None
+            (ObjectAction::Duplicate, Some(chosen)) => {
+                let problem = |reason| ("This object was not duplicated", reason);
+                Some(objects::duplicate(document, chosen).map_err(problem)?)
+            }
+        };
+        Ok(())
     }
 
     /// Replaces the camera. The selected pixel keeps its position in the image.
@@ -251,22 +252,19 @@ impl OpenScene {
         self.session.shown.selection = selection.in_another_image(before.image, camera.image);
     }
 
-    /// Freezes the camera as the ghost, with which it is then compared, or removes the ghost.
-    pub(super) fn change_ghost(&mut self, action: GhostAction) {
-        let (camera, ghost) = (self.open.document.camera, &mut self.session.shown.ghost);
-        match action {
-            GhostAction::Freeze => {
-                let shows_differences = ghost.is_some_and(|known| known.shows_differences);
-                *ghost = Some(Ghost { camera, shows_differences });
-            }
-            GhostAction::Drop => {
-                *ghost = None;
-                // Without a ghost, half of the comparison would be empty.
-                let layout = &mut self.session.shown.setup.layout;
-                if *layout == ViewLayout::Compare {
-                    *layout = ViewLayout::Both;
-                }
-            }
+    /// Freezes the camera as the ghost, with which it is then compared.
+    pub(super) fn freeze_ghost(&mut self) {
+        let ghost = &mut self.session.shown.ghost;
+        let shows_differences = ghost.is_some_and(|known| known.shows_differences);
+        *ghost = Some(Ghost { camera: self.open.document.camera, shows_differences });
+    }
+
+    /// Removes the ghost. Half of the comparison would be empty without it.
+    pub(super) fn drop_ghost(&mut self) {
+        let Shown { ghost, setup, .. } = &mut self.session.shown;
+        *ghost = None;
+        if setup.layout == ViewLayout::Compare {
+            setup.layout = ViewLayout::Both;
         }
     }
 

@@ -52,16 +52,14 @@ impl App {
         self.waiting.push(ShareAction::Follow(text).into());
     }
 
-    /// Applies an action on links and codes. Returns a dialog if the user must answer a question or read a message.
-    pub(super) fn share(&mut self, ctx: &Context, action: ShareAction) -> Option<Dialog> {
+    /// Applies an action on links and codes.
+    pub(super) fn share(&mut self, ctx: &Context, action: ShareAction) {
         match action {
-            ShareAction::Show => return self.show_link(),
-            ShareAction::Follow(text) => {
-                return match read(&text) {
-                    Ok(link) => self.leave(ctx, Leave::Follow(Box::new(link))),
-                    Err(error) => Some(Dialog::message("This link cannot be opened", error)),
-                };
-            }
+            ShareAction::Show => self.show_link(),
+            ShareAction::Follow(text) => match read(&text) {
+                Ok(link) => self.leave(ctx, Leave::Follow(Box::new(link))),
+                Err(error) => self.tell("This link cannot be opened", error),
+            },
             ShareAction::Copy(url) => {
                 ctx.copy_text(url);
                 self.say("The link is on the clipboard".to_owned(), Vec::new());
@@ -77,29 +75,28 @@ impl App {
                 self.say("The code of your answer is on the clipboard".to_owned(), vec![note]);
             }
         }
-        None
     }
 
     /// Shows the link, and its code. While presenting, the code alone fills the figure, if there is one, and
     /// disappears the second time.
-    fn show_link(&mut self) -> Option<Dialog> {
+    fn show_link(&mut self) {
         if self.over.code.take().is_some() {
-            return None;
+            return;
         }
         let link = to_window(self.document(), self.session(), self.lesson());
         let fragment = match link.to_fragment() {
             Ok(fragment) => fragment,
-            Err(error) => return Some(Dialog::message("This scene has no link", error)),
+            Err(error) => return self.tell("This scene has no link", error),
         };
         let address = &self.window.kept.address;
         if self.session().presenting.is_some() && !address.trim().is_empty() {
             let code = ShownCode::of(link::url(address, &fragment));
             if code.image.is_ok() {
                 self.over.code = Some(code);
-                return None;
+                return;
             }
         }
-        Some(Dialog::Share(ShareForm::new(fragment, address.clone())))
+        self.over.open(Dialog::Share(ShareForm::new(fragment, address.clone())));
     }
 
     /// Shows the code over the main figure of the stage, or over the views, until presenting ends.

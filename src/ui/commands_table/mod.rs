@@ -6,7 +6,7 @@
 
 use std::sync::LazyLock;
 
-use egui::{Context, Event, Key, Modifiers};
+use egui::{Context, Event, Key, ModifierNames, Modifiers};
 use pinhole_figure::typesetting::theme;
 
 use crate::ui::action::{Action, CameraMove, Observe, Steer, VoteAction};
@@ -155,8 +155,8 @@ fn keys_of(family: &[&UiCommand]) -> String {
     if let (true, Some(first)) = (are_arrows, keys.first())
         && keys.iter().all(|key| key.modifiers == first.modifiers)
     {
-        let held = first.held();
-        return if held.is_empty() { "Arrows".to_owned() } else { format!("{held}arrows") };
+        let arrows = if first.modifiers.is_none() { "Arrows" } else { "arrows" };
+        return first.held_with(arrows);
     }
     keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
 }
@@ -237,17 +237,13 @@ pub struct Keys {
 impl Keys {
     /// Returns the names of the keys, such as `Ctrl+Shift+S`.
     pub fn text(&self) -> String {
-        self.held() + name(self.key)
+        self.held_with(name(self.key))
     }
 
-    /// Returns the names of the modifiers, such as `Ctrl+Shift+`.
-    fn held(&self) -> String {
-        let held = [
-            (self.modifiers.command, "Ctrl+"),
-            (self.modifiers.alt, "Alt+"),
-            (self.modifiers.shift, "Shift+"),
-        ];
-        held.iter().filter(|held| held.0).map(|held| held.1).collect()
+    /// Returns the names of the modifiers and, behind them, this name.
+    fn held_with(&self, name: &str) -> String {
+        let held = ModifierNames::NAMES.format(&self.modifiers, false);
+        if held.is_empty() { name.to_owned() } else { format!("{held}+{name}") }
     }
 
     /// Consumes the presses of the key and returns their number.

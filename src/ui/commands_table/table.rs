@@ -14,9 +14,8 @@ use crate::features::play::state::Kind;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
 use crate::model::session::{TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
 use crate::ui::action::{
-    Action, AnswersAction, CameraMove, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LessonAction, LookAction, ObjectAction, Observe, PlayAction,
-    ShareAction, Steer, Switch, VoteAction,
+    Action, CameraMove, FigureAction, FileAction, FileUse, Leave, LessonAction, LookAction,
+    ObjectAction, Observe, PlayAction, ShareAction, Steer, Switch, VoteAction,
 };
 use crate::ui::commands_table::{Group, Keys, UiCommand, When};
 
@@ -87,13 +86,13 @@ fn files() -> Vec<UiCommand> {
         File, "New", "Opens an empty scene with the canonical camera.",
             Leave::New => key(Anywhere, CTRL, Key::N);
         File, "Open…", "Asks which scene or lesson to open.",
-            FileAction::AskOpen => key(Anywhere, CTRL, Key::O);
+            FileUse::Open => key(Anywhere, CTRL, Key::O);
         File, "Save as…", "Asks which file to save the scene to.",
-            FileAction::AskSaveAs(None) => key(Anywhere, CTRL_SHIFT, Key::S);
-        File, "Save", "Saves the scene to its file.", FileAction::Save => key(Anywhere, CTRL, Key::S);
+            FileUse::SaveAs(None) => key(Anywhere, CTRL_SHIFT, Key::S);
+        File, "Save", "Saves the scene to its file.", FileAction::Save(None) => key(Anywhere, CTRL, Key::S);
         File, "Save as a page…", "Asks where to save a page that opens the scene or step in any browser.",
-            FileAction::AskSavePage;
-        File, "Check answers…", "Asks which file of a student's answers to grade.", AnswersAction::Ask;
+            FileUse::SavePage;
+        File, "Check answers…", "Asks which file of a student's answers to grade.", FileUse::CheckAnswers;
         File, "Export a figure…", "Asks which figure to export, and where.",
             FigureAction::Ask => key(Anywhere, CTRL, Key::E);
         File, "Copy the figure", "Copies a picture of what is shown to the clipboard.", FigureAction::Copy;
@@ -104,7 +103,7 @@ fn files() -> Vec<UiCommand> {
         File, "Share…", "Shows the link to what is shown, with its QR code; while presenting, the code fills the figure until Q or Escape.",
             ShareAction::Show => plain(Untyped, Key::Q);
         File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
-            ExchangeAction::AskSave;
+            FileUse::SaveCamera;
         File, "Quit", "Closes the window.", Leave::Quit => key(Anywhere, CTRL, Key::Q);
     ]
 }
@@ -113,13 +112,13 @@ fn files() -> Vec<UiCommand> {
 fn program() -> Vec<UiCommand> {
     use When::*;
     commands![
-        Edit, "Undo", "Undoes the last change to the scene.", HistoryAction::Undo => key(Untyped, CTRL, Key::Z);
+        Edit, "Undo", "Undoes the last change to the scene.", Action::Undo => key(Untyped, CTRL, Key::Z);
         Edit, "Redo", "Redoes the change that was undone last.",
-            HistoryAction::Redo => key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y);
+            Action::Redo => key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y);
         File, "Import a camera…", "Asks which glTF, or file of numbers, to take the camera from.",
-            ExchangeAction::AskImport;
+            FileUse::Import;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
-            ExchangeAction::AskPaste => key(Untyped, CTRL, Key::V);
+            Action::AskPaste => key(Untyped, CTRL, Key::V);
         Lesson, "Next step", "Shows the answer to the lesson's step, or goes to the next step.",
             LessonAction::Next => plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight);
         Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
@@ -134,19 +133,19 @@ fn program() -> Vec<UiCommand> {
         Views, "Keep this view in the scene", "Lets the scene open with the world view as it is now.",
             FileAction::KeepView;
         Views, "Save this view as a step…", "Asks which lesson to add what is shown to, as its last step.",
-            FileAction::AskSaveStep;
+            FileUse::SaveStep;
         Views, "Recap: from view to the ray", "Shows in six lines how view, w, u, v, d and the ray come about; again to end.",
             LookAction::Recap => plain(Untyped, Key::W);
         Program, "Side panel", "Shows or hides the panel with camera and objects.",
             LookAction::Toggle(Switch::Panel) => key(Anywhere, CTRL, Key::B);
         Program, "Command palette", "Finds a command by a few of its letters.",
-            HelpAction::Palette => key(Anywhere, CTRL, Key::P),
+            Action::OpenPalette => key(Anywhere, CTRL, Key::P),
                 key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash);
         Program, "Keys", "Shows all keys on one sheet.",
-            HelpAction::Keys => plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1);
+            Action::ShowKeys => plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1);
         Program, "The lecture's conventions", "Shows what u, v, w, a pixel and a hit mean here.",
-            HelpAction::Conventions;
-        Program, "About Pinhole", "Shows the version and the licences.", HelpAction::About;
+            Action::ShowConventions;
+        Program, "About Pinhole", "Shows the version and the licences.", Action::ShowAbout;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
             LookAction::ZoomBy(1) => key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
@@ -221,9 +220,9 @@ fn playing() -> Vec<UiCommand> {
         Play, "Step back", "Moves the open animation one step back.",
             PlayAction::Step(-1) => plain(Untyped, Key::Comma);
         Play, "Freeze the camera as a ghost", "Keeps a copy of the camera, the ghost, to compare with.",
-            GhostAction::Freeze => plain(Untyped, Key::G);
+            Action::FreezeGhost => plain(Untyped, Key::G);
         Play, "Remove the ghost", "Removes the ghost.",
-            GhostAction::Drop => key(Untyped, Modifiers::SHIFT, Key::G);
+            Action::DropGhost => key(Untyped, Modifiers::SHIFT, Key::G);
         Play, "Loop", "Turns repetition of the open animation on or off.",
             PlayAction::Loop => plain(Untyped, Key::L);
         Play, "Keep", "Closes the animation and keeps the current state.", PlayAction::Keep;

@@ -1,25 +1,22 @@
 //! Dialogs over the window: files, figures, questions and messages. The submodules also hold the command
 //! palette, the list of keys and the texts of the Help menu.
 
-use std::path::{Path, PathBuf};
-
 use egui::{Context, Id, Modal, ProgressBar, ScrollArea, Ui, Vec2};
 use pinhole_exchange::legible;
 
 use crate::features::export::ui::ExportForm;
 use crate::features::share::ui::ShareForm;
-use crate::ui::action::{Action, request};
+use crate::ui::action::{Action, FileUse, request};
 
 pub mod help;
 pub mod palette;
 
-use crate::ui::widgets::path_field::PathField;
-use crate::ui::widgets::path_field::{FileAnswer, FileQuestion};
+use crate::ui::widgets::path_field::{FileAnswer, PathField};
 
 /// The open dialog.
 pub(crate) enum Dialog {
-    /// Asks for a file. The function turns the file's path into an action.
-    File(PathField, Box<dyn Fn(PathBuf) -> Action + Send>),
+    /// Asks for a file, and for what.
+    File(PathField, FileUse),
     /// Asks which figure to export, and to which file.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
@@ -101,18 +98,6 @@ impl Dialog {
         }
     }
 
-    /// Creates a dialog that asks for a file, at first in the folder of `near` and with this name, and then
-    /// requests the action for its path.
-    pub(crate) fn file<A: Into<Action>>(
-        question: FileQuestion,
-        near: Option<&Path>,
-        name: &str,
-        action: impl Fn(PathBuf) -> A + Send + 'static,
-    ) -> Dialog {
-        let field = PathField::new(question, near, name);
-        Dialog::File(field, Box::new(move |path| action(path).into()))
-    }
-
     /// If this dialog needs a file, lets the user choose the file in the desktop's own dialog. When a figure
     /// is exported, the desktop's dialog opens only once a button is clicked.
     pub(crate) fn leave_to_desktop(&mut self) {
@@ -157,9 +142,9 @@ const EDGE: f32 = 12.0;
 /// Shows the contents of the dialog. Returns the action of its answer; sets `close` to true if it is closed.
 fn contents(ui: &mut Ui, open: &mut Dialog, close: &mut bool) -> Option<Action> {
     match open {
-        Dialog::File(field, action) => {
+        Dialog::File(field, of) => {
             ui.heading(field.question.title);
-            field.ui(ui, close).map(action)
+            field.ui(ui, close).map(|path| Action::Use(of.clone(), path))
         }
         Dialog::Export(form) => form.ui(ui, close),
         Dialog::Share(form) => form.ui(ui, close),

@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use egui::{Context, Grid, Rect, RichText, Ui, UiBuilder};
 use pinhole_core::{
-    BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
-    Viewport,
+    Basis, BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera,
+    Selection, Viewport,
 };
 use pinhole_figure::symbols::{SymbolKind, meaning, typeset_message};
 use pinhole_figure::typesetting::theme::error_color;
@@ -92,9 +92,14 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
 
 fn orientation(ui: &mut Ui, camera: &mut Camera) {
     let fault = camera.basis().err();
-    let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
+    let given = match &mut camera.orientation {
+        Orientation::At { at, up } => vec![("at", at), ("up", up)],
+        Orientation::View { view, up } => vec![("view", view), ("up", up)],
+        Orientation::Basis(Basis { u, v, w }) => vec![("u", u), ("v", v), ("w", w)],
+    };
+    for (name, value) in [("eye", &mut camera.eye)].into_iter().chain(given) {
         // The picture says what is wrong; here only the name of the field is marked.
-        let is_wrong = fault.is_some_and(|fault| is_at_fault(&fault, field));
+        let is_wrong = fault.is_some_and(|fault| is_at_fault(&fault, name));
         let color = if is_wrong { Some(error_color(ui)) } else { vector_color(ui, name) };
         let color = color.unwrap_or(ui.visuals().text_color());
         let label = ui.label(RichText::new(name).strong().color(color));
@@ -103,38 +108,22 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         }
         ui.horizontal(|ui| vector_row(ui, name, value));
         ui.end_row();
-    };
-    row(ui, "eye", "eye", &mut camera.eye);
-    match &mut camera.orientation {
-        Orientation::At { at, up } => {
-            row(ui, "at", "at", at);
-            row(ui, "up", "up", up);
-        }
-        Orientation::View { view, up } => {
-            row(ui, "view", "view", view);
-            row(ui, "up", "up", up);
-        }
-        Orientation::Basis(basis) => {
-            row(ui, "basis.u", "u", &mut basis.u);
-            row(ui, "basis.v", "v", &mut basis.v);
-            row(ui, "basis.w", "w", &mut basis.w);
-        }
     }
 }
 
-/// Returns true if the error is about this field.
-fn is_at_fault(fault: &BasisError, field: &str) -> bool {
+/// Returns true if the error is about the vector of this name.
+fn is_at_fault(fault: &BasisError, name: &str) -> bool {
     let at_fault = match fault {
-        BasisError::NotFinite { field, .. } => field,
+        BasisError::NotFinite { field, .. } => field.trim_start_matches("basis."),
         BasisError::EyeIsAt { .. } => "at",
         BasisError::ViewIsZero => "view",
         BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "up",
         BasisError::NotUnit { vector, .. } | BasisError::NotOrthogonal { second: vector, .. } => {
-            return field.strip_prefix("basis.") == Some(vector);
+            vector
         }
-        _ => "basis.w",
+        _ => "w",
     };
-    at_fault == field
+    at_fault == name
 }
 
 fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {

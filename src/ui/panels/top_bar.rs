@@ -15,9 +15,8 @@ use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
 use crate::model::session::{DIGITS, TOOLS, ThemeName, ViewLayout, Workspace, shade_label};
 use crate::ui::action::{
-    Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, GhostAction,
-    HelpAction, HistoryAction, Leave, LookAction, ObjectAction, Observe, PlayAction, ShareAction,
-    Switch, request,
+    Action, Available, FigureAction, FileAction, FileUse, Leave, LookAction, ObjectAction, Observe,
+    PlayAction, ShareAction, Switch, request,
 };
 use crate::ui::commands_table::{command_of, hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, button_width};
@@ -64,8 +63,8 @@ pub(crate) fn ui(ui: &mut Ui, open: &OpenDocument, recent: &[PathBuf], there: Av
             });
             ui.menu_button("Tools", |ui| layouts(ui, there, TOOLS));
             ui.menu_button("Help", |ui| {
-                entries!(ui, there: HelpAction::Keys, HelpAction::Palette;
-                    HelpAction::Conventions, HelpAction::About);
+                entries!(ui, there: Action::ShowKeys, Action::OpenPalette;
+                    Action::ShowConventions, Action::ShowAbout);
             });
         };
         if ui.available_width() < NARROW {
@@ -154,7 +153,7 @@ fn ghost(ui: &mut Ui, there: Available<'_>) {
         let layout = if is_on { ViewLayout::Both } else { ViewLayout::Compare };
         request(ui.ctx(), LookAction::Layout(layout));
         if !is_on && there.session.shown.ghost.is_none() {
-            request(ui.ctx(), GhostAction::Freeze);
+            request(ui.ctx(), Action::FreezeGhost);
         }
     }
 }
@@ -185,10 +184,10 @@ fn choice(ui: &mut Ui, there: Available<'_>, text: &str, action: LookAction) {
 
 fn file_menu(ui: &mut Ui, recent: &[PathBuf], there: Available<'_>) {
     entries!(ui, there:
-        Leave::New, FileAction::AskOpen, ExchangeAction::AskImport, FileAction::Save,
-        FileAction::AskSaveAs(None), FileAction::AskSavePage, FileAction::AskSaveStep,
+        Leave::New, FileUse::Open, FileUse::Import, FileAction::Save(None),
+        FileUse::SaveAs(None), FileUse::SavePage, FileUse::SaveStep,
         ShareAction::Show;
-        AnswersAction::Ask;
+        FileUse::CheckAnswers;
         FigureAction::Ask, FigureAction::Copy, FigureAction::CopyDerivation(Markup::Latex),
         FigureAction::CopyDerivation(Markup::Markdown)
     );
@@ -214,11 +213,12 @@ fn file_menu(ui: &mut Ui, recent: &[PathBuf], there: Available<'_>) {
 }
 
 fn edit_menu(ui: &mut Ui, there: Available<'_>) {
-    let (undo, redo) = (HistoryAction::Undo, HistoryAction::Redo);
-    for (verb, step, action) in [("Undo", there.undo, undo), ("Redo", there.redo, redo)] {
+    for (verb, step, action) in
+        [("Undo", there.undo, Action::Undo), ("Redo", there.redo, Action::Redo)]
+    {
         named_entry(ui, there, format!("{verb} {}", step.unwrap_or_default()).trim(), action);
     }
-    entries!(ui, there: ExchangeAction::AskPaste; ObjectAction::Duplicate, ObjectAction::Delete);
+    entries!(ui, there: Action::AskPaste; ObjectAction::Duplicate, ObjectAction::Delete);
 }
 
 fn view_menu(ui: &mut Ui, there: Available<'_>) {
@@ -226,7 +226,7 @@ fn view_menu(ui: &mut Ui, there: Available<'_>) {
     named_entry(ui, there, "Vote: guess which mistake", LookAction::Vote);
     entries!(ui, there:
         LookAction::Recap, Observe::FrameAll, Observe::FrameCamera, FileAction::KeepView;
-        GhostAction::Freeze, GhostAction::Drop
+        Action::FreezeGhost, Action::DropGhost
     );
     ui.separator();
     ui.menu_button("Drawn over the views", |ui| {

@@ -10,10 +10,11 @@ use pinhole_figure::typesetting::theme::STACKED;
 use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;
-use crate::model::{Ghost, Session};
-use crate::ui::action::GhostAction;
+use crate::model::Ghost;
+use crate::ui::PageContext;
+use crate::ui::action::Action;
 use crate::ui::widgets::{ResponseExt as _, Words, cell, vector_color};
-use crate::view::derive::{AgainstGhost, Derived, SecondPicture};
+use crate::view::derive::{AgainstGhost, SecondPicture};
 
 /// Size of the text, in points, where the tables are side by side and where they are stacked.
 const TEXT: [f32; 2] = [15.5, 12.0];
@@ -55,8 +56,9 @@ fn share_that_differs(against: &AgainstGhost) -> String {
 }
 
 /// Shows the ghost's buttons, and the numbers of both cameras.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &Session) {
-    let (ghost, style) = (session.shown.ghost.as_ref(), session.shown.setup.number_style());
+pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, style, .. } = context;
+    let (document, ghost) = (&open.document, session.shown.ghost.as_ref());
     let is_stacked = ui.available_width() < STACKED;
     let size = TEXT[usize::from(is_stacked)];
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(size));
@@ -64,9 +66,9 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
     let style = style.at_most(DIGITS);
     ui.horizontal_wrapped(|ui| {
         let freeze = ui.button("Freeze").named("Freeze the camera as a ghost");
-        freeze.asks(GhostAction::Freeze);
+        freeze.asks(Action::FreezeGhost);
         let remove = ui.add_enabled(ghost.is_some(), egui::Button::new("Remove"));
-        remove.named("Remove the ghost").asks(GhostAction::Drop);
+        remove.named("Remove the ghost").asks(Action::DropGhost);
         if let Some(against) = against {
             ui.add_space(8.0);
             ui.strong(share_that_differs(against));

@@ -5,20 +5,19 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{
-    Align, Context, FontId, Grid, Id, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui,
-};
+use egui::{Align, FontId, Grid, Label, Layout, Response, RichText, ScrollArea, TextStyle, Ui};
 use pinhole_core::{Counts, DVec2, DVec3, ResolvedCamera, Steps};
 use pinhole_exchange::document::Document;
-use pinhole_figure::concept::{HoverSource, Hovered};
+use pinhole_figure::Item;
+use pinhole_figure::concept::HoverSource;
 use pinhole_figure::inspection::Inspection;
 use pinhole_figure::typesetting::notation::{self, formula};
 use pinhole_figure::typesetting::theme;
 use pinhole_figure::typesetting::theme::WRITTEN;
-use pinhole_figure::{Item, OverlayItems};
 use pinhole_lecture::numbers::grouped;
 
-use crate::ui::widgets::{ResponseExt as _, vector_color};
+use crate::ui::PageContext;
+use crate::ui::widgets::{ResponseExt as _, is_about, vector_color};
 use crate::view::derive::Derived;
 use pinhole_figure::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 
@@ -26,7 +25,8 @@ use pinhole_figure::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 const HITS: f32 = 280.0;
 
 /// Shows the blocks Basis, Ray and Hits side by side, or one below another where there is no space.
-pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+pub(crate) fn ui(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         // This is as wide as the widest numbers, so that nothing moves sideways while they change.
         let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
@@ -51,7 +51,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             });
             let Some(inspection) = &derived.inspection else { return };
             block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
-            ui.vertical(|ui| hits(ui, derived, document, style));
+            ui.vertical(|ui| hits(ui, derived, &open.document, style));
         });
     });
 }
@@ -123,7 +123,7 @@ fn job_of(ui: &Ui, reading: &Reading, style: NumberStyle, strong: bool, size: f3
 /// Sets a label's text for screen readers and its tooltip to the text and the meaning of the reading that it
 /// shows. Hovering the label highlights the reading's concept in the views.
 fn explain(label: Response, reading: &Reading, style: NumberStyle) {
-    point(&label, reading);
+    is_about(&label, reading.concept, HoverSource::Numbers);
     let label = label.spoken(written(reading, style));
     if !reading.meaning().is_empty() {
         label.on_hover_text(reading.meaning());
@@ -141,10 +141,10 @@ fn block(ui: &mut Ui, title: &str, readings: &[Reading], style: NumberStyle) {
     Grid::new(title).num_columns(2).show(ui, |ui| {
         for reading in readings {
             let name = ui.label(name_of(ui, reading, true, size));
-            point(&name, reading);
+            is_about(&name, reading.concept, HoverSource::Numbers);
             name.on_hover_text(reading.meaning());
             let value = ui.label(style.equated_value(&reading.value));
-            point(&value, reading);
+            is_about(&value, reading.concept, HoverSource::Numbers);
             value.spoken(written(reading, style));
             ui.end_row();
         }
@@ -201,7 +201,8 @@ const LINES: f32 = 8.0;
 const SIZES: [f32; 6] = [18.0, 17.0, 16.0, 15.0, 14.0, WRITTEN];
 
 /// Shows the basis, the selected ray and its first hit, with one number or vector per line.
-pub(crate) fn column(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+pub(crate) fn column(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
     let Some(resolved) = derived.resolved.as_ref().filter(|_| derived.fault.is_none()) else {
         return;
     };
@@ -210,7 +211,7 @@ pub(crate) fn column(ui: &mut Ui, derived: &Derived, document: &Document, style:
         let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
         readings.extend([uv, d]);
         // A miss has neither t nor point, so that they come last and nothing else moves.
-        readings.extend(inspection.hit_readings(|k| document.title_of(k)).into_iter().rev());
+        readings.extend(inspection.hit_readings(|k| open.document.title_of(k)).into_iter().rev());
         let point = inspection.first.map(|first| inspection.root_readings(first));
         readings.extend(point.map(|[_, _, point, _]| point));
     }
@@ -232,13 +233,9 @@ pub(crate) const LEAST: f32 = 420.0;
 
 /// Shows the selected ray and its first hit in one line, as far as they are drawn and there is room for
 /// them.
-pub(crate) fn band(
-    ui: &mut Ui,
-    derived: &Derived,
-    document: &Document,
-    items: OverlayItems,
-    style: NumberStyle,
-) {
+pub(crate) fn band(ui: &mut Ui, context: &PageContext<'_>) {
+    let PageContext { open, derived, style, .. } = *context;
+    let items = context.session.shown.setup.items;
     let shown = derived.resolved.as_ref().zip(derived.inspection.as_ref());
     let Some((resolved, inspection)) = shown.filter(|_| derived.fault.is_none()) else { return };
     let [_, uv, _, d, _] = inspection.ray_readings(resolved.image());
@@ -247,7 +244,7 @@ pub(crate) fn band(
         row.extend([uv, d]);
     }
     if items.shows_any(&[Item::Hit, Item::Roots, Item::SphereFigure]) {
-        row.extend(inspection.hit_readings(|object| document.title_of(object)));
+        row.extend(inspection.hit_readings(|object| open.document.title_of(object)));
     }
     if row.is_empty() {
         return;
@@ -336,34 +333,4 @@ pub(crate) fn ray_text(inspection: &Inspection, document: &Document, style: Numb
     };
     let uv = style.equated_value(&ReadingValue::Uv(inspection.uv));
     format!("{}(𝑢, 𝑣) {uv}\n{hit}", pixel.unwrap_or_default())
-}
-
-/// The readout that was under the mouse in the last egui pass: the id of its label, and the concept that it
-/// is about.
-#[derive(Clone, Copy, PartialEq)]
-struct Pointed(Id, Hovered);
-
-fn pointed_key() -> Id {
-    Id::unique("number that is pointed at")
-}
-
-/// Stores the concept of a reading if the mouse is on its label.
-fn point(label: &Response, reading: &Reading) {
-    let Some(concept) = reading.concept.filter(|_| label.hovered()) else { return };
-    let now = Pointed(label.id, Hovered { concept, by: HoverSource::Numbers });
-    if label.ctx.data(|data| data.get_temp(pointed_key())) != Some(now) {
-        label.ctx.data_mut(|data| data.insert_temp(pointed_key(), now));
-        // The views are drawn before the numbers, so they show the highlight only in the next pass.
-        label.ctx.request_repaint();
-    }
-}
-
-/// Returns the concept of the number under the mouse.
-pub(crate) fn hovered(ctx: &Context) -> Option<Hovered> {
-    let Pointed(id, hovered) = ctx.data(|data| data.get_temp(pointed_key()))?;
-    let is_on = ctx.read_response(id).is_some_and(|response| response.hovered());
-    if !is_on {
-        ctx.data_mut(|data| data.remove::<Pointed>(pointed_key()));
-    }
-    is_on.then_some(hovered)
 }

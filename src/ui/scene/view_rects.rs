@@ -70,44 +70,6 @@ pub(crate) struct Divider<'a> {
 }
 
 impl Divider<'_> {
-    /// Returns the areas of a page without views.
-    pub(crate) fn no_views(&self) -> Areas {
-        Areas { world: None, camera: None, second: None, rest: self.whole.shrink(MARGIN) }
-    }
-
-    /// Makes the world view the main figure, which reaches the edges, as on a lesson's stage. Beside it, or
-    /// below it in an area that is not wide, is a column of the camera view and the rest.
-    pub(crate) fn figure_and_column(&mut self) -> Areas {
-        let whole = self.whole;
-        let is_beside = whole.width() >= WIDE * whole.height();
-        let (main, column) = match is_beside {
-            true => self.across(whole, Split::Views, "views handle"),
-            false => self.down(whole, Split::Stack),
-        };
-        let column = column.shrink(MARGIN);
-        let aspect = self.image.width() as f32 / self.image.height() as f32;
-        let (camera, rest) = if is_beside {
-            let height = STRIP + column.width() / aspect;
-            let most = (column.height() - NUMBERS).max(0.5 * column.height());
-            let (above, below) = column.split_top_bottom_at_y(column.top() + height.min(most));
-            (above, below.with_min_y(below.top() + MARGIN))
-        } else {
-            let width = (column.height() - STRIP) * aspect;
-            let (left, right) =
-                column.split_left_right_at_x(column.left() + width.min(0.5 * column.width()));
-            (left, right.with_min_x(right.left() + MARGIN))
-        };
-        Areas { world: Some(main), camera: Some(camera), second: None, rest }
-    }
-
-    /// Puts all numbers, side by side, below figure and column, which keep the rule of
-    /// [`figure_and_column`](Self::figure_and_column).
-    pub(crate) fn above_numbers(&mut self) -> Areas {
-        let (views, rest) = self.above(Split::Readouts);
-        self.whole = views;
-        Areas { rest, ..self.figure_and_column() }
-    }
-
     /// Lets a view, the world view or the camera view, fill the page, with the numbers at its foot.
     pub(crate) fn figure_and_foot(&self, is_world: bool) -> Areas {
         let boundary = (self.whole.bottom() - self.band).max(self.whole.top());
@@ -126,20 +88,6 @@ impl Divider<'_> {
         };
         let (middle, right) = halves(right);
         Areas { world: Some(left), camera: Some(middle), second: Some(right), rest }
-    }
-
-    /// Stacks both views, with the rest to their right. In a narrow area, puts them side by side, with the rest
-    /// below.
-    pub(crate) fn stack_beside(&mut self) -> Areas {
-        if self.whole.width() < STACKED {
-            let (views, rest) = self.down(self.whole, Split::Derivation);
-            let (left, right) = halves(views);
-            let rest = rest.shrink2(vec2(MARGIN, 0.0));
-            return Areas { world: Some(left), camera: Some(right), second: None, rest };
-        }
-        let (views, rest) = self.across(self.whole, Split::Derivation, "derivation handle");
-        let (top, bottom) = self.down(views, Split::Stack);
-        Areas { world: Some(top), camera: Some(bottom), second: None, rest: rest.shrink(MARGIN) }
     }
 
     /// Splits the whole into the views and the area below them, which has the height that the user has set.
@@ -184,6 +132,61 @@ impl Divider<'_> {
         self.move_by(split, share, dragged / area.height().max(1.0));
         (area.with_max_y(handle.top()), area.with_min_y(handle.bottom()))
     }
+}
+
+/// Returns the areas of a page without views.
+pub(crate) fn no_views(divider: &mut Divider<'_>) -> Areas {
+    Areas { world: None, camera: None, second: None, rest: divider.whole.shrink(MARGIN) }
+}
+
+/// Makes the world view the main figure, which reaches the edges, as on a lesson's stage. Beside it, or
+/// below it in an area that is not wide, is a column of the camera view and the rest.
+pub(crate) fn figure_and_column(divider: &mut Divider<'_>) -> Areas {
+    let whole = divider.whole;
+    let is_beside = whole.width() >= WIDE * whole.height();
+    let (main, column) = match is_beside {
+        true => divider.across(whole, Split::Views, "views handle"),
+        false => divider.down(whole, Split::Stack),
+    };
+    let column = column.shrink(MARGIN);
+    let aspect = divider.image.width() as f32 / divider.image.height() as f32;
+    let (camera, rest) = if is_beside {
+        let height = STRIP + column.width() / aspect;
+        let most = (column.height() - NUMBERS).max(0.5 * column.height());
+        let (above, below) = column.split_top_bottom_at_y(column.top() + height.min(most));
+        (above, below.with_min_y(below.top() + MARGIN))
+    } else {
+        let width = (column.height() - STRIP) * aspect;
+        let (left, right) =
+            column.split_left_right_at_x(column.left() + width.min(0.5 * column.width()));
+        (left, right.with_min_x(right.left() + MARGIN))
+    };
+    Areas { world: Some(main), camera: Some(camera), second: None, rest }
+}
+
+/// Makes the world view the main figure, as [`figure_and_column`] does. All numbers, if they are shown, are side
+/// by side below figure and column.
+pub(crate) fn figure_and_numbers(divider: &mut Divider<'_>) -> Areas {
+    if !divider.has_all_numbers {
+        return figure_and_column(divider);
+    }
+    let (views, rest) = divider.above(Split::Readouts);
+    divider.whole = views;
+    Areas { rest, ..figure_and_column(divider) }
+}
+
+/// Stacks both views, with the rest to their right. In a narrow area, puts them side by side, with the rest
+/// below.
+pub(crate) fn stack_beside(divider: &mut Divider<'_>) -> Areas {
+    if divider.whole.width() < STACKED {
+        let (views, rest) = divider.down(divider.whole, Split::Derivation);
+        let (left, right) = halves(views);
+        let rest = rest.shrink2(vec2(MARGIN, 0.0));
+        return Areas { world: Some(left), camera: Some(right), second: None, rest };
+    }
+    let (views, rest) = divider.across(divider.whole, Split::Derivation, "derivation handle");
+    let (top, bottom) = divider.down(views, Split::Stack);
+    Areas { world: Some(top), camera: Some(bottom), second: None, rest: rest.shrink(MARGIN) }
 }
 
 impl ViewRects {

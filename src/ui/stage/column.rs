@@ -8,16 +8,14 @@ use egui::{
 };
 use pinhole_figure::typesetting::theme;
 use pinhole_figure::typesetting::theme::WRITTEN;
-use pinhole_figure::{Concept, Formulas};
 
 use super::{Stage, navigation};
 use crate::features::lines::view::substitution;
 use crate::features::{exercises, mistakes};
-use crate::model::lessons::{Lesson, OpenLesson};
-use crate::model::{Session, ViewLayout};
-use crate::ui::derivation::DerivationPanel;
+use crate::model::ViewLayout;
+use crate::model::lessons::OpenLesson;
 use crate::ui::widgets::{inside, marked_text};
-use crate::ui::workspaces::PageContext;
+use crate::ui::{PageContext, derivation};
 
 /// Distance between the column's edge and its contents, in points.
 const MARGIN: [f32; 2] = [14.0, 6.0];
@@ -34,35 +32,19 @@ const DOT: f32 = 3.0;
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
 pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
-/// The open lesson.
-pub(crate) struct OpenStep<'a> {
-    pub(crate) open: &'a OpenLesson,
-    /// The lesson that was opened from a file.
-    pub(crate) file: Option<&'a Lesson>,
-    /// True if anything differs from the step.
-    pub(crate) is_changed: bool,
-}
-
 /// Shows the column.
-pub(crate) fn show(
-    ui: &mut Ui,
-    stage: &Stage,
-    step: Option<&OpenStep<'_>>,
-    context: &mut PageContext<'_>,
-) {
+pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     let fill = ui.visuals().panel_fill;
     ui.painter().rect_filled(stage.column, 0.0, fill);
     let whole = stage.column.shrink2(MARGIN.into());
     navigation::swipe(ui, stage.column);
-    let has_foot = step.is_some() || theme::installed(ui.ctx()).presenting;
+    let has_foot = context.step.is_some() || theme::installed(ui.ctx()).presenting;
     let foot = if has_foot { FOOT.max(ui.spacing().interact_size.y) } else { 0.0 };
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - foot);
-    let choice = exercises::ui::choice_height(ui, context.session, step.is_some());
+    let choice = exercises::ui::choice_height(ui, context);
     let (choice, above) = above.split_top_bottom_at_y(above.top() + choice);
     if choice.height() > 0.0 {
-        inside(ui, choice, |ui| {
-            exercises::ui::choice(ui, context.session, step.is_some());
-        });
+        inside(ui, choice, |ui| exercises::ui::choice(ui, context));
     }
     let has_two_parts = stage.is_above_column()
         && whole.width() > whole.height()
@@ -73,39 +55,32 @@ pub(crate) fn show(
     } else {
         (above, None)
     };
-    let open = step.map(|step| step.open);
-    let size = size_that_fits(ui, open, context, texts, card);
+    let size = size_that_fits(ui, context, texts, card);
     let mut end = texts.top();
     inside(ui, texts, |ui| {
         ui.set_clip_rect(stage.column.intersect(ui.clip_rect()));
-        words(ui, open, context.session, size);
+        words(ui, context, size);
         end = ui.cursor().top();
     });
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
     inside(ui, card, |ui| {
         ui.set_clip_rect(card.intersect(ui.clip_rect()));
-        formulas(ui, context, size, step.is_some());
+        formulas(ui, context, size);
     });
-    inside(ui, foot, |ui| bottom(ui, step, context));
+    inside(ui, foot, |ui| bottom(ui, context));
 }
 
 /// Returns the largest size at which the texts and the card fit. `card` is the card's own area, if it is not
 /// below the texts. In one step and one area it never grows again, so that the text stands still under the
 /// hand while numbers get shorter and longer.
-fn size_that_fits(
-    ui: &mut Ui,
-    open: Option<&OpenLesson>,
-    context: &PageContext<'_>,
-    texts: Rect,
-    card: Option<Rect>,
-) -> f32 {
+fn size_that_fits(ui: &mut Ui, context: &PageContext, texts: Rect, card: Option<Rect>) -> f32 {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
     let written = (&context.session.shown.formulas, context.style.digits);
-    let step = Id::unique((paragraphs(open, context.session), width, height, written));
+    let step = Id::unique((paragraphs(context), width, height, written));
     let slot = Id::unique("size of the column's text");
     let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
     let mut fits = |size: &f32| {
-        let words = words_height(ui, open, context.session, texts.width(), *size);
+        let words = words_height(ui, context, texts.width(), *size);
         // Laying out the formulas costs more, and a drag changes them in each frame.
         if words > texts.height() {
             return false;
@@ -130,19 +105,13 @@ fn size_that_fits(
 }
 
 /// Returns the height of the title, the texts and the room for the answer.
-fn words_height(
-    ui: &Ui,
-    open: Option<&OpenLesson>,
-    session: &Session,
-    width: f32,
-    size: f32,
-) -> f32 {
+fn words_height(ui: &Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
+    let open = context.step.map(|step| step.open);
     let height = |text: &str, width: f32| marked_text::height_within(ui, text, size, width);
     let title = open.map_or(0.0, |open| {
         marked_text::height_within(ui, &title(open), title_size(size), width) + GAP
     });
-    let texts = paragraphs(open, session);
-    let texts: f32 = texts.iter().map(|text| height(text, width) + GAP).sum();
+    let texts: f32 = paragraphs(context).iter().map(|text| height(text, width) + GAP).sum();
     let answer = open
         .and_then(answer)
         .map_or(0.0, |answer| height(answer, width - 2.0 * PADDING) + GAP + 2.0 * PADDING);
@@ -150,11 +119,11 @@ fn words_height(
 }
 
 /// Returns the texts below the title: the step's text and question, and the question of an exercise.
-fn paragraphs(open: Option<&OpenLesson>, session: &Session) -> Vec<String> {
-    let step = open.map(OpenLesson::step);
+fn paragraphs(context: &PageContext<'_>) -> Vec<String> {
+    let step = context.step.map(|step| step.open.step());
     let asked = step.and_then(|step| step.question.as_ref()).map(|question| &question.ask);
     let of_step = step.map(|step| &step.text).into_iter().chain(asked).cloned();
-    of_step.chain(exercises::ui::texts(session)).collect()
+    of_step.chain(exercises::ui::texts(context.session)).collect()
 }
 
 /// Returns the answer to the step's question.
@@ -173,14 +142,15 @@ fn title_size(size: f32) -> f32 {
 }
 
 /// Shows the title, the text, the question, and the answer in its room.
-fn words(ui: &mut Ui, open: Option<&OpenLesson>, session: &Session, size: f32) {
-    let is_asking = session.shown.is_asking;
+fn words(ui: &mut Ui, context: &PageContext<'_>, size: f32) {
+    let is_asking = context.session.shown.is_asking;
+    let open = context.step.map(|step| step.open);
     ui.spacing_mut().item_spacing.y = GAP;
     if let Some(open) = open {
         let small = FontId::proportional(title_size(size));
         ui.add(Label::new(RichText::new(title(open)).font(small).weak()).wrap());
     }
-    for text in paragraphs(open, session) {
+    for text in paragraphs(context) {
         marked_text::label(ui, &text, size);
     }
     let Some(answer) = open.and_then(answer) else { return };
@@ -204,11 +174,6 @@ fn has_card(layout: ViewLayout) -> bool {
     matches!(layout, Both | World | Camera | Derivation | Plot)
 }
 
-/// Returns what the step's card is about.
-fn about(session: &Session) -> &[Concept] {
-    session.shown.formulas.as_ref().map_or(&[], Formulas::concepts)
-}
-
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     if context.session.shows_exercise() {
@@ -217,11 +182,11 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
     match (context.session.shown.setup.layout, &context.derived.derivation) {
         (ViewLayout::Lines, _) => exercises::ui::SUBSTITUTION * marked_text::row_height(ui, size),
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
-            let rows = mistakes::ui::card_rows(wrong, about(context.session)) as f32;
+            let rows = mistakes::ui::card_rows(wrong, context.session) as f32;
             rows * 1.2 * marked_text::row_height(ui, size)
         }),
         (layout, Some(derivation)) if has_card(layout) => {
-            DerivationPanel::card_height(ui, derivation, width, size)
+            derivation::card_height(ui, derivation, width, size)
         }
         _ => 0.0,
     }
@@ -229,11 +194,11 @@ fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32
 
 /// Shows the card: the lines of the derivation that the step names, the substitution of one line into the
 /// other, or the checks that catch a mistake.
-fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bool) {
+fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     if context.session.shows_exercise() {
-        return exercises::ui::ui(ui, context, size, is_lesson);
+        return exercises::ui::ui(ui, context, size);
     }
-    let PageContext { session, derived, open, style, tools, .. } = context;
+    let PageContext { ref session, derived, style, .. } = *context;
     let is_asking = session.shown.is_asking;
     match (session.shown.setup.layout, &derived.derivation) {
         (ViewLayout::Lines, _) if !is_asking => {
@@ -242,11 +207,11 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bo
         }
         (ViewLayout::Mistakes, _) if !is_asking => {
             if let Some(wrong) = &derived.wrong_camera {
-                mistakes::ui::card(ui, wrong, *style, about(session), size);
+                mistakes::ui::card(ui, context, wrong, size);
             }
         }
         (layout, Some(derivation)) if has_card(layout) => {
-            tools.derivation.card(ui, derivation, &open.document, session, size);
+            derivation::card(ui, context, derivation, size);
         }
         _ => {}
     }
@@ -254,10 +219,10 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32, is_lesson: bo
 
 /// Shows the buttons that lead through the lessons. While presenting, shows the step's number instead, and the
 /// buttons of an exercise.
-fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_>) {
+fn bottom(ui: &mut Ui, context: &mut PageContext<'_>) {
     if theme::installed(ui.ctx()).presenting {
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            if let Some([number, all]) = step.and_then(|step| step.open.number_of_all()) {
+            if let Some([number, all]) = context.step.and_then(|step| step.open.number_of_all()) {
                 let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
                 let rect = ui.label(text).rect;
                 if context.session.shown.is_asking {
@@ -271,7 +236,7 @@ fn bottom(ui: &mut Ui, step: Option<&OpenStep<'_>>, context: &mut PageContext<'_
         });
         return;
     }
-    let Some(step) = step else { return };
+    let Some(step) = &context.step else { return };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         navigation::buttons(ui, step, context.session.shown.is_asking);
     });

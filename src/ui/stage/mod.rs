@@ -5,16 +5,16 @@
 //! numbers are a line at its foot. Beside it, or below it in a window that is not wide, a column has the
 //! step's text, its question, the room for the answer, and a card of formulas. Nothing in it scrolls.
 
-use column::OpenStep;
 use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 use pinhole_figure::typesetting::theme;
 
 use crate::features::{exercises, lines, plot};
 use crate::model::ViewLayout;
+use crate::ui::PageContext;
 use crate::ui::scene::view_rects::{Areas, STRIP, WIDE, halves};
 use crate::ui::widgets::clipped;
-use crate::ui::workspaces::{PageContext, foot, hidden, page};
+use crate::ui::workspaces::{foot, hidden, page};
 
 pub(crate) mod column;
 pub(crate) mod navigation;
@@ -109,31 +109,23 @@ impl Stage {
     }
 
     /// Shows what belongs to the main figure beside its views, in `rest`, and the column.
-    pub(crate) fn show(
-        &self,
-        ui: &mut Ui,
-        rest: Rect,
-        step: Option<&OpenStep<'_>>,
-        context: &mut PageContext<'_>,
-    ) {
+    pub(crate) fn show(&self, ui: &mut Ui, rest: Rect, context: &mut PageContext<'_>) {
         let (layout, is_asking) = (self.layout, context.session.shown.is_asking);
         let is_composed = self.areas(context.open.document.camera.image).is_some();
         clipped(ui, rest, |ui| match layout {
-            ViewLayout::Plot => plot::ui::graph(ui, context.session, context.derived),
+            ViewLayout::Plot => plot::ui::graph(ui, context),
             ViewLayout::Lines if context.session.shows_exercise() => {
                 exercises::ui::plane(ui, context.session);
             }
             ViewLayout::Lines if is_asking => lines::ui::asked(ui, &context.session.shown.lines),
-            ViewLayout::Lines => {
-                lines::ui::figure(ui, &mut context.session.shown.lines, context.style.digits)
-            }
+            ViewLayout::Lines => lines::ui::figure(ui, context),
             ViewLayout::Mistakes | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}
             _ if is_composed => foot(ui, context),
             _ if is_asking => hidden(ui),
             _ => (page(layout).rest)(ui, context),
         });
-        column::show(ui, self, step, context);
+        column::show(ui, self, context);
     }
 
     /// Returns a rectangle of this size in the lower right corner of the main figure, above the numbers.

@@ -7,8 +7,8 @@ use egui::{
 };
 use pinhole_figure::typesetting::theme;
 
-use super::column::OpenStep;
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
+use crate::ui::OpenStep;
 use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
 use crate::ui::commands_table::{hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, column_of};

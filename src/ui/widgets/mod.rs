@@ -8,7 +8,7 @@ use std::time::Duration;
 use egui::accesskit::{Node, Role};
 use egui::{
     Align, Align2, Color32, ColorImage, ComboBox, Context, DragValue, EventFilter, FontId,
-    FontSelection, Key, Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer,
+    FontSelection, Id, Key, Layout, Painter, Rect, Response, RichText, Sense, Stroke, TextBuffer,
     TextEdit, TextStyle, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
 use pinhole_figure::symbols::typeset_message;
@@ -16,6 +16,7 @@ use pinhole_figure::typesetting::theme::{self, error_color};
 use pinhole_lecture::LARGEST_SEED;
 
 use crate::ui::action::{Action, request};
+use pinhole_figure::{Concept, HoverSource, Hovered};
 
 pub mod marked_text;
 pub mod number;
@@ -66,6 +67,39 @@ impl ResponseExt for Response {
             request(&self.ctx, action);
         }
     }
+}
+
+/// The number of the last pass, and its widgets that were about a concept.
+type AboutConcepts = (u64, Vec<(Id, Hovered)>);
+
+fn about_concepts() -> Id {
+    Id::unique("widgets about concepts")
+}
+
+/// Tells that a widget is about a concept, if there is one, and in which part of the window it is.
+pub(crate) fn is_about(widget: &Response, concept: Option<Concept>, by: HoverSource) {
+    let Some(concept) = concept else { return };
+    let now = widget.ctx.cumulative_pass_nr();
+    widget.ctx.data_mut(|data| {
+        let (pass, widgets) = data.get_temp_mut_or_default::<AboutConcepts>(about_concepts());
+        if std::mem::replace(pass, now) != now {
+            widgets.clear();
+        }
+        widgets.push((widget.id, Hovered { concept, by }));
+    });
+}
+
+/// Returns the concept of the widget of this part of the window that is under the mouse or, if there is none, that
+/// has the keyboard focus.
+pub(crate) fn pointed_at(ctx: &Context, by: HoverSource) -> Option<Hovered> {
+    let (_, widgets) = ctx.data(|data| data.get_temp::<AboutConcepts>(about_concepts()))?;
+    let focused = ctx.memory(|memory| memory.focused());
+    let is_held = |response: Response| response.hovered() || response.dragged();
+    let is_pointed = |id: Id| ctx.read_response(id).is_some_and(is_held);
+    let own = || widgets.iter().rev().filter(|(_, hovered)| hovered.by == by);
+    let pointed = own().find(|(id, _)| is_pointed(*id));
+    let found = pointed.or_else(|| own().find(|(id, _)| focused == Some(*id)));
+    found.map(|(_, hovered)| *hovered)
 }
 
 /// Keeps the horizontal or the vertical arrow keys from moving the focus away from a widget.
@@ -235,6 +269,7 @@ impl ViewTexture {
         self.texture.as_ref().map(TextureHandle::id).unwrap_or_default()
     }
 }
+
 /// Shows the field for a seed. The seed takes effect once it is typed in full.
 pub(crate) fn seed_field(ui: &mut Ui, seed: &mut u64, name: &str, hint: &str) {
     let field = DragValue::new(seed).speed(0.1).range(0..=LARGEST_SEED);
