@@ -49,7 +49,7 @@
 //! if necessary in double-double arithmetic, and finally with exact integers (the *ladder*). Then the band is
 //! shaded.
 //!
-//! # Two recipes
+//! # Recipes
 //!
 //! The compiler finds every exhaustive `match` that lacks a new variant, but not the places below.
 //!
@@ -78,6 +78,14 @@
 //! 5. `lecture/derivation.rs` and `figure/derivation/objects.rs`: how the t of a hit is derived;
 //!    `reference/object.rs`: the oracle's own roots.
 //!
+//! *A new exercise* is a variant of [`Exercise`](pinhole_lecture::Exercise) in `lecture/exercises/question.rs`, where
+//! `LISTED` has it, too. The compiler finds `pick.rs`, `solve.rs` and `texts.rs` beside it, but not the functions of
+//! given numbers in its `mod.rs` and in `view/derive/views.rs`, nor the head of
+//! `assets/lessons/01-canonical-camera.toml`. `features/exercises/` changes only for a new kind of answer.
+//!
+//! *A new concept* is a variant of [`Concept`](pinhole_figure::Concept) in `figure/concept.rs`, with a row of `NAMES`. A
+//! part in `figure/overlay/parts/` and a line in `figure/derivation/` that name it light each other; no switch is needed.
+//!
 //! # Where to look
 //!
 //! Paths are below `src/`, except for `assets/`.
@@ -85,20 +93,20 @@
 //! | for | open |
 //! | --- | --- |
 //! | how a pixel gets its colour, and the error bounds | the page of `core/render/mod.rs` |
-//! | a mistake; an exercise | `lecture/mistakes/table.rs`; `lecture/exercises/question.rs`, and its window in `features/exercises/` |
 //! | a line of the derivation | `figure/derivation/camera.rs`, `figure/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
-//! | what is written to a file, and read | the page of `exchange/lib.rs`; another program's format: `exchange/templates/` |
+//! | a mistake; a vote on it | `lecture/mistakes/table.rs`; `lecture/mistakes/vote.rs`, in the window `features/vote/` |
+//! | a class's answers | `features/class/ui.rs`; as tables of the command `check`: `cli/check_class.rs` |
+//! | a scene file's keys, such as those of `[observer]` | `exchange/scene_file/read.rs` and `write.rs`; `exchange/document.rs` |
+//! | another program's format; a language | `exchange/programs/writers.rs`; `exchange/code.rs`; the text of each in `exchange/templates/` |
 //! | an option of a command | `cli/arguments.rs`; carried out in the file of the command's name |
 //! | a command of the window, its key and its place in a menu | `ui/commands_table/table.rs`, `ui/panels/top_bar.rs` |
-//! | what a lesson's step sets, and its keys | `model/session/shown.rs`, `model/lessons/keys.rs`; the lessons: `assets/lessons/` |
-//! | a mark over a view: its length, concept and label | `figure/overlay/parts/`; concepts: `figure/concept.rs`; switches: `figure/overlay_items.rs` |
-//! | where a label may stand | `figure/overlay/labels.rs` |
-//! | from where the world view is seen | `figure/observer/`; what must be in sight: `figure/overlay/parts/sight.rs`; the glide: `ui/app/glide.rs` |
+//! | a switch that a lesson's step sets | `Setup` in `model/session/shown.rs`, its key in `model/lessons/keys.rs`; its command: `Switch` in `ui/action.rs` |
+//! | a mark over a view: its length, concept and label | `figure/overlay/parts/`; its switch: `figure/overlay_items.rs` |
+//! | where a label may stand; a chart's ticks | `figure/overlay/labels.rs`; `figure/chart.rs` |
+//! | from where the world view is seen; the glide | `figure/observer/`, `figure/overlay/parts/sight.rs`; `ui/app/glide.rs` |
 //! | mouse, wheel and keys in the views | `ui/scene/dragging.rs`, `ui/scene/steps.rs`; handles: `features/handles/` |
 //! | the side panel and its width; the stage of a lesson's step | `ui/app/frame.rs`, `ui/panels/`; `ui/stage/` |
 //! | what is kept, and when it is written | `model/store.rs`, `model/recovery.rs`, `ui/app/writing.rs` |
-//! | a setting, its default and its range | `model/session/mod.rs`, `model/session/choices.rs` |
-//! | where a browser differs from a desktop | `exchange/host.rs`, `platform/web/browser.rs` |
 //!
 //! Pure functions are in the middle; clocks, files and the display are at the edge (`model/files.rs`,
 //! `model/store.rs`, `model/recovery.rs`, `cli`, `platform`).

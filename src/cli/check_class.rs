@@ -39,7 +39,7 @@ pub(super) fn of_codes(path: &Path, as_json: bool) -> Result<CheckOutcome, Comma
     let text = if as_json {
         to_json(&class)?
     } else {
-        let of = class.exercises.iter().map(|own| table(&own.title, own.answers, &own.tally));
+        let of = class.exercises.iter().map(|own| bars(&own.title, own.answers, &own.tally));
         let problems = class.problems().map(|problem| problem + "\n");
         of.chain(problems).collect()
     };
@@ -103,7 +103,7 @@ pub(super) fn of_folder(
         let names = short_names(&students);
         let rows: Vec<_> =
             names.into_iter().zip(&students).map(|(name, own)| own.cells(name)).collect();
-        columns(&rows).join("\n") + "\n\n" + &table(&title, students.len(), &tally)
+        columns(&rows).join("\n") + "\n\n" + &bars(&title, students.len(), &tally)
     };
     Ok((text, status))
 }
@@ -280,7 +280,7 @@ fn text_cell(text: &str) -> String {
 const LONGEST: usize = 40;
 
 /// Returns the outcomes of `answers` answers as bars, and what the mistakes are.
-fn table(title: &str, answers: usize, tally: &Tally) -> String {
+fn bars(title: &str, answers: usize, tally: &Tally) -> String {
     let mut text = format!("{title}\n");
     let width = tally.counts.iter().map(|(outcome, _)| outcome.len()).max().unwrap_or_default();
     for (outcome, count) in &tally.counts {

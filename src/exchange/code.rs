@@ -20,7 +20,7 @@ use crate::format::{ExportScene, ExtraValues, Format, LeftOut};
 use crate::template::n;
 
 /// All supported languages.
-pub static LANGUAGES: [Format; 6] = [
+pub static LANGUAGES: &[Format] = &[
     language("julia", "Julia", "camera.jl", include_str!("templates/julia.txt")),
     language("numpy", "Python + NumPy", "camera.py", include_str!("templates/numpy.txt")),
     language("glm", "C++ (GLM)", "camera.cpp", include_str!("templates/glm.txt")),

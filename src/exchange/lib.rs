@@ -14,7 +14,7 @@
 //!   glTF or from literal numbers.
 //! - [`link`]: a scene or a lesson's step in a URL.
 //! - [`seal`]: a text's version and check, by which a link that was cut off is noticed.
-//! - [`code`]: the current camera as a short program in six languages.
+//! - [`code`]: the current camera as a short program in several languages.
 //! - [`windows_names`]: the names that Windows refuses, and its ways to write a path.
 //! - [`host`](mod@host): the operating system or browser that keeps the files.
 //!

@@ -101,7 +101,7 @@ pub enum HoverSource {
 }
 
 /// The concepts that need no object's index, each with its name in files and its description.
-const NAMES: [(Concept, &str, &str); 19] = [
+const NAMES: &[(Concept, &str, &str)] = &[
     (Concept::Eye, "eye", symbols::EYE),
     (Concept::At, "at", symbols::AT),
     (Concept::View, "view", symbols::VIEW),
@@ -159,8 +159,8 @@ impl Concept {
     }
 
     /// Returns the names of all concepts without an index.
-    pub fn names() -> [&'static str; 19] {
-        NAMES.map(|(_, name, _)| name)
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        NAMES.iter().map(|(_, name, _)| *name)
     }
 
     /// Returns the concepts from which this one is made, and which are drawn with it while it is highlighted.

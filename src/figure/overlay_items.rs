@@ -80,7 +80,7 @@ pinhole_core::texts! {
 }
 
 impl Item {
-    const fn bit(self) -> u32 {
+    const fn bit(self) -> u64 {
         1 << self as u8
     }
 }
@@ -92,7 +92,7 @@ impl Item {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct OverlayItems {
-    on: u32,
+    on: u64,
 }
 
 impl Default for OverlayItems {

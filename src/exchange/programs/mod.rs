@@ -29,7 +29,7 @@ use crate::{FileError, legible, limits, scene_file};
 impl Format {
     /// Returns all formats of other programs, and then all languages.
     pub fn all() -> impl Iterator<Item = &'static Format> {
-        FORMATS.iter().chain(&LANGUAGES)
+        FORMATS.iter().chain(LANGUAGES)
     }
 
     /// Returns the format or language with this name; `None` if there is none.

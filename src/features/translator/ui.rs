@@ -91,7 +91,7 @@ fn targets(ui: &mut Ui, translator: &mut Translator) {
         });
     };
     row(ui, "program", &FORMATS);
-    row(ui, "code", &LANGUAGES);
+    row(ui, "code", LANGUAGES);
 }
 
 /// Shows the translated text, in which numbers with changed signs are underlined, and the notes about what

@@ -8,6 +8,9 @@ pub const ROUNDS: usize = 2;
 /// Maximum number of hands for an option.
 const MOST_HANDS: u32 = 9999;
 
+/// Numbers of hands as an example.
+const EXAMPLE: [&str; Vote::OPTIONS] = ["12", "40", "9", "3"];
+
 /// The hands raised in one round, for each option.
 pub type Hands = [u32; Vote::OPTIONS];
 
@@ -78,7 +81,7 @@ impl OpenVote {
     /// Returns a sentence that says what is wrong with the text.
     pub fn read_typed(&self) -> Result<Hands, String> {
         let count = self.vote.options.len();
-        let example = ["12", "40", "9", "3"][..count].join(" ");
+        let example = EXAMPLE[..count].join(" ");
         let mut hands = [0; Vote::OPTIONS];
         let words = self.typed.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
         let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();

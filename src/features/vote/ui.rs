@@ -9,7 +9,7 @@ use egui::{
 };
 use pinhole_figure::typesetting::theme::WRITTEN;
 use pinhole_figure::typesetting::theme::error_color;
-use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, Vote};
 
 use crate::features::mistakes::MistakesView;
 use crate::features::vote::state::OpenVote;
@@ -22,9 +22,6 @@ use crate::ui::widgets::{
 
 /// The question's text.
 pub(crate) const ASKED: &str = "Which mistake made the wrong picture?";
-/// The letters of the options.
-const LETTERS: [&str; 4] = ["A", "B", "C", "D"];
-
 /// Size of the question's text, in points.
 const QUESTION: f32 = 20.0;
 /// Size of an option's letter, in points.
@@ -163,7 +160,7 @@ fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
 
 /// Returns an option's letter and the mistake's name.
 pub(crate) fn named(open: &OpenVote, index: usize) -> String {
-    format!("{}: {}", LETTERS[index], open.vote.options[index].name())
+    format!("{}: {}", Vote::LETTERS[index], open.vote.options[index].name())
 }
 
 /// Shows an option. Returns true if the user votes for it.
@@ -192,7 +189,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     painter.rect(rect, 6.0, fill, edge, StrokeKind::Inside);
     let letter = pos2(rect.left() + 0.5 * LETTER_WIDTH, rect.center().y);
     let font = FontId::proportional(LETTER.min(0.75 * rect.height()));
-    painter.text(letter, Align2::CENTER_CENTER, LETTERS[index], font, ink);
+    painter.text(letter, Align2::CENTER_CENTER, Vote::LETTERS[index], font, ink);
     let right = rect.right() - SIGN_WIDTH;
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
     let (named, drawn) = parts(text, open.counted().next().is_some());
@@ -263,7 +260,7 @@ fn bars(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, ink: Color32) {
         ui.painter().text(bar.right_center(), Align2::LEFT_CENTER, text, font.clone(), ink);
         let row = Rect::from_min_size(min, vec2(rect.width(), height));
         let id = ui.scope_id().with(("hands", index, round));
-        let name = format!("{}: {count} hands in round {}", LETTERS[index], round + 1);
+        let name = format!("{}: {count} hands in round {}", Vote::LETTERS[index], round + 1);
         let response = ui.interact(row, id, Sense::hover());
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
     }
@@ -297,9 +294,16 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
 fn instructions(open: &OpenVote) -> String {
     let hollow = "Filled bars are the second round, hollow ones the first. ";
     let bars = if open.counted().count() > 1 { hollow } else { "" };
-    let hint =
-        "Compare it with the correct picture on its left. Vote, A, B, C or D; then reveal it.";
-    format!("{bars}{hint}")
+    let letters = letters("or");
+    format!(
+        "{bars}Compare it with the correct picture on its left. Vote, {letters}; then reveal it."
+    )
+}
+
+/// Returns the letters of the options in words, such as `A, B, C or D`.
+fn letters(last: &str) -> String {
+    let [letters @ .., end] = Vote::LETTERS;
+    format!("{} {last} {end}", letters.join(", "))
 }
 
 /// Returns the verdict, the formula, and the checks that catch the mistake.
@@ -332,9 +336,9 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, can_ask: bool, is_wide: bool) {
 
 /// Shows the field for the hands of the current round, and the button for the next round.
 fn hands(ui: &mut Ui, open: &mut OpenVote) {
-    let about = "The hands raised for A, B, C and D, drawn as bars";
-    ui.label("Hands").on_hover_text(about);
-    let field = line_field(&mut open.typed).id(hands_id()).hint_text("A, B, C, D");
+    let about = format!("The hands raised for {}, drawn as bars", letters("and"));
+    ui.label("Hands").on_hover_text(&about);
+    let field = line_field(&mut open.typed).id(hands_id()).hint_text(Vote::LETTERS.join(", "));
     let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
     let name = format!("hands in round {}", open.round + 1);
     let response = response.on_hover_text(about).named(name);

@@ -74,8 +74,9 @@ const GAP: f64 = 7.0;
 
 /// Number of directions tried around the anchor.
 const DIRECTIONS: usize = 16;
-/// Number of distances tried in each direction.
+/// Number of distances tried in each direction, and the step from one to the next, in points.
 const RINGS: usize = 16;
+const RING_STEP: f64 = 9.0;
 
 /// Distance from the anchor (the point that a label names) to the edge of the label, in points, above which
 /// the label gets a leader line.
@@ -217,7 +218,7 @@ fn best_position(
     free: &dyn Fn(DVec2) -> bool,
 ) -> Option<DVec2> {
     let wish = request.toward.try_normalize();
-    let step = 9.0 * scale;
+    let step = RING_STEP * scale;
     let reach = half.length() + GAP * scale + step * RINGS as f64;
     let near: Vec<DVec2> = obstacles
         .iter()

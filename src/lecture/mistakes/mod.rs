@@ -10,6 +10,7 @@
 mod checks;
 mod pipeline;
 mod table;
+mod vote;
 mod wrong_camera;
 mod wrong_picture;
 
@@ -18,7 +19,8 @@ pub(crate) use pipeline::{
     GivenCamera, Measure, Pipeline, PipelineCamera, Quadratic, Sign, SquareRoot, Way, WhichRoot,
 };
 pub use table::Mistake;
-pub(crate) use wrong_picture::SplitMix64;
+pub(crate) use vote::SplitMix64;
 
+pub use vote::Vote;
 pub use wrong_camera::WrongCamera;
-pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, Vote, WrongPicture};
+pub use wrong_picture::{ComparedCamera, ComparedPicture, ComparedPixels, WrongPicture};

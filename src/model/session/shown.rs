@@ -1,4 +1,4 @@
-//! What is shown of a document, and how: all that a lesson's step, a link and undo set.
+//! What is shown of a document, and how: all that a lesson's step sets.
 
 use pinhole_core::{Selection, Shade};
 use pinhole_figure::typesetting::theme;

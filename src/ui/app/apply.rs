@@ -21,7 +21,6 @@ use crate::ui::action::{
     Action, FileAction, FileUse, Leave, LessonAction, LookAction, PlayAction, ShareAction,
 };
 use crate::ui::app::App;
-use crate::ui::app::question::in_views;
 use crate::ui::app::scene::Opened;
 use crate::ui::dialogs::palette::CommandPalette;
 use crate::ui::dialogs::{Question, help};
@@ -100,7 +99,7 @@ impl App {
                 if observe.is_another_view() {
                     self.views.glide.begin(ctx);
                 }
-                in_views(&mut self.scene, self.question.as_mut()).observe(observe, size);
+                self.question.as_mut().unwrap_or(&mut self.scene).observe(observe, size);
             }
             Action::Object(action) => {
                 if let Err((title, reason)) = self.scene.change_objects(action) {

@@ -26,7 +26,6 @@ use crate::model::page_part;
 use crate::model::{Session, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, FigureAction, FileUse, Leave, ShareAction};
 use crate::ui::app::App;
-use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::dialogs::{Dialog, Question};
 use crate::ui::widgets::path_field::{FileQuestion, PathField};
@@ -323,7 +322,7 @@ impl App {
     /// Returns the document in the views, and its session without what is under the pointer, because figures
     /// do not highlight it.
     fn figure_source(&self) -> (&Document, Session) {
-        let scene = in_views(&self.scene, self.question.as_ref());
+        let scene = self.question.as_ref().unwrap_or(&self.scene);
         let mut session = scene.session.clone();
         session.live.hovered = None;
         (&scene.open.document, session)
@@ -338,7 +337,7 @@ impl App {
             _ => &derived.camera_view,
         };
         let shown = view.as_ref().map(|view| view.image.size.map(|dots| dots as f32 / scale));
-        let scene = in_views(&self.scene, self.question.as_ref());
+        let scene = self.question.as_ref().unwrap_or(&self.scene);
         let aspect = scene.open.document.camera.image.aspect() as f32;
         let points = match subject {
             FigureSubject::World => shown.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),

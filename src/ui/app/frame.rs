@@ -6,8 +6,8 @@
 //! next one shows a page about the panic: the scene is kept, and the user chooses how to continue.
 
 use egui::{
-    CentralPanel, Context, Frame, Key, Modifiers, Panel, Popup, Rect, RichText, ScrollArea, Ui,
-    UiBuilder,
+    CentralPanel, Context, Frame, Key, Modifiers, Panel, Popup, Rangef, Rect, RichText, ScrollArea,
+    Ui, UiBuilder,
 };
 use pinhole_core::Camera;
 use pinhole_exchange::document::Document;
@@ -23,7 +23,6 @@ use crate::ui::action::{
     Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
 };
-use crate::ui::app::question::in_views;
 use crate::ui::app::scene::OpenScene;
 use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
@@ -35,8 +34,12 @@ use crate::ui::widgets::{clipped, pointed_at};
 use crate::ui::workspaces::{Page, page};
 use crate::view::derive::Deriver;
 
+/// Width of the side panel, in points, and the range to which it can be dragged.
+const PANEL_WIDTH: f32 = 336.0;
+const PANEL_WIDTHS: Rangef = Rangef { min: 316.0, max: 560.0 };
+
 /// Minimum width of the window in which the panel is beside the views, in points.
-const LEAST_WIDTH: f32 = 640.0;
+const LEAST_WINDOW: f32 = 640.0;
 
 impl App {
     /// Runs one frame.
@@ -44,7 +47,7 @@ impl App {
         let ctx = ui.ctx().clone();
         self.waiting.drain(..).for_each(|action| request(&ctx, action));
         let OpenScene { open, session, chosen_object, .. } =
-            in_views(&mut self.scene, self.question.as_mut());
+            self.question.as_mut().unwrap_or(&mut self.scene);
         let (document, shown) = (&mut open.document, &self.views.derived);
         let mut input = ViewInput { ctx: &ctx, shown, document, session, chosen_object };
         self.dragging.take(&mut input, self.over.covers());
@@ -235,14 +238,14 @@ impl App {
         // again.
         start.session.shown.ray_point_t = session.shown.ray_point_t;
         // On a phone the panel is below, and what is not about the scene has all the space.
-        let is_narrow = ui.available_width() < LEAST_WIDTH;
+        let is_narrow = ui.available_width() < LEAST_WINDOW;
         let is_scene = session.shown.setup.layout.workspace() == Some(Workspace::Scene);
         let is_alone = is_narrow && (self.scene.has_stage() || !is_scene);
         let hidden = presenting || is_alone || session.preferences.hides_panel;
         if !hidden && self.page().has_panel {
             let panel = match is_narrow {
                 true => Panel::bottom("panel below").default_size(0.3 * ui.available_height()),
-                false => Panel::left("panel").default_size(336.0).size_range(316.0..=560.0),
+                false => Panel::left("panel").default_size(PANEL_WIDTH).size_range(PANEL_WIDTHS),
             };
             panel.resizable(true).show(ui, |ui| {
                 if self.scene.lessons.open.is_none() {
@@ -364,7 +367,7 @@ impl App {
             self.views.rested_at = pointer;
         }
         let rests = self.views.rested_at.is_some() && self.views.rested_at == pointer;
-        let scene = in_views(&mut self.scene, self.question.as_mut());
+        let scene = self.question.as_mut().unwrap_or(&mut self.scene);
         let shown = &self.views.derived;
         if let Some(size) = views::world_size(rects) {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();

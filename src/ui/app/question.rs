@@ -6,11 +6,6 @@ use pinhole_figure::Formulas;
 use super::scene::OpenScene;
 use crate::model::{Live, OpenDocument, OpenLesson, Session, Setup, Shown, ViewLayout};
 
-/// Returns the scene in the views: the exercise's, if there is one, otherwise the open one.
-pub(super) fn in_views<S>(open: S, question: Option<S>) -> S {
-    question.unwrap_or(open)
-}
-
 impl OpenScene {
     /// Returns the lesson whose step asks the open exercise, be it with other numbers; `None` if no step does.
     pub(super) fn step_of_exercise(&self) -> Option<&OpenLesson> {

@@ -9,7 +9,6 @@ use pinhole_figure::{Fault, ViewSize};
 
 use super::App;
 use super::glide::Glide;
-use super::question::in_views;
 use crate::features::exercises;
 use crate::model::{Session, Shown};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
@@ -58,7 +57,7 @@ impl App {
     /// Derives everything that is shown.
     pub(super) fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let (ctx, second) = (ui.ctx(), self.page().second.zip(rects.second));
-        let (scene, views) = (in_views(&self.scene, self.question.as_ref()), &mut self.views);
+        let (scene, views) = (self.question.as_ref().unwrap_or(&self.scene), &mut self.views);
         let time = ctx.input(|i| i.time);
         let objects = scene.open.document.object_count();
         let moves = self.playback.is_running() || is_hand_moving(ctx);
@@ -111,7 +110,7 @@ impl App {
     pub(super) fn show_views(&mut self, ui: &mut Ui, rects: &ViewRects, on_stage: bool) {
         let spoken = self.spoken_in_views();
         let App { scene, question, dragging, views: shown, .. } = self;
-        let scene = in_views(scene, question.as_mut());
+        let scene = question.as_mut().unwrap_or(scene);
         shown.world_size = views::world_size(rects).or(shown.world_size);
         let derived = &shown.derived;
         let picture = rects.camera.or(rects.world);

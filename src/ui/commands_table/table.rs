@@ -185,7 +185,7 @@ fn presenting() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn voting() -> Vec<UiCommand> {
     use When::{Vote, VoteUnfocused, VoteUntyped};
-    let letters = [Key::A, Key::B, Key::C, Key::D].into_iter().enumerate();
+    let letters = pinhole_lecture::Vote::LETTERS.into_iter().filter_map(Key::from_name).enumerate();
     let mut commands: Vec<UiCommand> = letters.map(|(option, letter)| UiCommand {
         keys: vec![plain(VoteUntyped, letter)],
         ..command(Group::Vote, letter.name(), "Chooses this option of the vote.", VoteAction::Choose(option))

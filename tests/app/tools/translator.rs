@@ -232,7 +232,7 @@ fn objects_go_along_where_they_are_asked_for() {
 #[test]
 fn code_in_each_language_has_the_cameras_numbers_live() {
     let mut harness = translating("look-at", "Julia");
-    for language in &LANGUAGES {
+    for language in LANGUAGES {
         click(&mut harness, language.label);
         let text = text_of(language.name, harness.state().document());
         assert_eq!(shown(&harness), text.trim_end());

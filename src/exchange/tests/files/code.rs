@@ -319,7 +319,7 @@ fn rust_gives_this_programs_rays() {
 /// `UPDATE_EXPECT=1` writes them anew.
 #[test]
 fn the_code_reads_as_it_did() {
-    for language in &LANGUAGES {
+    for language in LANGUAGES {
         let code = code(language.name, &camera("look-at")).unwrap();
         expect_file![format!("code/look-at.{}", language.ending())].assert_eq(&code);
         assert!(code.lines().all(|line| line.chars().count() <= 120), "{code}");
