@@ -86,11 +86,8 @@ pub(super) struct GoodPicture {
 impl GoodPicture {
     /// Copies the data that the readouts show about the picture.
     pub(super) fn describe(&self, derived: &mut Derived) {
-        match &self.compared {
-            Some(Ok(compared)) => derived.compared = Some(Arc::clone(compared)),
-            Some(Err(too_many)) => derived.too_many = Some(*too_many),
-            None => {}
-        }
+        derived.too_many =
+            self.compared.as_ref().and_then(|compared| compared.as_ref().err().copied());
         derived.subsampling[0] = self.subsampling;
         (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
     }
