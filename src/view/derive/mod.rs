@@ -4,15 +4,15 @@
 
 use std::sync::Arc;
 
-use egui::{Color32, ColorImage};
-use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
+use egui::ColorImage;
+use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::ComparedCamera;
 
 use crate::model::{AnswerMark, Fault, Inspection, Session};
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derivation::Derivation;
-use crate::view::overlay::{CameraView, Highlighted, Label, Mark, Style};
+use crate::view::overlay::{CameraView, Highlighted, Label, Mark, Style, opaque};
 use crate::view::plot::Plot;
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
@@ -131,10 +131,6 @@ impl Deriver {
             derived.world_view = Some(view);
         }
     }
-}
-
-fn opaque([r, g, b]: Rgb) -> Color32 {
-    Color32::from_rgb(r, g, b)
 }
 
 /// Returns the highlighted concept; `None` if no concept is highlighted.

@@ -22,6 +22,7 @@
 use std::ops::Deref;
 use std::sync::Arc;
 
+use egui::Color32;
 use pinhole_core::{Rgb, Scene};
 
 mod camera_view;
@@ -107,6 +108,11 @@ pub struct ColoredScene<'a> {
     pub scene: &'a Scene,
     /// The colours, in the order of the objects.
     pub colors: &'a [Rgb],
+}
+
+/// Returns an opaque colour.
+pub fn opaque([r, g, b]: Rgb) -> Color32 {
+    Color32::from_rgb(r, g, b)
 }
 
 impl ColoredScene<'_> {

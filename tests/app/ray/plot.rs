@@ -318,9 +318,9 @@ fn of_two_equal_curves_both_are_seen() {
     // Where the parabolas rise, at the right of what they touch.
     let part =
         Rect::from_min_max(plot.lerp_inside(vec2(0.6, 0.1)), plot.lerp_inside(vec2(0.95, 0.4)));
-    let colors: Vec<[u8; 3]> = window.state().derived().plot.as_ref().unwrap().curves[..2]
+    let colors: Vec<[u8; 4]> = window.state().derived().plot.as_ref().unwrap().curves[..2]
         .iter()
-        .map(|c| c.named.color)
+        .map(|curve| curve.named.color.to_array())
         .collect();
     let image = window.render().unwrap();
     for color in colors {

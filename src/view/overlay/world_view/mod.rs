@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use crate::model::Item;
 use crate::view::overlay::{
     BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
-    Screen, Sketch, ViewportLayer, camera_uv_at, dot, mix, place_labels, wide,
+    Screen, Sketch, ViewportLayer, camera_uv_at, dot, mix, opaque, place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -221,10 +221,8 @@ impl WorldView {
             fades: self.figure.highlighted.is_some_and(|lit| lit.dims),
         };
         sketch.ground(scene);
-        let cut_away = |(index, sphere)| {
-            let [r, g, b] = scene.color_of(index);
-            (index, sphere, mix(Color32::from_rgb(r, g, b), colors.ink, 0.3))
-        };
+        let cut_away =
+            |(index, sphere)| (index, sphere, mix(opaque(scene.color_of(index)), colors.ink, 0.3));
         let cut_away: Vec<_> = self.drawn_around(scene.scene).map(cut_away).collect();
         sketch.parts(self.figure.parts(scene.scene, &cut_away));
         sketch.handles();
