@@ -74,7 +74,7 @@ impl Deriver {
     fn derived(&mut self, inputs: Inputs<'_>) -> Derived {
         let camera = &inputs.document.camera;
         let updated = self.objects.update(inputs.document, inputs.sizes.style.scheme());
-        let world = self.objects.good().filter(|_| updated.is_ok()).cloned();
+        let world = self.objects.good().filter(|_| updated.is_ok());
         let resolved = camera.resolve();
         let fault = match (&resolved, updated) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -84,24 +84,24 @@ impl Deriver {
         let mut derived = Derived {
             resolved: resolved.ok(),
             up_angle: camera.up_angle().ok(),
-            scene: world.as_ref().map(|world| Arc::clone(&world.scene)),
+            scene: world.map(|world| Arc::clone(&world.scene)),
             fault,
             ..Derived::default()
         };
-        if let (Some(resolved), Some(world)) = (derived.resolved, &world) {
+        if let (Some(resolved), Some(world)) = (derived.resolved, world) {
             let good = self.pictures.get(inputs, resolved, world);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
-        drop(world);
-        if let Some(good) = &self.last_good {
-            good.describe(&mut derived);
-        }
-        let world = self.objects.good().filter(|_| derived.fault.is_none());
         if inputs.session.shows_exercise() {
             derived.answer_marks = inputs.session.exercises.answer_marks().into();
         }
         if let Some(good) = &self.last_good {
+            (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
+            derived.subsampling[0] = good.subsampling;
+            derived.too_many =
+                good.compared.as_ref().and_then(|found| found.as_ref().err().copied());
+            let world = world.filter(|_| derived.fault.is_none());
             self.second.update(&mut derived, inputs, good, world);
         }
         self.views(&mut derived, inputs);

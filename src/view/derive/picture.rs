@@ -16,7 +16,7 @@ use pinhole_lecture::numbers::grouped;
 use crate::model::{Inspection, Item};
 use crate::view::accuracy::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
+use crate::view::derive::{GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
 /// Maximum number of ray-object tests that a method may do for one picture. They take about a second,
@@ -81,16 +81,6 @@ pub(super) struct GoodPicture {
     pub(super) compared: Option<Result<Arc<Compared>, TooMany>>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
-}
-
-impl GoodPicture {
-    /// Copies the data that the readouts show about the picture.
-    pub(super) fn describe(&self, derived: &mut Derived) {
-        derived.too_many =
-            self.compared.as_ref().and_then(|compared| compared.as_ref().err().copied());
-        derived.subsampling[0] = self.subsampling;
-        (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
-    }
 }
 
 /// The inputs of a trace. `generation` is that of the objects.
