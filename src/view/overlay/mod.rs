@@ -48,7 +48,7 @@ pub use parts::camera::UP_LENGTH;
 pub use parts::compared::GhostCamera;
 pub use parts::emphasis::Highlighted;
 pub use parts::sight::{drawn, drawn_of, observer_of};
-pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
+pub use screen::{arrow_length, camera_uv_at, length_of_points};
 pub use style::{Colors, Style, contrast_ratio};
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
 pub use world_view::lens::SMALL_VIEWPORT;

@@ -4,7 +4,6 @@
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::observer::ViewSize;
-use crate::view::overlay::drawing::dot;
 
 /// The observer's picture plane. Positions are in screen pixels from its top left corner.
 ///
@@ -261,10 +260,6 @@ pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32;
 }
 
 /// Returns the position of a (u, v) in the camera view, in screen pixels. Inverse of [`camera_uv_at`].
-pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
-    dot(position_of(resolved, size, uv))
-}
-
 pub(crate) fn position_of(camera: &ResolvedCamera, [w, h]: [usize; 2], uv: DVec2) -> DVec2 {
     let viewport = camera.viewport();
     DVec2::new(w as f64 * (0.5 + uv.x / viewport.width), h as f64 * (0.5 - uv.y / viewport.height))

@@ -171,7 +171,8 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
         let derived = window.state().derived();
         let ray = derived.inspection.clone().unwrap().ray;
         let frame = derived.world_frame.clone().unwrap();
-        rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
+        let at = world_position_of(frame.camera(), ray.at(t)).unwrap();
+        rect.min + vec2(at.x as f32, at.y as f32)
     };
     let observer = window.state().session().shown.observer;
     let (from, to) = (to_screen(&window, 3.0), to_screen(&window, 4.5));

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use crate::model::Item;
 use crate::view::overlay::{
     BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
-    Screen, Sketch, ViewportLayer, camera_uv_at, dot, mix, opaque, place_labels, wide,
+    Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -90,13 +90,11 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Returns the position of a point of the world in the world view, in screen pixels; `None` if it is behind
-/// the observer or outside the picture. Objects in front of the point are ignored.
-pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
-    let observer = frame.camera();
+/// Returns the position of a point of the world in the observer's picture, in screen pixels; `None` if it is
+/// behind the observer or outside the picture. Objects in front of the point are ignored.
+pub fn world_position_of(observer: &ResolvedCamera, point: DVec3) -> Option<DVec2> {
     let unit = (point - observer.eye()).length();
-    let spot = Screen::new(observer, unit, 1.0).spot(point)?;
-    Some(dot(spot.at))
+    Some(Screen::new(observer, unit, 1.0).spot(point)?.at)
 }
 
 /// Returns the t of the point of a ray's line that is nearest to the observer's line of sight through a
