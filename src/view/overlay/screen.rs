@@ -208,6 +208,12 @@ pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     Screen::at(observer, eye, scale).arrow_length(eye)
 }
 
+/// Returns the position of a point of the world in the observer's picture, in screen pixels; `None` if it is
+/// behind the observer or outside the picture. Objects in front of the point are ignored.
+pub fn world_position_of(observer: &ResolvedCamera, point: DVec3) -> Option<DVec2> {
+    Some(Screen::at(observer, point, 1.0).spot(point)?.at)
+}
+
 /// A line clipped to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CutLine {

@@ -90,13 +90,6 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Returns the position of a point of the world in the observer's picture, in screen pixels; `None` if it is
-/// behind the observer or outside the picture. Objects in front of the point are ignored.
-pub fn world_position_of(observer: &ResolvedCamera, point: DVec3) -> Option<DVec2> {
-    let unit = (point - observer.eye()).length();
-    Some(Screen::new(observer, unit, 1.0).spot(point)?.at)
-}
-
 /// Returns the t of the point of a ray's line that is nearest to the observer's line of sight through a
 /// position, which is in screen pixels. The t is rounded to the precision of the pointer. Returns `None` if
 /// the two lines are parallel.

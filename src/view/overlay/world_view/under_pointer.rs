@@ -2,8 +2,8 @@
 
 use pinhole_core::{DVec3, Frame, ResolvedCamera, Scene, Sphere};
 
-use super::{pick, world_position_of};
-use crate::view::overlay::{camera_uv_at, wide};
+use super::pick;
+use crate::view::overlay::{camera_uv_at, wide, world_position_of};
 
 /// A point of the world that the world view shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
