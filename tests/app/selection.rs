@@ -2,8 +2,9 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole_core::{Pixel, Selection};
+use pinhole_core::{DVec2, Pixel, Selection};
 use pinhole_figure::concept::Concept;
+use pinhole_figure::overlay::world_position_of;
 
 use super::harness::{assert_says, click_at, type_into, window};
 
@@ -102,8 +103,8 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     let (resolved, frame) = (derived.resolved.unwrap(), derived.world_frame.clone().unwrap());
     let wanted = Pixel { row: 300, column: 120 };
     let point = resolved.viewport_point(resolved.uv_of_pixel(wanted));
-    let [x, y] = pinhole_figure::overlay::world_position_of(&frame, point).unwrap();
-    let at = rect.min + egui::vec2(x, y);
+    let DVec2 { x, y } = world_position_of(frame.camera(), point).unwrap();
+    let at = rect.min + egui::vec2(x as f32, y as f32);
     window.drag_at(at);
     window.run();
     window.drop_at(at);
@@ -113,8 +114,8 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     };
     // Seen from the side, a dot covers several pixels.
     let point = resolved.viewport_point(resolved.uv_of_pixel(pixel));
-    let [x, y] = pinhole_figure::overlay::world_position_of(&frame, point).unwrap();
-    let off = (rect.min + egui::vec2(x, y)).distance(at);
+    let DVec2 { x, y } = world_position_of(frame.camera(), point).unwrap();
+    let off = (rect.min + egui::vec2(x as f32, y as f32)).distance(at);
     assert!(off <= 1.0, "{pixel:?} is not {wanted:?}: {off} dots away");
 }
 

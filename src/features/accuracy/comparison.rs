@@ -4,6 +4,7 @@
 use egui::Color32;
 use pinhole_core::methods::Traced;
 use pinhole_core::{Frame, NO_OBJECT, Raster};
+use pinhole_figure::overlay::opaque;
 
 /// The error of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,11 +94,10 @@ pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     let share = (ulps.max(1.0).log10() / DECADES).clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let index = (share as usize).min(VIRIDIS.len() - 2);
     let part = share - index as f64;
-    let [r, g, b]: [u8; 3] = std::array::from_fn(|k| {
+    opaque(std::array::from_fn(|k| {
         let [low, high] = [VIRIDIS[index][k], VIRIDIS[index + 1][k]].map(f64::from);
         (low + part * (high - low)).round() as u8
-    });
-    Color32::from_rgb(r, g, b)
+    }))
 }
 
 /// Returns the error map's colours, one for each traced pixel.

@@ -2,9 +2,7 @@
 //! Below the pictures are the number of right answers, the worst answer, and the mistake that explains the
 //! errors.
 
-use egui::{
-    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
-};
+use egui::{Align, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
 use pinhole_core::Selection;
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::typesetting::theme::error_color;
@@ -16,6 +14,7 @@ use crate::ui::action::{Action, AnswersAction, FileUse, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::{Derived, SecondPicture};
+use pinhole_figure::overlay::opaque;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
@@ -60,10 +59,8 @@ fn legend(ui: &mut Ui, whole: bool, has_doubt: bool) {
     for (cell, text, _) in cells.into_iter().filter(|(.., is_shown)| *is_shown) {
         ui.label(text);
         let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
-        let [r, g, b] = cell.color();
         let outline = Stroke::new(1.0, ui.visuals().weak_text_color());
-        let fill = Color32::from_rgb(r, g, b);
-        ui.painter().rect(rect, 2.0, fill, outline, StrokeKind::Inside);
+        ui.painter().rect(rect, 2.0, opaque(cell.color()), outline, StrokeKind::Inside);
     }
 }
 

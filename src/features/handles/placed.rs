@@ -173,14 +173,9 @@ impl HandleInputs<'_> {
     /// Returns the position of a point in the observer's picture, in screen pixels; `None` if it lies
     /// outside.
     fn spot(&self, at: DVec3) -> Option<DVec2> {
-        let projected = self.observer.project(at);
-        let image = self.observer.image();
-        let size = [image.width() as usize, image.height() as usize];
-        let [x, y] = overlay::camera_position_of_uv(self.observer, size, projected.uv);
-        let spot = DVec2::new(x.into(), y.into());
+        let (spot, image) = (overlay::world_position_of(self.observer, at)?, self.observer.image());
         let extent = DVec2::new(f64::from(image.width()), f64::from(image.height()));
-        let inside = spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all();
-        (projected.is_in_front() && inside).then_some(spot)
+        (spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all()).then_some(spot)
     }
 }
 

@@ -10,7 +10,7 @@ use egui::{
     Align2, Color32, ColorImage, FontId, Image, Rect, Response, RichText, Sense, Ui, Vec2,
     WidgetInfo, vec2,
 };
-use pinhole_core::{NO_OBJECT, Paint, Raster, Rgb, Shade};
+use pinhole_core::{NO_OBJECT, Paint, Raster, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
 use pinhole_figure::overlay::Style;
@@ -20,6 +20,7 @@ use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, Mistake};
 use crate::ui::action::Leave;
 use crate::ui::widgets::{ResponseExt as _, ViewTexture};
 use crate::view::adaptive_resolution::REST;
+use pinhole_figure::overlay::opaque;
 
 /// Maximum width and height of a picture, in pixels and in points.
 const PICTURE: Vec2 = vec2(96.0, 72.0);
@@ -223,8 +224,7 @@ impl Candidate {
         let size = image * (PICTURE / image).min_elem().min(1.0);
         let raster = Raster::shown_on(camera.image, size.x as u32, size.y as u32);
         let color_of = |i: u32| style.scheme().object(i, document.color_of(i));
-        let to_pixel = |[r, g, b]: Rgb| Color32::from_rgb(r, g, b);
-        let paint = Paint { shade, color_of, to_pixel };
+        let paint = Paint { shade, color_of, to_pixel: opaque };
         let (_, compared) = ComparedCamera::new(camera, &resolved, &scene, mistake, &raster, paint);
         let ComparedPicture { mut pixels, wrong, right } = compared?;
         style.finish(&mut pixels);

@@ -5,7 +5,8 @@
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
+use egui::Color32;
+use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Root, Scene};
 use pinhole_figure::inspection::Inspection;
 use pinhole_lecture::numbers::{equated, written as number};
 use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting};
@@ -63,7 +64,7 @@ pub struct Named {
     /// The label at the curve.
     pub name: String,
     /// The colour in the views.
-    pub color: Rgb,
+    pub color: Color32,
 }
 
 /// Returns the objects that have a curve. With at most [`MOST`] objects, these are all of them; otherwise,

@@ -4,8 +4,8 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider, Stroke,
-    Ui, Vec2, pos2, vec2,
+    Align2, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider, Stroke, Ui, Vec2,
+    pos2, vec2,
 };
 use pinhole_core::Root;
 use pinhole_figure::chart::{self, GridInk, SOLID, Scale, Tick};
@@ -237,15 +237,10 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
     response.with_role(Role::Image).named("Plot of f(p + t d)").described(text);
 }
 
-fn color_of(curve: &Curve) -> Color32 {
-    let [r, g, b] = curve.named.color;
-    Color32::from_rgb(r, g, b)
-}
-
 /// Draws a line in a curve's color and dashes.
 fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     let dashes = DASHES[curve.index % DASHES.len()];
-    chart::line(painter, points, (3.0, color_of(curve)), dashes);
+    chart::line(painter, points, (3.0, curve.named.color), dashes);
 }
 
 /// Draws a sample of the curve's line, which links the text to the curve.
@@ -316,13 +311,14 @@ impl PlotDrawing<'_> {
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let dashes = DASHES[curve.index % DASHES.len()];
             // The casing is dashed like the curve, so that an equal curve below shows in the gaps.
-            for stroke in [Stroke::new(5.0, self.colors.halo), Stroke::new(3.0, color_of(curve))] {
+            for stroke in [Stroke::new(5.0, self.colors.halo), Stroke::new(3.0, curve.named.color)]
+            {
                 for part in &drawn.parts {
                     chart::line(&self.painter, part, stroke, dashes);
                 }
             }
             for (at, direction) in &drawn.exits {
-                chart::arrowhead(&self.painter, *at, 12.0 * *direction, color_of(curve));
+                chart::arrowhead(&self.painter, *at, 12.0 * *direction, curve.named.color);
             }
         }
     }
@@ -343,13 +339,13 @@ impl PlotDrawing<'_> {
     /// Draws a ring at every zero, and a large disc at the first hit.
     fn roots(&self, words: &mut LabelLayout) {
         for (curve, t) in self.zeros() {
-            let (at, stroke) = (self.at(t, 0.0), Stroke::new(3.0, color_of(curve)));
+            let (at, stroke) = (self.at(t, 0.0), Stroke::new(3.0, curve.named.color));
             self.painter.circle(at, 5.5, self.colors.background, stroke);
             words.keep_free(Rect::from_center_size(at, Vec2::splat(13.0)));
         }
         if let Some((object, t)) = self.first_hit() {
             let curve = self.plot.curves.iter().find(|curve| curve.named.object == object);
-            let color = curve.map_or(self.colors.ink, color_of);
+            let color = curve.map_or(self.colors.ink, |curve| curve.named.color);
             let at = self.at(t, 0.0);
             self.painter.circle(at, 9.0, color, Stroke::new(3.0, self.colors.ink));
             words.keep_free(Rect::from_center_size(at, Vec2::splat(20.0)));
@@ -367,7 +363,7 @@ impl PlotDrawing<'_> {
         for curve in &self.plot.curves {
             let at = self.at(t, curve.height(curve.at_point));
             if self.rect.contains(at) {
-                let stroke = Stroke::new(2.5, color_of(curve));
+                let stroke = Stroke::new(2.5, curve.named.color);
                 self.painter.circle(at, 5.5, self.colors.ray, stroke);
             }
         }

@@ -109,7 +109,7 @@ const SMALL: f32 = 0.72;
 /// Minimum size of smaller parts, in points, unless the text around them is smaller.
 const LEAST: f32 = 12.0;
 /// Size of numerators and denominators, relative to the surrounding text.
-pub(super) const FRACTION: f32 = 0.88;
+const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
@@ -463,9 +463,7 @@ impl<'a> LineBuilder<'a> {
     /// Adds a side of an equation that is too wide for a line, term by term.
     fn add_in_terms(&mut self, piece: &'a [Formula], measure: Measure<'_>) {
         let Column { size, width, indent } = self.column;
-        let is_binary =
-            |part: &Formula| matches!(part, Formula::Operator(operator) if operator.is_binary());
-        for term in pieces(piece, is_binary) {
+        for term in pieces(piece, Formula::is_binary) {
             let single = row(term, size, measure);
             let single = match single.width <= width - indent {
                 true => single,

@@ -278,6 +278,11 @@ impl Formula {
         matches!(self, Formula::Operator(operator) if operator.is_relation())
     }
 
+    /// Returns true if the formula is an operator between two terms or factors.
+    fn is_binary(&self) -> bool {
+        matches!(self, Formula::Operator(operator) if operator.is_binary())
+    }
+
     /// Returns the parts of a row; of any other formula, the formula itself as the only part.
     fn parts(&self) -> &[Formula] {
         match self {

@@ -85,7 +85,7 @@ impl Observer {
         }
         let mut subject = Subject::new(drawn);
         // Spheres that contain the eye are drawn cut away.
-        let eye = subject.eye;
+        let eye = subject.around.eye;
         subject.balls.extend(balls_of(drawn.scene).filter(|ball| ball.contains(eye)));
         subject.balls.retain(|ball| self.sees(ball, ORDINARY_ASPECT, 0.0));
         let depth = |observer: &Observer| observer.depth_of(eye);
@@ -189,7 +189,7 @@ impl Subject {
             return whole;
         }
         let free = size.free_areas().map(|area| self.fit_in(direction, size, area));
-        let depth = |observer: &Observer| observer.depth_of(self.eye);
+        let depth = |observer: &Observer| observer.depth_of(self.around.eye);
         free.min_by(|a, b| depth(a).total_cmp(&depth(b))).unwrap_or(whole)
     }
 
@@ -236,7 +236,7 @@ impl Subject {
             balls
                 .filter(|ball| ball.center.is_finite() && ball.radius.is_finite())
                 .map(|ball| {
-                    let q = ball.center - self.eye;
+                    let q = ball.center - self.around.eye;
                     q.dot(axis) + k * q.dot(back) + ball.radius * widen
                 })
                 .fold(f64::NEG_INFINITY, f64::max)
@@ -246,8 +246,9 @@ impl Subject {
         let depth = |[a, b]: [f64; 2], [k, l]: [f64; 2]| (a + b) / (k + l);
         let z = depth(x, across).max(depth(y, upwards));
         let middle = |[a, b]: [f64; 2], [k, l]: [f64; 2]| 0.5 * ((a - k * z) + (l * z - b));
-        let stand = self.eye + middle(x, across) * right + middle(y, upwards) * up + z * back;
-        let distance = (stand - self.middle).dot(back).max(0.5 * self.near_size);
+        let stand =
+            self.around.eye + middle(x, across) * right + middle(y, upwards) * up + z * back;
+        let distance = (stand - self.around.middle).dot(back).max(0.5 * self.around.near_size);
         let target = stand - distance * back;
         Observer { target, distance, ..*direction }.in_range()
     }
@@ -258,17 +259,17 @@ impl Subject {
     fn score(&self, observer: &Observer, aspect: f64) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
-        let to_eye = stand - self.eye;
+        let to_eye = stand - self.around.eye;
         let depth = to_eye.dot(back).max(1e-12);
-        let size = self.near_size / (aspect.min(1.0) * extent_of_fov(FOV, depth));
+        let size = self.around.near_size / (aspect.min(1.0) * extent_of_fov(FOV, depth));
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
         // The camera's picture on its viewport is hard to read if it is foreshortened to less than half its
         // width.
         let from_front = along.clamp(-0.5, 0.62);
-        let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
-        let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
-        let facing = facing / self.walls.len().max(1) as f64;
+        let hidden = self.balls.iter().any(|ball| lies_between(ball, self.around.eye, stand));
+        let facing: f64 = self.around.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
+        let facing = facing / self.around.walls.len().max(1) as f64;
         (size / LARGE_ENOUGH).min(1.0) + 1.2 * sideways + from_front + 0.2 * facing
             - if hidden { 0.6 } else { 0.0 }
             - if self.loses_horizon(observer) { 1.0 } else { 0.0 }
@@ -279,7 +280,7 @@ impl Subject {
         let (back, (_, up)) = (observer.back(), observer.right_and_up());
         let stand = observer.target() + observer.distance() * back;
         let upwards = HORIZON * 0.5 * extent_of_fov(FOV, 1.0) * up - back;
-        self.planets.iter().any(|ball| {
+        self.around.planets.iter().any(|ball| {
             let from_center = stand - ball.center;
             let outside = from_center.length_squared() - ball.radius * ball.radius;
             let b = from_center.dot(upwards);

@@ -96,14 +96,14 @@ pub struct Surroundings {
     pub spheres: Vec<Bound>,
     /// The spheres that are out of scale, such as a planet on which the camera stands.
     pub planets: Vec<Bound>,
-    /// The point halfway between the eye and the spheres.
+    /// The point halfway between the eye and the spheres, around which an observer turns.
     pub middle: DVec3,
     /// The distance from the eye to the far side of the spheres, or to the planes that the camera sees.
     pub extent: f64,
     /// The largest of the viewport's width, height and distance.
-    near_size: f64,
+    pub(super) near_size: f64,
     /// The points of planes that the camera sees.
-    walls: Vec<Root>,
+    pub(super) walls: Vec<Root>,
 }
 
 impl Surroundings {
@@ -136,26 +136,19 @@ pub(super) struct Subject {
     pub(super) balls: Vec<Bound>,
     /// What is drawn; see [`Drawn::places`].
     pub(super) places: Vec<(Place, bool)>,
-    pub(super) eye: DVec3,
+    /// Its spheres are among the `balls`. Those out of scale need not be in sight, but their horizon should be.
+    pub(super) around: Surroundings,
     /// Direction from the scene to the camera: the camera's w, or +z for an invalid camera.
     pub(super) back: DVec3,
     /// The camera's right.
     pub(super) right: DVec3,
-    /// The largest of the viewport's width, height and distance.
-    pub(super) near_size: f64,
-    /// The points of planes that the camera sees.
-    pub(super) walls: Vec<Root>,
-    /// The spheres that are out of scale. They need not be in sight, but their horizon should be.
-    pub(super) planets: Vec<Bound>,
-    /// The point around which the observer turns, halfway between the camera's eye and the objects.
-    pub(super) middle: DVec3,
 }
 
 impl Subject {
     pub(super) fn new(drawn: &Drawn<'_>) -> Subject {
         let (camera, scene) = (drawn.camera, drawn.scene);
-        let Surroundings { eye, mut spheres, planets, middle, near_size, walls, .. } =
-            Surroundings::new(camera, scene);
+        let mut around = Surroundings::new(camera, scene);
+        let (eye, mut spheres) = (around.eye, std::mem::take(&mut around.spheres));
         let resolved = camera.resolve().ok();
         let (back, right) = resolved
             .map_or((DVec3::Z, DVec3::X), |resolved| (resolved.basis().w, resolved.basis().u));
@@ -172,12 +165,12 @@ impl Subject {
                 points.extend(frustum_corners(&resolved, t));
             }
         }
-        points.extend(walls.iter().map(|hit| hit.point));
+        points.extend(around.walls.iter().map(|hit| hit.point));
         points.retain(|point| is_tame(*point));
         let balls = points.into_iter().map(Bound::point).chain(spheres).collect();
         let tame = |(place, _): &&(Place, bool)| is_tame(place.at) && place.along.is_finite();
         let places = drawn.places.iter().filter(tame).copied().collect();
-        Subject { balls, places, eye, back, right, near_size, walls, planets, middle }
+        Subject { balls, places, around, back, right }
     }
 }
 

@@ -10,7 +10,7 @@ use pinhole_core::{
 };
 use rayon::prelude::*;
 
-use crate::overlay::{Flat, FlatRow, FlatSpot, Grid, StretchedPicture};
+use crate::overlay::{Flat, FlatRow, FlatSpot, Grid, StretchedPicture, opaque};
 
 /// The layers between the observer's traced picture and the camera: the spheres around the camera, which
 /// are cut away, the panes that stand for planes, and the floor. They seldom change while only the camera
@@ -79,8 +79,7 @@ impl Bowl {
             return below;
         }
         let cosine = (q + far / length * direction).dot(direction).abs() / length;
-        let [r, g, b] = lambert(self.color, cosine.min(1.0));
-        mix(below, Color32::from_rgb(r, g, b), BOWL)
+        mix(below, opaque(lambert(self.color, cosine.min(1.0))), BOWL)
     }
 }
 

@@ -22,6 +22,7 @@
 use std::ops::Deref;
 use std::sync::Arc;
 
+use egui::Color32;
 use pinhole_core::{Rgb, Scene};
 
 mod camera_view;
@@ -47,12 +48,12 @@ pub use parts::camera::UP_LENGTH;
 pub use parts::compared::GhostCamera;
 pub use parts::emphasis::Highlighted;
 pub use parts::sight::{drawn, drawn_of, observer_of};
-pub use screen::{arrow_length, camera_position_of_uv, camera_uv_at, length_of_points};
+pub use screen::{arrow_length, camera_uv_at, length_of_points, world_position_of};
 pub use style::{Colors, Style, contrast_ratio};
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};
 pub use world_view::lens::SMALL_VIEWPORT;
 pub use world_view::under_pointer::{PointShown, Under, point_at};
-pub use world_view::{Below, WorldView, pick, t_towards, world, world_position_of};
+pub use world_view::{Below, WorldView, pick, t_towards, world};
 
 use camera_view::CameraSketch;
 use drawing::{LABEL_DIGITS, circle, dot, equals, wide};
@@ -107,6 +108,11 @@ pub struct ColoredScene<'a> {
     pub scene: &'a Scene,
     /// The colours, in the order of the objects.
     pub colors: &'a [Rgb],
+}
+
+/// Returns an opaque colour.
+pub fn opaque([r, g, b]: Rgb) -> Color32 {
+    Color32::from_rgb(r, g, b)
 }
 
 impl ColoredScene<'_> {

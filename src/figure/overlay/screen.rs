@@ -4,7 +4,6 @@
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::observer::ViewSize;
-use crate::overlay::drawing::dot;
 
 /// The observer's picture plane. Positions are in screen pixels from its top left corner.
 ///
@@ -209,6 +208,12 @@ pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     Screen::at(observer, eye, scale).arrow_length(eye)
 }
 
+/// Returns the position of a point of the world in the observer's picture, in screen pixels; `None` if it is
+/// behind the observer or outside the picture. Objects in front of the point are ignored.
+pub fn world_position_of(observer: &ResolvedCamera, point: DVec3) -> Option<DVec2> {
+    Some(Screen::at(observer, point, 1.0).spot(point)?.at)
+}
+
 /// A line clipped to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CutLine {
@@ -261,10 +266,6 @@ pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32;
 }
 
 /// Returns the position of a (u, v) in the camera view, in screen pixels. Inverse of [`camera_uv_at`].
-pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
-    dot(position_of(resolved, size, uv))
-}
-
 pub(crate) fn position_of(camera: &ResolvedCamera, [w, h]: [usize; 2], uv: DVec2) -> DVec2 {
     let viewport = camera.viewport();
     DVec2::new(w as f64 * (0.5 + uv.x / viewport.width), h as f64 * (0.5 - uv.y / viewport.height))

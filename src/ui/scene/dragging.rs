@@ -108,15 +108,15 @@ impl WorldArea<'_> {
         shown: &Derived,
         reach: f64,
     ) -> Option<PlacedHandle> {
-        let to_dots = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
-        let (dots, reach) = (to_dots(self.dots(at).into()), reach * f64::from(self.scale));
+        let [x, y]: [f32; 2] = self.dots(at).into();
+        let (dots, reach) = (DVec2::new(x.into(), y.into()), reach * f64::from(self.scale));
         let found = hit(all, dots, reach)?;
         let ray_point = || {
             let point = shown.inspection.as_deref()?.ray.at(ray_point_t?);
-            overlay::world_position_of(shown.world_frame.as_deref()?, point)
+            overlay::world_position_of(shown.world_frame.as_deref()?.camera(), point)
         };
-        let is_nearest = ray_point()
-            .is_none_or(|point| to_dots(point).distance(dots) > found.spot.distance(dots));
+        let is_nearest =
+            ray_point().is_none_or(|point| point.distance(dots) > found.spot.distance(dots));
         is_nearest.then_some(found)
     }
 
@@ -366,9 +366,9 @@ pub(crate) fn dragged_ray_point(
     let per_point = ui.ctx().pixels_per_point();
     if response.drag_started() {
         let pressed = ui.input(|i| i.pointer.press_origin())?;
-        let on_screen = overlay::world_position_of(frame, ray.at(t));
-        let near = |[x, y]: [f32; 2]| {
-            let at = response.rect.min + egui::vec2(x, y) / per_point;
+        let on_screen = overlay::world_position_of(frame.camera(), ray.at(t));
+        let near = |at: DVec2| {
+            let at = response.rect.min + egui::vec2(at.x as f32, at.y as f32) / per_point;
             at.distance(pressed) <= RAY_POINT_REACH
         };
         ui.data_mut(|data| data.insert_temp(key, on_screen.is_some_and(near)));

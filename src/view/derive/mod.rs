@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
-use egui::{Color32, ColorImage};
-use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Rgb, Scene, Steps, UpAngle};
+use egui::ColorImage;
+use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_figure::derivation::Derivation;
 use pinhole_figure::overlay::{Highlighted, Label, Mark, Style};
@@ -15,7 +15,7 @@ use pinhole_lecture::mistakes::ComparedCamera;
 use crate::features::plot::curves::Plot;
 use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use pinhole_figure::overlay::CameraView;
+use pinhole_figure::overlay::{CameraView, opaque};
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};
@@ -76,7 +76,7 @@ impl Deriver {
     fn derived(&mut self, inputs: Inputs<'_>) -> Derived {
         let camera = &inputs.document.camera;
         let updated = self.objects.update(inputs.document, inputs.sizes.style.scheme());
-        let world = self.objects.good().filter(|_| updated.is_ok()).cloned();
+        let world = self.objects.good().filter(|_| updated.is_ok());
         let resolved = camera.resolve();
         let fault = match (&resolved, updated) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -86,24 +86,24 @@ impl Deriver {
         let mut derived = Derived {
             resolved: resolved.ok(),
             up_angle: camera.up_angle().ok(),
-            scene: world.as_ref().map(|world| Arc::clone(&world.scene)),
+            scene: world.map(|world| Arc::clone(&world.scene)),
             fault,
             ..Derived::default()
         };
-        if let (Some(resolved), Some(world)) = (derived.resolved, &world) {
+        if let (Some(resolved), Some(world)) = (derived.resolved, world) {
             let good = self.pictures.get(inputs, resolved, world);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
-        drop(world);
-        if let Some(good) = &self.last_good {
-            good.describe(&mut derived);
-        }
-        let world = self.objects.good().filter(|_| derived.fault.is_none());
         if inputs.session.shows_exercise() {
             derived.answer_marks = inputs.session.exercises.answer_marks().into();
         }
         if let Some(good) = &self.last_good {
+            (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
+            derived.subsampling[0] = good.subsampling;
+            derived.too_many =
+                good.compared.as_ref().and_then(|found| found.as_ref().err().copied());
+            let world = world.filter(|_| derived.fault.is_none());
             self.second.update(&mut derived, inputs, good, world);
         }
         self.views(&mut derived, inputs);
@@ -133,10 +133,6 @@ impl Deriver {
             derived.world_view = Some(view);
         }
     }
-}
-
-fn opaque([r, g, b]: Rgb) -> Color32 {
-    Color32::from_rgb(r, g, b)
 }
 
 /// Returns the highlighted concept; `None` if no concept is highlighted.

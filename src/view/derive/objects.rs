@@ -177,17 +177,13 @@ fn replace(
 /// Updates the colours of the objects that can be edited.
 fn recolor(good: &mut GoodWorld, document: &Document, scheme: Scheme) {
     let planes = document.sphere_count()..document.object_count();
-    let changed: Vec<(usize, Rgb)> = (0..document.spheres.len())
-        .chain(planes)
-        .map(|index| (index, scheme.object(index as u32, document.color_of(index as u32))))
-        .filter(|(index, color)| good.colors[*index] != *color)
-        .collect();
-    if changed.is_empty() {
-        return;
+    let mut is_changed = false;
+    for index in (0..document.spheres.len()).chain(planes) {
+        let color = scheme.object(index as u32, document.color_of(index as u32));
+        if good.colors[index] != color {
+            Arc::make_mut(&mut good.colors)[index] = color;
+            is_changed = true;
+        }
     }
-    let colors = Arc::make_mut(&mut good.colors);
-    for (index, color) in changed {
-        colors[index] = color;
-    }
-    good.palette += 1;
+    good.palette += u64::from(is_changed);
 }

@@ -17,7 +17,7 @@ use pinhole_lecture::numbers::grouped;
 
 use crate::features::accuracy::comparison::{self, Comparison};
 use crate::view::adaptive_resolution::Subsampling;
-use crate::view::derive::{Derived, GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
+use crate::view::derive::{GoodWorld, Inputs, Memo, SecondPicture, Spares, opaque};
 
 /// Maximum number of ray-object tests that a method may do for one picture. They take about a second,
 /// during which the window does not respond.
@@ -81,19 +81,6 @@ pub(super) struct GoodPicture {
     pub(super) compared: Option<Result<Arc<Compared>, TooMany>>,
     /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
-}
-
-impl GoodPicture {
-    /// Copies the data that the readouts show about the picture.
-    pub(super) fn describe(&self, derived: &mut Derived) {
-        match &self.compared {
-            Some(Ok(compared)) => derived.compared = Some(Arc::clone(compared)),
-            Some(Err(too_many)) => derived.too_many = Some(*too_many),
-            None => {}
-        }
-        derived.subsampling[0] = self.subsampling;
-        (derived.steps, derived.counts) = (Some(self.steps), Some(self.counts));
-    }
 }
 
 /// The inputs of a trace. `generation` is that of the objects.

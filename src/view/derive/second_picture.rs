@@ -111,6 +111,7 @@ impl SecondPictures {
                 // The highlighted concept belongs to the current document, so it is not shown in an older
                 // picture.
                 view.highlighted = highlighted(inputs).filter(|_| world.is_some());
+                derived.compared = good.compared.clone().and_then(Result::ok);
                 derived.compared.as_ref().map(|compared| Arc::clone(&compared.picture))
             }
             (SecondPicture::WrongCamera, _) => {

@@ -402,7 +402,7 @@ pub(super) fn plot(
         object,
         title: document.title_of(object as usize),
         name: document.label_of(object as usize),
-        color: scheme.object(object, document.color_of(object)),
+        color: opaque(scheme.object(object, document.color_of(object))),
     });
     Some(Plot::new(scene, &ray, named, session.shown.ray_point_t))
 }

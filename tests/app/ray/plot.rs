@@ -171,7 +171,8 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
         let derived = window.state().derived();
         let ray = derived.inspection.clone().unwrap().ray;
         let frame = derived.world_frame.clone().unwrap();
-        rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
+        let at = world_position_of(frame.camera(), ray.at(t)).unwrap();
+        rect.min + vec2(at.x as f32, at.y as f32)
     };
     let observer = window.state().session().shown.observer;
     let (from, to) = (to_screen(&window, 3.0), to_screen(&window, 4.5));
@@ -318,9 +319,9 @@ fn of_two_equal_curves_both_are_seen() {
     // Where the parabolas rise, at the right of what they touch.
     let part =
         Rect::from_min_max(plot.lerp_inside(vec2(0.6, 0.1)), plot.lerp_inside(vec2(0.95, 0.4)));
-    let colors: Vec<[u8; 3]> = window.state().derived().plot.as_ref().unwrap().curves[..2]
+    let colors: Vec<[u8; 4]> = window.state().derived().plot.as_ref().unwrap().curves[..2]
         .iter()
-        .map(|c| c.named.color)
+        .map(|curve| curve.named.color.to_array())
         .collect();
     let image = window.render().unwrap();
     for color in colors {

@@ -148,8 +148,7 @@ impl Stage {
     }
 
     fn to_screen(&self, point: DVec3) -> DVec2 {
-        let [x, y] = world_position_of(&self.frame, point).expect("a point in sight");
-        DVec2::new(x.into(), y.into())
+        world_position_of(self.frame.camera(), point).expect("a point in sight")
     }
 }
 

@@ -4,13 +4,13 @@
 //! dragged.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, PixelRays, Plane, Rgb};
+use pinhole_core::{DVec2, DVec3, PixelRays, Plane};
 
 use crate::Item;
 use crate::observer::{Bound, Surroundings};
 use crate::overlay::{
     ColoredScene, FINE, Flat, Grid, LineStyle, PlanePatch, Sketch, THIN, WorldView, corners, mix,
-    tangents, unit,
+    opaque, tangents, unit,
 };
 
 /// Maximum extent of a pane on each side of the scene's middle, as a multiple of the sum of two lengths: the
@@ -90,7 +90,7 @@ impl Pane {
 
 /// The panes, the floor and what stands on it.
 pub(crate) struct Ground<'a> {
-    panes: Vec<(Pane, &'a Plane, Rgb)>,
+    panes: Vec<(Pane, &'a Plane, Color32)>,
     /// The floor: the pane of the scene's highest level plane below the eye, or else one of its own, below all
     /// spheres and the camera.
     floor: Option<Pane>,
@@ -115,7 +115,7 @@ impl WorldView {
         let around = Surroundings::new(&self.figure.camera, objects);
         let first = objects.spheres().len();
         ground.panes.extend((first..).zip(planes).filter_map(|(index, plane)| {
-            Some((self.pane(&around, plane)?, plane, scene.color_of(index as u32)))
+            Some((self.pane(&around, plane)?, plane, opaque(scene.color_of(index as u32))))
         }));
         if has_floor && around.planets.is_empty() {
             let is_level = |pane: &&Pane| {
@@ -138,12 +138,12 @@ impl WorldView {
         rays: &PixelRays,
     ) -> (Vec<PlanePatch>, Option<PlanePatch>) {
         let colors = self.figure.style.colors();
-        let patch = |(pane, plane, [r, g, b]): &(Pane, &Plane, Rgb)| {
+        let patch = |(pane, plane, color): &(Pane, &Plane, Color32)| {
             let height = |p: DVec3| pane.normal.dot(p - plane.point);
             let between = height(self.figure.camera.eye) * height(rays.eye) < 0.0;
-            let color = Color32::from_rgb(*r, *g, *b);
-            let grid = mix(color, colors.ink, 0.1);
-            let patch = pane.patch(rays, [mix(color, colors.background, 0.6), grid], self.scale)?;
+            let grid = mix(*color, colors.ink, 0.1);
+            let patch =
+                pane.patch(rays, [mix(*color, colors.background, 0.6), grid], self.scale)?;
             let opacity = if between { OPACITY_BETWEEN } else { OPACITY };
             Some(PlanePatch { opacity, ..patch })
         };
@@ -229,8 +229,8 @@ impl Sketch<'_> {
     pub(crate) fn ground(&mut self, scene: ColoredScene<'_>) {
         let view = self.view;
         let ground = view.ground(scene);
-        for (pane, _, [r, g, b]) in &ground.panes {
-            let color = mix(Color32::from_rgb(*r, *g, *b), self.colors.ink, 0.4);
+        for (pane, _, color) in &ground.panes {
+            let color = mix(*color, self.colors.ink, 0.4);
             let pen = LineStyle::new(Item::Planes, color, THIN).without_halo().where_visible();
             self.sides(&pane.corners(), pen);
         }

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use crate::Item;
 use crate::overlay::{
     BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
-    Screen, Sketch, ViewportLayer, camera_uv_at, dot, mix, place_labels, wide,
+    Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -88,15 +88,6 @@ pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -
     let spot = layer.spot(at)?;
     let uv = spot.position * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     (spot.t <= layers.traced_t(at)).then_some(uv)
-}
-
-/// Returns the position of a point of the world in the world view, in screen pixels; `None` if it is behind
-/// the observer or outside the picture. Objects in front of the point are ignored.
-pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
-    let observer = frame.camera();
-    let unit = (point - observer.eye()).length();
-    let spot = Screen::new(observer, unit, 1.0).spot(point)?;
-    Some(dot(spot.at))
 }
 
 /// Returns the t of the point of a ray's line that is nearest to the observer's line of sight through a
@@ -221,10 +212,8 @@ impl WorldView {
             fades: self.figure.highlighted.is_some_and(|lit| lit.dims),
         };
         sketch.ground(scene);
-        let cut_away = |(index, sphere)| {
-            let [r, g, b] = scene.color_of(index);
-            (index, sphere, mix(Color32::from_rgb(r, g, b), colors.ink, 0.3))
-        };
+        let cut_away =
+            |(index, sphere)| (index, sphere, mix(opaque(scene.color_of(index)), colors.ink, 0.3));
         let cut_away: Vec<_> = self.drawn_around(scene.scene).map(cut_away).collect();
         sketch.parts(self.figure.parts(scene.scene, &cut_away));
         sketch.handles();

@@ -2,8 +2,8 @@
 
 use pinhole_core::{DVec3, Frame, ResolvedCamera, Scene, Sphere};
 
-use super::{pick, world_position_of};
-use crate::overlay::{camera_uv_at, wide};
+use super::pick;
+use crate::overlay::{camera_uv_at, wide, world_position_of};
 
 /// A point of the world that the world view shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,8 +47,8 @@ pub fn point_at(
     let traced_t = frame.t.get(index).map_or(f64::INFINITY, |t| f64::from(*t));
     let of_camera = camera.and_then(|camera| {
         let eye = || {
-            let shown = world_position_of(frame, camera.eye())?;
-            let is_near = wide(shown).distance(wide(position)) <= reach.into();
+            let shown = world_position_of(observer, camera.eye())?;
+            let is_near = shown.distance(wide(position)) <= reach.into();
             let depth = (observer.eye() - camera.eye()).dot(observer.basis().w);
             // What hides the eye is nearer to the pointer.
             (is_near && depth <= traced_t * observer.viewport().distance).then(|| camera.eye())
