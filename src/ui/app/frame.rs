@@ -29,6 +29,7 @@ use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
 use crate::ui::second_picture;
 use crate::ui::stage::{Stage, navigation};
+use crate::ui::tools::translator;
 use crate::ui::widgets::{clipped, pointed_at};
 use crate::ui::workspaces::{Page, page};
 use crate::view::derive::Deriver;
@@ -427,7 +428,8 @@ impl App {
             Some(stage) => stage.show(ui, rects.rest, &mut context),
             None => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
-        files::notice(ui, &mut self.scene);
+        let OpenScene { open, session, .. } = &mut self.scene;
+        translator::notice(ui, &mut session.translator.notice, &open.document.camera);
     }
 }
 
