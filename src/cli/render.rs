@@ -27,7 +27,10 @@ use crate::features::export::order::{FigureSubject, Order, scale_of};
 use crate::model::{Session, Setup, Shown};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
-    if let Some(aov) = &arguments.aov {
+    let output = Some(&*arguments.output).filter(|output| !is_standard(output));
+    let aov = arguments.aov.as_deref();
+    named(&arguments.output, "png", "-o writes PNG")?;
+    if let Some(aov) = aov {
         if !cfg!(feature = "exr") {
             return Err(not_built("--aov", "exr"));
         }
@@ -37,34 +40,29 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         if is_same_file(aov, &arguments.output) {
             return refused(format!("--aov and -o both write {}", aov.display()));
         }
-    }
-    let output = Some(&arguments.output).filter(|output| !is_standard(output));
-    if arguments.aov.as_deref().is_some_and(is_standard) {
-        return refused("--aov needs a file: - is for -o");
-    }
-    named(&arguments.output, "png", "-o writes PNG")?;
-    if let Some(aov) = &arguments.aov {
+        if is_standard(aov) {
+            return refused("--aov needs a file: - is for -o");
+        }
         named(aov, "exr", "--aov writes OpenEXR")?;
     }
-    for file in [output, arguments.aov.as_ref()].into_iter().flatten() {
+    for file in [output, aov].into_iter().flatten() {
         atomic::check(file)?;
     }
     let document = load(&arguments.scene)?;
     pose(&arguments.scene, &document)?;
-    let aov = arguments.aov.as_deref().map(|aov| ("--aov", aov));
-    let outputs = output.map(|output| ("-o", output.as_path())).into_iter().chain(aov);
-    refuse_overwriting(&files_of(&arguments.scene, &document), outputs)?;
+    let outputs = [output.map(|output| ("-o", output)), aov.map(|aov| ("--aov", aov))];
+    let inputs = files_of(&arguments.scene, &document);
+    refuse_overwriting(&inputs, outputs.into_iter().flatten())?;
     let scene_image = document.camera.image;
     let image =
         size(arguments.width, arguments.height, [scene_image.width(), scene_image.height()])?;
-    warn_if_large(image, output.is_some(), arguments.aov.is_some());
+    warn_if_large(image, output.is_some(), aov.is_some());
     let picture = Picture::new(document, arguments, image)
         .map_err(|error| scene_fault(&arguments.scene, error))?;
     let progress = Progress::new("row", picture.passes() * image.height() as usize);
     let done = |rows| progress.add(rows);
     let mut batch = Batch::default();
-    let aov = arguments.aov.as_deref().map(|aov| Ok::<_, FileError>((aov, batch.create(aov)?)));
-    let aov = aov.transpose()?;
+    let aov = aov.map(|aov| Ok::<_, FileError>((aov, batch.create(aov)?))).transpose()?;
     match output {
         Some(output) => {
             batch.add(output, |file| picture.write(BufWriter::new(file), aov, BAND, done))?;

@@ -1,7 +1,7 @@
 //! The pages of the workspaces: what the window shows in each layout, and where. A new layout needs a
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
-use egui::{Align, Layout, Rect, RichText, TextWrapMode, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Layout, RichText, TextWrapMode, Ui, UiBuilder, vec2};
 use pinhole_figure::typesetting::theme::{self, STACKED};
 
 use crate::features::export::order::FigureSubject;
@@ -86,14 +86,7 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         ViewLayout::DerivationAlone => Page { areas: no_views, ..page(ViewLayout::Derivation) },
         ViewLayout::Plot => Page {
             follows_pointer: true,
-            areas: |divider| {
-                if divider.whole.width() < STACKED {
-                    return stack_beside(divider);
-                }
-                let (views, rest) = divider.above(Split::Plot);
-                let (left, right) = divider.across(views, Split::Views, "views handle");
-                Areas { world: Some(left), camera: Some(right), second: None, rest }
-            },
+            areas: above_graph,
             rest: plot::ui::ui,
             lights: Some(HoverSource::Derivation),
             ..Page::VIEWS
@@ -127,20 +120,32 @@ pub(crate) fn page(layout: ViewLayout) -> Page {
         },
         ViewLayout::Class => Page { rest: class::ui::ui, ..Page::ALONE },
         ViewLayout::Accuracy => Page {
-            areas: |divider| {
-                let (views, rest) = divider.above(Split::Accuracy);
-                // Both pictures leave space for the error map's legend, so that they have the same size.
-                let bottom = (views.bottom() - accuracy::ui::LEGEND).max(views.top() + STRIP + 1.0);
-                let (left, right) =
-                    halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
-                Areas { world: None, camera: Some(left), second: Some(right), rest }
-            },
+            areas: above_methods,
             second: Some(SecondPicture::ErrorMap),
             rest: accuracy::ui::ui,
             figure: FigureSubject::Camera,
             ..Page::VIEWS
         },
     }
+}
+
+/// Puts both views side by side above the graph.
+fn above_graph(divider: &mut Divider<'_>) -> Areas {
+    if divider.whole.width() < STACKED {
+        return stack_beside(divider);
+    }
+    let (views, rest) = divider.above(Split::Plot);
+    let (left, right) = divider.across(views, Split::Views, "views handle");
+    Areas { world: Some(left), camera: Some(right), second: None, rest }
+}
+
+/// Puts the camera view and the error map above the methods. Both leave space for the map's legend, so that they
+/// have the same size.
+fn above_methods(divider: &mut Divider<'_>) -> Areas {
+    let (views, rest) = divider.above(Split::Accuracy);
+    let bottom = (views.bottom() - accuracy::ui::LEGEND).max(views.top() + STRIP + 1.0);
+    let (left, right) = halves(views.with_max_y(bottom));
+    Areas { world: None, camera: Some(left), second: Some(right), rest }
 }
 
 /// Shows, in place of a page, a message that the answer is hidden, if there is room. Shows nothing while

@@ -230,7 +230,9 @@ pub(crate) fn buttons(ui: &mut Ui, context: &mut PageContext<'_>) {
         "The next line that leads to what is not right yet; after the last one, the solution";
     let hint = ui.add_enabled(can, egui::Button::new(GIVE_HINT)).on_hover_text(about);
     if hint.clicked() {
-        exercises.give_hint(hint_lines(exercises, derived));
+        let lines = lines_left(exercises, derived);
+        let all = lines.map_or(plane_hints(exercises).len(), |lines| lines.line_count());
+        exercises.give_hint(all);
     }
     if ui.button(if is_whole { solution } else { "Solution" }).named(solution).clicked() {
         exercises.toggle_solution();
@@ -247,11 +249,6 @@ pub(crate) fn buttons(ui: &mut Ui, context: &mut PageContext<'_>) {
 fn lines_left(exercises: &Exercises, derived: &Derived) -> Option<Derivation> {
     let lines = derived.derivation.as_ref().filter(|_| lab(exercises).is_none())?;
     Some(Derivation::clone(lines).left(exercises.concepts()))
-}
-
-/// Returns the number of hints before the solution.
-fn hint_lines(exercises: &Exercises, derived: &Derived) -> usize {
-    lines_left(exercises, derived).map_or(plane_hints(exercises).len(), |lines| lines.line_count())
 }
 
 /// Returns the steps of a substitution that lead to t or, if t is right, to the point.

@@ -199,7 +199,7 @@ fn input(ui: &Ui, plane: &PlaneView, lab: &mut LinesLab, handle: LineHandle) -> 
         lab.drag(handle, plane.to_plane(pointer + offset), fineness);
     }
     if response.has_focus() {
-        let steps = arrows(ui);
+        let steps = arrows(ui.ctx());
         if steps != Vec2::ZERO {
             lab.nudge(handle, DVec2::new(steps.x.into(), (-steps.y).into()), fineness);
         }

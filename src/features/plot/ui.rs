@@ -2,7 +2,6 @@
 //! is below both views, and has a curve for each object on a common t axis, and a point that the user moves
 //! along the ray. On its right there is a text for each curve.
 
-use egui::accesskit::Role;
 use egui::{
     Align2, Id, Label, Painter, Pos2, Rect, RichText, ScrollArea, Sense, Slider, Stroke, Ui, Vec2,
     pos2, vec2,
@@ -18,6 +17,7 @@ use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as numbe
 
 use crate::features::plot::curves::{Curve, Plot};
 use crate::ui::PageContext;
+use crate::ui::scene::views;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, is_about, keep_arrows};
 
 /// Size of the text, in points; it is legible from the back row of a classroom.
@@ -214,11 +214,8 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
         let x = x.clamp(rect.left(), rect.right());
         (scale.value_at(x) * per_unit).round() / per_unit + 0.0
     };
-    let response = ui.interact(rect, ui.scope_id().with("plot of f"), Sense::click_and_drag());
+    let response = views::view(ui, rect, "Plot of f(p + t d)");
     keep_arrows(&response, true, false);
-    if response.clicked() || response.drag_started() {
-        response.request_focus();
-    }
     if (response.dragged() || response.clicked())
         && let Some(pointer) = response.interact_pointer_pos()
     {
@@ -227,14 +224,14 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
     if response.has_focus()
         && let Some(t) = ray_point_t
     {
-        let steps = arrows(ui).x;
+        let steps = arrows(ui.ctx()).x;
         if steps != 0.0 {
             *t = t_at(scale.position(*t) + 3.0 * steps);
         }
     }
     let text = ray_point_t
         .map_or("no point marked on the ray".to_owned(), |t| format!("point marked at t = {t}"));
-    response.with_role(Role::Image).named("Plot of f(p + t d)").described(text);
+    response.described(text);
 }
 
 /// Draws a line in a curve's color and dashes.

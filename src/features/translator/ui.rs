@@ -8,7 +8,7 @@ use egui::{
     Align2, Area, FontId, Frame, Id, Label, Order, RichText, ScrollArea, Stroke, Ui, WidgetText,
     vec2,
 };
-use pinhole_core::Pixel;
+use pinhole_core::{Camera, Pixel};
 use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Format, Text};
@@ -196,8 +196,9 @@ fn sentence(text: &str) -> String {
 }
 
 /// Shows the notice below the bars, until the time to read it is over or the user closes it. At the lower edge
-/// are the buttons of a lesson and of an exercise.
-pub(crate) fn notice(ui: &Ui, notice: &mut Option<Notice>) {
+/// are the buttons of a lesson and of an exercise. A notice about another camera than this one disappears.
+pub(crate) fn notice(ui: &Ui, notice: &mut Option<Notice>, camera: &Camera) {
+    notice.take_if(|notice| notice.camera.is_some_and(|own| own != *camera));
     let Some(shown) = notice else { return };
     let (ctx, page) = (ui.ctx(), ui.max_rect().shrink(EDGE));
     let now = ctx.input(|i| i.time);

@@ -5,7 +5,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{ColorImage, Context, Event, Ui};
+use egui::{ColorImage, Context, Event};
 use pinhole_exchange::host::host;
 use pinhole_exchange::programs::is_gltf;
 use pinhole_exchange::{
@@ -19,9 +19,9 @@ use crate::features::class::code::codes_in;
 use crate::features::exercises::{Exercises, Progress};
 use crate::features::export::order::{Content, FigureSubject, MARGIN, Order, derivation_of};
 use crate::features::export::ui::{ExportForm, OnScreen};
+use crate::features::lines;
 use crate::features::translator::state::imported;
 use crate::features::translator::state::with;
-use crate::features::{lines, translator};
 use crate::model::page_part;
 use crate::model::{Session, ViewLayout};
 use crate::ui::action::{Action, AnswersAction, FigureAction, FileUse, Leave, ShareAction};
@@ -38,26 +38,16 @@ pub(super) fn pasted(ctx: &Context) -> Option<Action> {
         return None;
     }
     let pasted = |event: &Event| match event {
-        Event::Paste(text) if link::is_meant(text) => {
-            Some(ShareAction::Follow(text.clone()).into())
-        }
-        Event::Paste(text) if codes_in(text).next().is_some() => {
-            Some(AnswersAction::AddCodes(text.clone()).into())
-        }
-        Event::Paste(text) => Some(Action::Paste(text.clone())),
+        Event::Paste(text) => Some(text.clone()),
         _ => None,
     };
-    ctx.input(|input| input.events.iter().find_map(pasted))
-}
-
-/// Shows the last notice. A notice about a camera disappears when the camera changes.
-pub(super) fn notice(ui: &Ui, scene: &mut OpenScene) {
-    let notice = &mut scene.session.translator.notice;
-    let camera = notice.as_ref().and_then(|said| said.camera);
-    if camera.is_some_and(|camera| camera != scene.open.document.camera) {
-        *notice = None;
-    }
-    translator::ui::notice(ui, notice);
+    let text = ctx.input(|input| input.events.iter().find_map(pasted))?;
+    let has_code = codes_in(&text).next().is_some();
+    Some(match text {
+        link if link::is_meant(&link) => ShareAction::Follow(link).into(),
+        codes if has_code => AnswersAction::AddCodes(codes).into(),
+        other => Action::Paste(other),
+    })
 }
 
 fn translated(scene: &OpenScene) -> Option<Exported> {

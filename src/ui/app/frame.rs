@@ -15,6 +15,7 @@ use pinhole_figure::Hovered;
 use pinhole_figure::typesetting::theme;
 use pinhole_lecture::numbers::grouped;
 
+use crate::features::translator;
 use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Session, Shown, ViewLayout, Workspace};
@@ -90,16 +91,21 @@ impl App {
         {
             presenting.is_blank = !over::blank(&ctx);
         }
+        self.end_pass(&ctx, start, is_old);
+    }
+
+    /// Records what has changed in the pass. Asks for another pass if something on the screen is out of date.
+    fn end_pass(&mut self, ctx: &Context, start: PassStart, is_old: bool) {
         // A drag is a single undo step. The frames of an animation are not recorded as steps.
         if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
-            self.settle(&ctx, None);
+            self.settle(ctx, None);
         }
-        self.recovery.follow(&ctx, &self.scene.open);
+        self.recovery.follow(ctx, &self.scene.open);
         if let Some(reason) = self.recovery.take_fault() {
             self.say("Unsaved changes cannot be recorded".to_owned(), vec![reason]);
         }
-        self.record_animation(&ctx);
-        self.window.follow(&ctx, &self.scene);
+        self.record_animation(ctx);
+        self.window.follow(ctx, &self.scene);
         if start.session.progress != self.scene.session.progress {
             // It must not be lost if the program does not end as it should.
             self.window.save_now();
@@ -426,7 +432,8 @@ impl App {
             Some(stage) => stage.show(ui, rects.rest, &mut context),
             None => clipped(ui, rects.rest, |ui| (page.rest)(ui, &mut context)),
         }
-        files::notice(ui, &mut self.scene);
+        let OpenScene { open, session, .. } = &mut self.scene;
+        translator::ui::notice(ui, &mut session.translator.notice, &open.document.camera);
     }
 }
 

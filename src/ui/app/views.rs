@@ -51,6 +51,31 @@ impl Views {
     pub(super) fn world_size(&self) -> ViewSize {
         self.world_size.unwrap_or(ViewSize::of_aspect(1.25))
     }
+
+    /// Shows the pictures with their labels. An inset is drawn over the other view.
+    fn show(&mut self, ui: &Ui, rects: &ViewRects, spoken: &str) {
+        self.world_size = views::world_size(rects).or(self.world_size);
+        let Views { derived, world, camera, .. } = self;
+        let has_world_inset = rects.has_world_inset();
+        let both = rects.world.zip(rects.camera);
+        let has_camera_inset = both.is_some_and(|(world, camera)| world.contains_rect(camera));
+        let is_stale = matches!(derived.fault, Some(Fault::Scene(_)));
+        let world = (rects.world, &derived.world_view, world, is_stale, views::WORLD);
+        let camera =
+            (rects.camera, &derived.camera_view, camera, derived.fault.is_some(), views::CAMERA);
+        let in_order = match has_world_inset {
+            true => [(camera, false), (world, true)],
+            false => [(world, false), (camera, has_camera_inset)],
+        };
+        for ((rect, view, texture, is_stale, name), is_inset) in in_order {
+            let (Some(rect), Some(view)) = (rect, view) else { continue };
+            if is_inset {
+                views::frame_inset(ui, rect);
+            }
+            views::show(ui, rect, view, texture, is_stale);
+            views::speak(ui, name, spoken);
+        }
+    }
 }
 
 impl App {
@@ -111,33 +136,9 @@ impl App {
         let spoken = self.spoken_in_views();
         let App { scene, question, dragging, views: shown, .. } = self;
         let scene = question.as_mut().unwrap_or(scene);
-        shown.world_size = views::world_size(rects).or(shown.world_size);
+        shown.show(ui, rects, &spoken);
         let derived = &shown.derived;
         let picture = rects.camera.or(rects.world);
-        let has_world_inset = rects.has_world_inset();
-        // An inset is drawn over the other view.
-        for is_world in [!has_world_inset, has_world_inset] {
-            let (rect, view, texture, stale, name) = match is_world {
-                true => {
-                    let stale = matches!(derived.fault, Some(Fault::Scene(_)));
-                    (rects.world, &derived.world_view, &mut shown.world, stale, views::WORLD)
-                }
-                false => {
-                    let stale = derived.fault.is_some();
-                    (rects.camera, &derived.camera_view, &mut shown.camera, stale, views::CAMERA)
-                }
-            };
-            let (Some(rect), Some(view)) = (rect, view) else { continue };
-            let is_inset = match is_world {
-                true => has_world_inset,
-                false => rects.world.is_some_and(|world| world.contains_rect(rect)),
-            };
-            if is_inset {
-                views::frame_inset(ui, rect);
-            }
-            views::show(ui, rect, view, texture, stale);
-            views::speak(ui, name, &spoken);
-        }
         if scene.session.presenting.is_none() && !on_stage {
             let image = scene.open.document.camera.image;
             views::strips(ui, rects, &scene.session, image);

@@ -25,8 +25,7 @@ use crate::ui::widgets::{ResponseExt as _, button_width};
 macro_rules! entries {
     ($ui:ident, $there:ident: $($action:expr),+ $(; $($rest:expr),+)*) => {
         for action in [$(Action::from($action)),+] {
-            let name = command_of(&action).map_or("", |command| &command.name);
-            named_entry($ui, $there, name, action);
+            named_entry($ui, $there, name_of(&action), action);
         }
         $(entries!($ui, $there; $($rest),+);)*
     };
@@ -61,7 +60,7 @@ pub(crate) fn ui(ui: &mut Ui, open: &OpenDocument, recent: &[PathBuf], there: Av
                     ui.button(kind.label()).asks(PlayAction::Open(kind));
                 }
             });
-            ui.menu_button("Tools", |ui| layouts(ui, there, TOOLS));
+            ui.menu_button("Tools", |ui| choices(ui, there, TOOLS, LookAction::Layout));
             ui.menu_button("Help", |ui| {
                 entries!(ui, there: Action::ShowKeys, Action::OpenPalette;
                     Action::ShowConventions, Action::ShowAbout);
@@ -132,15 +131,9 @@ fn pages(ui: &mut Ui, there: Available<'_>) {
     ui.separator();
     let width: f32 = pages.iter().map(|page| button_width(ui, page.label())).sum();
     if width + TITLE <= ui.available_width() {
-        layouts(ui, there, &pages);
+        choices(ui, there, &pages, LookAction::Layout);
     } else {
-        ui.menu_button(layout.label(), |ui| layouts(ui, there, &pages));
-    }
-}
-
-fn layouts(ui: &mut Ui, there: Available<'_>, layouts: &[ViewLayout]) {
-    for &layout in layouts {
-        choice(ui, there, layout.label(), LookAction::Layout(layout));
+        ui.menu_button(layout.label(), |ui| choices(ui, there, &pages, LookAction::Layout));
     }
 }
 
@@ -169,6 +162,18 @@ fn named_entry(ui: &mut Ui, there: Available<'_>, text: &str, action: impl Into<
         ui.close();
     }
     response.asks(action);
+}
+
+/// Returns the name of an action's command.
+fn name_of(action: &Action) -> &'static str {
+    command_of(action).map_or("", |command| &command.name)
+}
+
+/// Shows choices or switches with the names of their commands.
+fn choices<T: Copy>(ui: &mut Ui, there: Available<'_>, all: &[T], action: fn(T) -> LookAction) {
+    for action in all.iter().copied().map(action) {
+        choice(ui, there, name_of(&action.into()), action);
+    }
 }
 
 /// Shows a choice or a switch, marked while it is on, with the description of its command.
@@ -230,9 +235,7 @@ fn view_menu(ui: &mut Ui, there: Available<'_>) {
     );
     ui.separator();
     ui.menu_button("Drawn over the views", |ui| {
-        for item in Item::ALL {
-            choice(ui, there, item.label(), LookAction::Toggle(Switch::Item(item)));
-        }
+        choices(ui, there, &Item::ALL, |item| LookAction::Toggle(Switch::Item(item)));
     });
     ui.menu_button("Shading", |ui| {
         for shade in Shade::ALL {
@@ -240,17 +243,13 @@ fn view_menu(ui: &mut Ui, there: Available<'_>) {
         }
     });
     ui.menu_button("Colours", |ui| {
-        for theme in ThemeName::ALL {
-            choice(ui, there, theme.label(), LookAction::Theme(theme));
-        }
+        choices(ui, there, &ThemeName::ALL, LookAction::Theme);
         ui.separator();
-        for scheme in Scheme::ALL {
-            choice(ui, there, scheme.label(), LookAction::Scheme(scheme));
-        }
+        choices(ui, there, &Scheme::ALL, LookAction::Scheme);
     });
     ui.menu_button("Numbers", |ui| numbers_menu(ui, there));
     ui.separator();
-    choice(ui, there, "Reduced motion", LookAction::Toggle(Switch::ReducedMotion));
+    choices(ui, there, &[Switch::ReducedMotion], LookAction::Toggle);
     entries!(ui, there: LookAction::ZoomBy(1), LookAction::ZoomBy(-1), LookAction::ZoomBy(0));
 }
 

@@ -23,7 +23,7 @@ use crate::ui::action::{CameraMove, Steer};
 use crate::ui::scene::Dragging;
 use crate::ui::scene::views::{CAMERA, WORLD};
 use crate::ui::scene::{ViewInput, ViewRects, WorldArea};
-use crate::ui::widgets::{ResponseExt as _, fault_text, keep_arrows};
+use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, keep_arrows};
 use crate::view::derive::Derived;
 
 /// The recent steps of the camera by wheel or keys.
@@ -98,12 +98,10 @@ impl WorldArea<'_> {
 /// Returns the presses of the arrow keys as steps to the right, upwards, and (with Shift) away from the
 /// observer.
 fn arrow_steps(ctx: &Context) -> DVec3 {
-    ctx.input(|i| {
-        let count = |key| i.num_presses(key) as f64;
-        let right = count(Key::ArrowRight) - count(Key::ArrowLeft);
-        let up = count(Key::ArrowUp) - count(Key::ArrowDown);
-        if i.modifiers.shift { DVec3::new(right, 0.0, up) } else { DVec3::new(right, up, 0.0) }
-    })
+    let steps = arrows(ctx);
+    let (right, up) = (f64::from(steps.x), f64::from(-steps.y));
+    let is_away = ctx.input(|i| i.modifiers.shift);
+    if is_away { DVec3::new(right, 0.0, up) } else { DVec3::new(right, up, 0.0) }
 }
 
 /// Returns the signed world axes that are closest to the directions right, up and away from the observer.

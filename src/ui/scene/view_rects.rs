@@ -268,7 +268,7 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
         return response.drag_delta();
     }
     keep_arrows(&response, vertical, !vertical);
-    let arrows = PUSH * arrows(ui);
+    let arrows = PUSH * arrows(ui.ctx());
     response.drag_delta() + if vertical { vec2(arrows.x, 0.0) } else { vec2(0.0, arrows.y) }
 }
 

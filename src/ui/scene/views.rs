@@ -114,10 +114,8 @@ pub(crate) fn inputs(
         if let (WORLD, Some(observer)) = (name, &session.shown.observer) {
             frame_clicked(ui, &response, observer, shown);
         }
-        match name {
-            _ if session.live.handles.is_busy => {}
-            WORLD => world_input(ui, &response, session, shown),
-            _ => camera_input(ui, &response, session, shown),
+        if !session.live.handles.is_busy {
+            view_input(ui, &response, name, session, shown);
         }
         views.push(response.id);
     }
@@ -202,24 +200,23 @@ fn pixel_under(ui: &Ui, view: &str, rect: Rect, at: Pos2, shown: &Derived) -> Op
     Some(Selection::Pixel(resolved.pixel_of_uv(uv)?.pixel))
 }
 
-fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
-    let at = response.interact_pointer_pos().filter(|_| pressed);
-    let selected = at.and_then(|at| pixel_under(ui, CAMERA, response.rect, at, shown));
+/// Selects the pixel that is clicked or, in the camera view, dragged over. A drag in the world view moves the point
+/// on the ray or the observer.
+fn view_input(ui: &Ui, view: &Response, name: &str, session: &mut Session, shown: &Derived) {
+    let is_dragged = name != WORLD && view.dragged_by(egui::PointerButton::Primary);
+    let at = view.interact_pointer_pos().filter(|_| view.clicked() || is_dragged);
+    let selected = at.and_then(|at| pixel_under(ui, name, view.rect, at, shown));
     session.shown.selection = selected.unwrap_or(session.shown.selection);
-}
-
-fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
-    let at = response.interact_pointer_pos().filter(|_| response.clicked());
-    let selected = at.and_then(|at| pixel_under(ui, WORLD, response.rect, at, shown));
-    session.shown.selection = selected.unwrap_or(session.shown.selection);
-    if let Some(t) = dragged_ray_point(ui, response, session.shown.ray_point_t, shown) {
+    if name != WORLD {
+        return;
+    }
+    if let Some(t) = dragged_ray_point(ui, view, session.shown.ray_point_t, shown) {
         session.shown.ray_point_t = Some(t);
         return;
     }
     if let Some(observer) = &mut session.shown.observer {
-        move_observer(ui, response, observer);
-        zoom(ui, response, observer, shown);
+        move_observer(ui, view, observer);
+        zoom(ui, view, observer, shown);
     }
 }
 

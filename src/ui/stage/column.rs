@@ -4,7 +4,7 @@
 use egui::accesskit::Role;
 use egui::{
     Align, Color32, FontId, Frame, Id, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
-    WidgetInfo, vec2,
+    WidgetInfo,
 };
 use pinhole_figure::typesetting::theme;
 use pinhole_figure::typesetting::theme::WRITTEN;
@@ -154,16 +154,16 @@ fn words(ui: &mut Ui, context: &PageContext<'_>, size: f32) {
         marked_text::label(ui, &text, size);
     }
     let Some(answer) = open.and_then(answer) else { return };
-    let width = ui.available_width() - 2.0 * PADDING;
-    let room = marked_text::height_within(ui, answer, size, width);
     let fill = if is_asking { Color32::TRANSPARENT } else { ui.visuals().faint_bg_color };
     Frame::NONE.fill(fill).corner_radius(6.0).inner_margin(Margin::same(PADDING as i8)).show(
         ui,
         |ui| {
-            ui.set_min_size(vec2(width, room));
-            if !is_asking {
-                marked_text::label(ui, answer, size);
+            ui.set_min_width(ui.available_width());
+            if is_asking {
+                // It takes its room already.
+                ui.set_invisible();
             }
+            marked_text::label(ui, answer, size);
         },
     );
 }

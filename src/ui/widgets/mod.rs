@@ -113,8 +113,8 @@ pub(crate) fn keep_arrows(response: &Response, horizontal: bool, vertical: bool)
 }
 
 /// Returns the number of presses of the arrow keys in this pass, to the right and down.
-pub(crate) fn arrows(ui: &Ui) -> Vec2 {
-    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+pub(crate) fn arrows(ctx: &Context) -> Vec2 {
+    let presses = |key| ctx.input(|i| i.num_presses(key)) as f32;
     let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
     vec2(right, presses(Key::ArrowDown) - presses(Key::ArrowUp))
 }
