@@ -114,13 +114,15 @@ impl Rows {
 
     /// Adds a note, in a row of its own if there is no room beside the formula.
     fn note(&mut self, note: &str) {
+        if note.is_empty() {
+            return;
+        }
         let (width, text) = (ComputerModern.width(note, Face::Upright, 1.0), text(note));
-        match width + INDENT <= self.room {
-            _ if note.is_empty() => {}
-            true => self.add(&format!(r"\quad \text{{{text}}}"), width + 1.0, "&"),
-            false => self
-                .rows
-                .push(format!(r"&\quad \parbox[t]{{{:.0}em}}{{{text}}}", self.room - INDENT)),
+        if width + INDENT <= self.room {
+            self.add(&format!(r"\quad \text{{{text}}}"), width + 1.0, "&");
+        } else {
+            let width = self.room - INDENT;
+            self.rows.push(format!(r"&\quad \parbox[t]{{{width:.0}em}}{{{text}}}"));
         }
     }
 
