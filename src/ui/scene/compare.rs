@@ -2,7 +2,7 @@
 //! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
 use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
-use pinhole_core::{Camera, CameraDifference, DVec3, Orientation, ResolvedCamera, Root, Viewport};
+use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root, Viewport};
 use pinhole_exchange::document::Document;
 use pinhole_lecture::numbers::percent;
 
@@ -87,9 +87,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, session: &
             table(ui, "vectors", &vectors, LETTER * size * 3.0 * (digits + 2.8));
             ui.separator();
             let here = derived.inspection.as_deref();
-            let hits = hits(here, &against.inspection, document, style);
-            let viewports = viewports(camera.viewport, ghost.viewport, &against.difference, style);
-            let scalars = [&viewports[..], &hits].concat();
+            let scalars = scalars(document, here, ghost.viewport, against, style);
             table(ui, "scalars", &scalars, LETTER * size * (digits + 2.6));
         });
     });
@@ -163,29 +161,18 @@ fn vectors(
     ]
 }
 
-/// Returns the lines of the viewport.
-fn viewports(
-    now: Viewport,
-    ghost: Viewport,
-    by: &CameraDifference,
-    style: NumberStyle,
-) -> [ComparedLine; 3] {
-    let line = |name, old, new, by| (name, style.number(old), style.number(new), signed(by, style));
-    [
-        line("distance", ghost.distance, now.distance, by.distance),
-        line("width", ghost.width, now.width, by.extent[0]),
-        line("height", ghost.height, now.height, by.extent[1]),
-    ]
-}
-
-/// Returns the lines that compare the first hit of the selected ray of both cameras: the object and t.
-fn hits(
-    now: Option<&Inspection>,
-    ghost: &Inspection,
+/// Returns the lines of the viewport, and those of the first hit of the selected ray of both cameras: the object
+/// and t. `now` is the current camera's ray.
+fn scalars(
     document: &Document,
+    now: Option<&Inspection>,
+    ghost: Viewport,
+    against: &AgainstGhost,
     style: NumberStyle,
-) -> [ComparedLine; 2] {
-    let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
+) -> [ComparedLine; 5] {
+    let (viewport, by) = (document.camera.viewport, &against.difference);
+    let line = |name, old, new, by| (name, style.number(old), style.number(new), signed(by, style));
+    let (here, there) = (now.and_then(Inspection::first_hit), against.inspection.first_hit());
     // Objects are shown by number, because their names do not fit. The list of objects shows the numbers
     // as well.
     let kind = |hit: &Root| format!("{} {}", document.kind_of(hit.object as usize), hit.object);
@@ -195,6 +182,9 @@ fn hits(
     let hit = if is_same { "the same" } else { "another" };
     let between = here.zip(there).map(|(here, there)| signed(here.t - there.t, style));
     [
+        line("distance", ghost.distance, viewport.distance, by.distance),
+        line("width", ghost.width, viewport.width, by.extent[0]),
+        line("height", ghost.height, viewport.height, by.extent[1]),
         ("hit", named(there), named(here), hit.to_owned()),
         ("t", t(there), t(here), between.unwrap_or_default()),
     ]
