@@ -124,28 +124,6 @@ fn described(
     })
 }
 
-/// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the view is
-/// not shown.
-pub(super) fn finished_camera_view(
-    last: &mut LastView<CameraView>,
-    derived: &Derived,
-    inputs: Inputs<'_>,
-    good: &GoodPicture,
-) -> Option<FinishedView> {
-    let size = inputs.sizes.camera?;
-    let view = CameraView {
-        // The highlighted concept belongs to the current document, so it is not shown in an older
-        // picture.
-        highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
-        loupe: good.loupe.clone(),
-        ..camera_view(inputs, good, size)
-    };
-    let scene = derived.scene.as_deref();
-    Some(last.get(view, size, inputs.sizes.style, inputs.watch, |view, pixels| {
-        overlay::camera(view, scene, pixels)
-    }))
-}
-
 /// Returns the inputs of the camera view of a picture, without a highlighted concept and without the loupe.
 pub(super) fn camera_view(
     Inputs { session, sizes, .. }: Inputs<'_>,
