@@ -28,7 +28,7 @@ use crate::view::derivation::{
 };
 use crate::view::derive::{
     Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, LastView, Memo, Objects,
-    OnWork, Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
+    Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
     watched,
 };
 use crate::view::handles::{self, HandleInputs};
@@ -64,7 +64,16 @@ impl WorldViews {
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
         let view = view.get(shown, size, sizes.style, watch, |view, pixels| {
             let backdrop = view.backdrop(scene);
-            let painted = pictures.painted(&world, &backdrop, watch);
+            let key = (Same(Arc::clone(&world)), backdrop.clone());
+            let painted = pictures.backdrop.get(key, |(world, backdrop)| {
+                watched(watch, WorkKind::Overlay, || {
+                    let mut dots = pictures.painted.take(|_| true).unwrap_or_default();
+                    dots.clone_from(&world.pixels);
+                    backdrop.paint(&world.frame, &world.edges, &mut dots);
+                    Arc::new(dots)
+                })
+            });
+            pictures.painted.keep(&painted);
             let WorldPicture { pixels: traced, edges, .. } = &*world;
             let below = Below { traced, painted: &painted, edges };
             overlay::world(view, scene, &backdrop, below, pixels)
@@ -172,6 +181,7 @@ pub(super) struct WorldPictures {
     /// The last picture. The last part of its key is the generation number of the colours.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     shown: Spares<WorldPicture, 2>,
+    /// The last picture with a backdrop painted over it.
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     painted: Spares<Vec<Color32>, 2>,
     /// Number of pictures of the observer traced so far.
@@ -237,26 +247,6 @@ impl WorldPictures {
             });
         self.shown.keep(&picture);
         Some(picture)
-    }
-
-    /// Returns the observer's picture with a backdrop painted over it.
-    pub(super) fn painted(
-        &mut self,
-        world: &Arc<WorldPicture>,
-        backdrop: &Backdrop,
-        watch: OnWork<'_>,
-    ) -> Arc<Vec<Color32>> {
-        let key = (Same(Arc::clone(world)), backdrop.clone());
-        let painted = self.backdrop.get(key, |(world, backdrop)| {
-            watched(watch, WorkKind::Overlay, || {
-                let mut dots = self.painted.take(|_| true).unwrap_or_default();
-                dots.clone_from(&world.0.pixels);
-                backdrop.paint(&world.0.frame, &world.0.edges, &mut dots);
-                Arc::new(dots)
-            })
-        });
-        self.painted.keep(&painted);
-        painted
     }
 }
 

@@ -5,8 +5,8 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
 use crate::model::observer::{Length, Place};
 use crate::view::overlay::{
-    Emphasis, Figure, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch,
-    Toward, circle, corners, first, half_extent, numbers, tangents, unit,
+    Emphasis, Figure, Form, Head, LineStyle, MARK, POINT, Part, Shape, Sketch, Toward, circle,
+    corners, first, half_extent, numbers, tangents, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
@@ -255,9 +255,9 @@ impl Sketch<'_> {
                 let direction = self.on_screen(edge, outward);
                 Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
             };
-            let placed = numbers(count, self.view.first_number, scale, beside);
-            for (text, at) in placed {
-                self.request(Request::fixed(pen, text, at, NUMBER, self.colors.halo));
+            let (ink, first) = ((pen, self.colors.halo), self.view.first_number);
+            for request in numbers(ink, count, first, scale, beside) {
+                self.request(request);
             }
             let middle = at(-out * half);
             let outward = self.on_screen(middle, -outward);
