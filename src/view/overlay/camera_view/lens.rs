@@ -6,8 +6,8 @@ use pinhole_core::{DVec2, DVec3, Object, Outputs, Pixel, Raster, Scene, Sphere, 
 use crate::model::observer::Place;
 use crate::model::{Concept, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    CameraSketch, CameraView, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle, POINT,
-    Part, Screen, Shape, When, cased, dim, dot, first, position_of, silhouette,
+    CameraSketch, CameraView, DrawnPart, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle,
+    POINT, Screen, Shape, When, cased, dim, dot, first, position_of, silhouette,
 };
 
 /// Length at which a unit vector in the image plane is drawn, as a fraction of the picture's shorter side.
@@ -36,7 +36,7 @@ impl CameraSketch<'_> {
             return;
         }
         let view = self.view;
-        let (parts, _) = Figure {
+        let mut parts = Figure {
             resolved: Some(view.resolved),
             inspection: view.inspection.clone(),
             highlighted: Some(highlighted),
@@ -45,14 +45,9 @@ impl CameraSketch<'_> {
             ..Figure::new(highlighted.camera, Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0))
         }
         .parts(scene, &[]);
-        let emphasized = parts.into_iter().filter_map(|part| {
-            let emphasis = part.emphasis(OverlayItems::NONE, Some(highlighted))?;
-            Some((emphasis != Emphasis::Strong, part.emphasized(emphasis)))
-        });
-        let mut emphasized: Vec<(bool, Part)> = emphasized.collect();
-        emphasized.sort_by_key(|(accompanies, _)| *accompanies);
+        parts.sort_by_key(|drawn| drawn.emphasis != Emphasis::Strong);
         let mut lit = CameraSketch::new(view, OverlayItems::ALL);
-        emphasized.iter().for_each(|(accompanies, part)| lit.lit_part(part, *accompanies));
+        parts.iter().for_each(|drawn| lit.lit_part(drawn));
         if !lit.drawing.marks.is_empty() {
             dim(&mut self.drawing, &mut self.requests, highlighted, self.colors);
         }
@@ -60,7 +55,8 @@ impl CameraSketch<'_> {
         self.requests = first(lit.requests, std::mem::take(&mut self.requests));
     }
 
-    fn lit_part(&mut self, part: &Part, accompanies: bool) {
+    fn lit_part(&mut self, DrawnPart { part, emphasis, .. }: &DrawnPart) {
+        let accompanies = *emphasis == Emphasis::Accompanying;
         let pen = part.pen;
         let (text, font) = part.label.as_ref().map_or(("", POINT), |l| (&*l.text, l.font));
         match (part.form, &part.places[..]) {

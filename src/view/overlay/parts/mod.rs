@@ -20,8 +20,8 @@ use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 use crate::model::observer::{Length, Place};
 use crate::model::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    Colors, GhostCamera, Handles, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
-    Style,
+    Colors, Emphasis, GhostCamera, Handles, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG,
+    Same, Style,
 };
 
 /// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
@@ -195,6 +195,14 @@ pub struct Figure {
     pub style: Style,
 }
 
+/// A part that is drawn, restyled by its emphasis.
+pub(crate) struct DrawnPart {
+    pub(crate) part: Part,
+    pub(crate) emphasis: Emphasis,
+    /// True if it belongs to the ghost or to a sphere that is cut away.
+    pub(crate) is_behind: bool,
+}
+
 /// A sphere that is cut away, with its index and its colour.
 pub(crate) type CutAway = (u32, Sphere, Color32);
 
@@ -227,9 +235,8 @@ impl Figure {
         }
     }
 
-    /// Returns all parts, from back to front, and how many of the first ones belong to the ghost and to spheres that
-    /// are cut away.
-    pub(crate) fn parts(&self, scene: &Scene, cut_away: &[CutAway]) -> (Vec<Part>, usize) {
+    /// Returns the parts that are drawn, from back to front.
+    pub(crate) fn parts(&self, scene: &Scene, cut_away: &[CutAway]) -> Vec<DrawnPart> {
         let colors = self.style.colors();
         let mut parts = Parts { figure: self, scene, colors, list: Vec::new() };
         parts.cut_away(cut_away);
@@ -241,7 +248,11 @@ impl Figure {
         parts.camera();
         parts.answers();
         parts.object();
-        (parts.list, behind)
+        let drawn = |(k, part): (usize, Part)| {
+            let emphasis = part.emphasis(self.items, self.highlighted)?;
+            Some(DrawnPart { part: part.emphasized(emphasis), emphasis, is_behind: k < behind })
+        };
+        parts.list.into_iter().enumerate().filter_map(drawn).collect()
     }
 
     fn is_lit(&self, concept: Concept) -> bool {

@@ -5,7 +5,7 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
 use crate::model::observer::{Length, Place};
 use crate::view::overlay::{
-    Emphasis, Figure, Form, Head, LineStyle, MARK, POINT, Part, Shape, Sketch, Toward, circle,
+    DrawnPart, Emphasis, Form, Head, LineStyle, MARK, POINT, Part, Shape, Sketch, Toward, circle,
     corners, first, half_extent, numbers, tangents, unit,
 };
 
@@ -26,28 +26,23 @@ const APART: f64 = 14.0;
 const NUMBER_GAP: f64 = 2.0;
 
 impl Sketch<'_> {
-    /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
+    /// Draws parts: those with emphasis last, on top of all others. The labels of parts behind come last,
     /// so that the camera's own labels have precedence if space is short.
-    pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
-        let Figure { items, highlighted, .. } = self.view.figure;
-        let (mut on_top, mut of_behind) = (Vec::new(), 0);
-        for (k, part) in parts.into_iter().enumerate() {
-            if k == behind {
+    pub(crate) fn parts(&mut self, parts: Vec<DrawnPart>) {
+        let is_on_top = |drawn: &DrawnPart| drawn.emphasis.is_on_top();
+        let (on_top, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(is_on_top);
+        let mut of_behind = 0;
+        for DrawnPart { part, emphasis, is_behind } in &others {
+            self.fades = *emphasis == Emphasis::Faded;
+            self.part(part);
+            if *is_behind {
                 of_behind = self.requests.len();
-            }
-            match part.emphasis(items, highlighted) {
-                None => {}
-                Some(emphasis) if emphasis.is_on_top() => on_top.push(part.emphasized(emphasis)),
-                Some(emphasis) => {
-                    self.fades = emphasis == Emphasis::Faded;
-                    self.part(&part);
-                }
             }
         }
         (self.fades, self.has_labels) = (false, true);
         self.requests.rotate_left(of_behind);
         let others = std::mem::take(&mut self.requests);
-        on_top.iter().for_each(|part| self.part(part));
+        on_top.iter().for_each(|drawn| self.part(&drawn.part));
         self.requests = first(std::mem::take(&mut self.requests), others);
     }
 
