@@ -55,6 +55,8 @@ pub struct AgainstGhost {
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
+    /// The ghost's picture, and the map of the pixels in which the edited camera's differs from it.
+    pub pictures: [Arc<Picture>; 2],
 }
 
 /// A grade, or the reason why there is none.
@@ -83,7 +85,7 @@ type Pair = [Arc<Picture>; 2];
 pub(super) struct SecondPictures {
     wrong_camera: Memo<OtherKey<Mistake>, (Arc<ComparedCamera>, Option<Pair>)>,
     /// The other camera is the ghost, with the selected ray.
-    ghost: Memo<OtherKey<(Camera, Selection)>, Option<(Arc<AgainstGhost>, Pair)>>,
+    ghost: Memo<OtherKey<(Camera, Selection)>, Option<Arc<AgainstGhost>>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
     answers_map: Memo<MapKey, Option<Arc<Picture>>>,
     view: LastView<CameraView>,
@@ -193,7 +195,7 @@ impl SecondPictures {
         let ghost = shown.ghost.as_ref()?;
         let (picture, other) = (Same(Arc::clone(&good.picture)), (ghost.camera, shown.selection));
         let key = OtherKey { camera, picture, other };
-        let (against, [picture, differences]) = self.ghost.get(key, |key| {
+        let against = self.ghost.get(key, |key| {
             self.count += 1;
             let OtherKey { picture: beside, other: (ghost, selection), .. } = key;
             // There is no picture if the ghost has no basis.
@@ -208,20 +210,21 @@ impl SecondPictures {
             let pairs = objects[0].iter().zip(objects[1]);
             let differing = pairs.filter(|(a, b)| a != b).count();
             let selection = selection.inside(resolved.image());
-            let against = AgainstGhost {
+            Some(Arc::new(AgainstGhost {
                 ghost: resolved,
                 difference: camera.difference_from(ghost).ok()?,
                 seen: ComparedPixels { pixels: frame.object.len(), differing },
                 inspection: Arc::new(Inspection::new(&resolved, &world.scene, selection)),
-            };
-            Some((Arc::new(against), pair(beside, pixels, objects)))
+                pictures: pair(beside, pixels, objects),
+            }))
         })?;
         let shows_hit = view.items.shows(Item::Hit) && !ghost.shows_differences;
         view.items = view.items.with(Item::Hit, shows_hit);
         view.resolved = against.ghost;
         view.inspection = Some(Same(Arc::clone(&against.inspection)));
+        let picture = Arc::clone(&against.pictures[usize::from(ghost.shows_differences)]);
         derived.against_ghost = Some(against);
-        Some(if ghost.shows_differences { differences } else { picture })
+        Some(picture)
     }
 
     fn answers(
