@@ -170,7 +170,7 @@ impl CameraSketch<'_> {
         let unit = (sphere.center - resolved.eye()).length();
         let screen = Screen::of_size(resolved, self.view.extent(), unit, *scale);
         let outline = silhouette(sphere, resolved.eye()).unwrap_or_default();
-        for pen in cased(pen, self.colors.halo) {
+        for pen in cased(pen, self.colors.background) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
             }
@@ -196,7 +196,7 @@ impl CameraSketch<'_> {
         };
         let strokes = hatch(extent, HATCH * scale, CELL * scale, shows_plane);
         let mut hatching = CameraSketch::new(self.view, OverlayItems::ALL);
-        for pen in cased(pen, self.colors.halo.gamma_multiply(0.6)) {
+        for pen in cased(pen, self.colors.background.gamma_multiply(0.6)) {
             strokes.iter().for_each(|stroke| hatching.line(stroke, pen));
         }
         self.drawing.marks.splice(..0, hatching.drawing.marks);

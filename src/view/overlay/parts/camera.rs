@@ -212,14 +212,9 @@ impl Parts<'_> {
         if let (Orientation::At { at, .. }, true) =
             (camera.orientation, figure.shows(Item::ViewVector))
         {
-            let toward = Toward::Screen(DVec2::Y);
             let middle: Place = eye.midpoint(at).into();
-            self.arrow([eye, at], Head::Filled, pen).labelled_at(
-                middle,
-                "view = at − eye",
-                POINT,
-                toward,
-            );
+            let part = self.arrow([eye, at], Head::Filled, pen);
+            part.labelled_at(middle, "view = at − eye", POINT, Toward::Screen(DVec2::Y));
             let part = self.arrow([at, eye], Head::Filled, back);
             part.labelled_at(middle, "−view", POINT, Toward::Onward).beside = Some(DVec3::ZERO);
             return;

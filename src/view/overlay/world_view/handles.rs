@@ -95,7 +95,7 @@ impl Sketch<'_> {
     }
 
     fn knob(&mut self, mark: &HandleMark, at: DVec2) {
-        let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.screen.scale);
+        let (ink, halo, scale) = (self.colors.hit, self.colors.background, self.screen.scale);
         let radius = scale * mark.state.radius();
         let mut add = |shape: Shape, color, cased: bool| {
             let pen = LineStyle { halo: cased, ..LineStyle::new(Item::Handles, color, 0.0) };

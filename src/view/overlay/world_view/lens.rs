@@ -76,7 +76,7 @@ impl Sketch<'_> {
             (Form::Ring(radius), [at]) => self.ring(*at, radius + 2.0, pen),
             (Form::Hole(radius), [at]) => {
                 shown = self.point(*at, radius, pen);
-                let hole = LineStyle { color: self.colors.halo, ..pen }.without_halo();
+                let hole = LineStyle { color: self.colors.background, ..pen }.without_halo();
                 self.point(*at, 0.6 * radius, hole);
             }
             (Form::Outline(sphere), _) => self.outline(&sphere, pen),
@@ -134,7 +134,7 @@ impl Sketch<'_> {
 
     fn outline(&mut self, sphere: &Sphere, pen: LineStyle) {
         let outline = silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
-        let pens = cased(pen, self.colors.halo);
+        let pens = cased(pen, self.colors.background);
         for pen in if pen.halo { &pens[..] } else { &pens[1..] } {
             outline.windows(2).for_each(|ends| self.line(ends[0], ends[1], *pen));
         }
@@ -250,7 +250,7 @@ impl Sketch<'_> {
                 let direction = self.on_screen(edge, outward);
                 Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
             };
-            let (ink, first) = ((pen, self.colors.halo), self.view.first_number);
+            let (ink, first) = ((pen, self.colors.background), self.view.first_number);
             for request in numbers(ink, count, first, scale, beside) {
                 self.request(request);
             }
