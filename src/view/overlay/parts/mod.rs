@@ -131,15 +131,11 @@ impl Part {
         self
     }
 
-    /// Gives the part a label at a place of its own.
-    fn labelled_at(
-        &mut self,
-        at: impl Into<Place>,
-        text: impl Into<String>,
-        font: LabelFont,
-        toward: Toward,
-    ) -> &mut Part {
-        self.label = Some(PartLabel { text: text.into(), font, at: Some(at.into()), toward });
+    /// Puts the part's label at a place of its own.
+    fn label_at(&mut self, at: impl Into<Place>) -> &mut Part {
+        if let Some(label) = &mut self.label {
+            label.at = Some(at.into());
+        }
         self
     }
 

@@ -29,8 +29,8 @@ impl Sketch<'_> {
     /// Draws parts: those with emphasis last, on top of all others. The labels of parts behind come last,
     /// so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, parts: Vec<DrawnPart>) {
-        let is_on_top = |drawn: &DrawnPart| drawn.emphasis.is_on_top();
-        let (on_top, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(is_on_top);
+        let (on_top, others): (Vec<_>, Vec<_>) =
+            parts.into_iter().partition(|drawn| drawn.emphasis.is_on_top());
         let mut of_behind = 0;
         for DrawnPart { part, emphasis, is_behind } in &others {
             self.fades = *emphasis == Emphasis::Faded;
