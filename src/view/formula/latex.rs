@@ -8,7 +8,8 @@ use super::{Arrangement, Face, Formula, Operator, TextMeasure, left_width};
 /// Writes a formula for LaTeX's math mode.
 pub(crate) fn math(formula: &Formula) -> String {
     match formula {
-        Formula::Scalar(name) => named("mathit", name),
+        Formula::Scalar(letter) if letter.len() == 1 => (*letter).to_owned(),
+        Formula::Scalar(name) => format!(r"\mathit{{{name}}}"),
         Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
         Formula::Word(text) => word(text),
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
@@ -195,19 +196,9 @@ fn letter(c: char) -> String {
     }
 }
 
-/// Writes a name: a single letter unchanged, several letters as the argument of the LaTeX command `style`.
-fn named(style: &str, name: &str) -> String {
-    match name.len() {
-        1 => name.to_owned(),
-        _ => format!(r"\{style}{{{name}}}"),
-    }
-}
-
 fn word(text_of: &str) -> String {
-    match text_of {
-        "sin" => return r"\sin".to_owned(),
-        "cos" => return r"\cos".to_owned(),
-        _ => {}
+    if let "sin" | "cos" = text_of {
+        return format!(r"\{text_of}");
     }
     if text_of.ends_with('°') {
         return number(text_of);
