@@ -104,6 +104,7 @@ fn described(
     let without_marks = sizes.purpose != Purpose::Window;
     let spoken = session.shown.spoken.as_ref();
     let speaks_of_normal = spoken.map(|spoken| spoken.contains(&Concept::Normal));
+    let handles = handles::drawn(&placing, &session.live.handles, &session.spoken_of());
     let figure = Figure {
         resolved: derived.resolved,
         inspection: derived.inspection.clone().map(Same),
@@ -115,7 +116,7 @@ fn described(
         names_all: spoken.is_some() || without_marks,
         shows_normal: session.highlighted() == Some(Concept::Normal)
             || speaks_of_normal.unwrap_or(without_marks),
-        handles: handles::drawn(&placing, &session.live.handles, &session.spoken_of()),
+        up: handles.up,
         style: sizes.style,
         ..Figure::new(document.camera, observer)
     };
@@ -125,6 +126,7 @@ fn described(
         generations: [good.generation, good.palette],
         enclosing: Arc::clone(&world.enclosing),
         frame: Same(Arc::clone(&world.frame)),
+        handles: handles.marks,
         first_number: u32::from(session.shown.setup.count_from_one),
         scale: sizes.scale,
         is_clear: sizes.purpose.is_clear(),

@@ -245,7 +245,7 @@ impl Parts<'_> {
         };
         let Some(direction) = unit(up) else { return };
         let pen = LineStyle::new(Item::ViewAndUp, self.colors.given, MEDIUM).about(Concept::Up);
-        match figure.handles.up {
+        match figure.up {
             Some(length) => self.arrow([eye, eye + length * direction], Head::Filled, pen),
             None => self.arrow_from(eye, UP_LENGTH * direction, Head::Filled, pen),
         }

@@ -20,8 +20,8 @@ use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 use crate::model::observer::{Length, Place};
 use crate::model::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
 use crate::view::overlay::{
-    Colors, Emphasis, GhostCamera, Handles, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG,
-    Same, Style,
+    Colors, Emphasis, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
+    Style,
 };
 
 /// Maximum number of spheres that a mark takes into account: that a pane makes room for, that the frustum
@@ -181,8 +181,8 @@ pub struct Figure {
     pub names_all: bool,
     /// True if the normal at the hit is drawn, as in figures and in lessons about it.
     pub shows_normal: bool,
-    /// The handles that can be dragged.
-    pub handles: Handles,
+    /// Length in the world of the up arrow while its tip is dragged; `None` at other times.
+    pub up: Option<f64>,
     /// True for the camera view, where arrows from the eye have length 1 at most.
     pub is_flat: bool,
     /// The observer, on whose distance it depends how far endless lines go.
@@ -224,7 +224,7 @@ impl Figure {
             highlighted: None,
             names_all: true,
             shows_normal: true,
-            handles: Handles::default(),
+            up: None,
             is_flat: false,
             observer,
             style: Style::default(),

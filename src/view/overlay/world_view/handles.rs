@@ -4,7 +4,7 @@
 use pinhole_core::{DVec2, DVec3};
 
 use crate::model::overlay_items::Item;
-use crate::view::overlay::{Figure, LineStyle, Shape, Sketch, dot};
+use crate::view::overlay::{LineStyle, Shape, Sketch, dot};
 
 /// The handles to draw, and data that is only needed while one of them is hovered or dragged.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,11 +66,10 @@ const RIM: f64 = 2.4;
 impl Sketch<'_> {
     /// Draws all handles; the hovered or held one is drawn last.
     pub(crate) fn handles(&mut self) {
-        let Figure { items, handles, .. } = &self.view.figure;
-        if !items.shows(Item::Handles) {
+        if !self.view.figure.items.shows(Item::Handles) {
             return;
         }
-        for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
+        for (mark, spot) in self.without_overlaps(&self.view.handles).into_iter().rev() {
             self.knob(mark, spot);
         }
     }

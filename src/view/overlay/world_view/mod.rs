@@ -15,8 +15,8 @@ use rayon::prelude::*;
 
 use crate::model::Item;
 use crate::view::overlay::{
-    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
-    Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
+    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, HandleMark, Layers,
+    Picture, Same, Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -34,6 +34,8 @@ pub struct WorldView {
     /// The observer's picture of [`observer::traced_scene`](crate::model::observer::traced_scene),
     /// traced at every pixel.
     pub frame: Same<Frame<f32>>,
+    /// The handles that can be dragged.
+    pub handles: Vec<HandleMark>,
     /// The number of the first row and column, 0 or 1.
     pub first_number: u32,
     /// Screen pixels per point.
