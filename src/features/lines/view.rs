@@ -266,7 +266,7 @@ pub(crate) fn draw_exercise(
         plane.grid();
         plane.implicit(&lab.line());
         let p = plane.to_screen(lab.ray.p);
-        painter.circle(p, 8.0, ray, Stroke::new(2.0, plane.colors.halo));
+        painter.circle(p, 8.0, ray, Stroke::new(2.0, plane.colors.background));
         let font = Font { size: NAMES + 1.0, color: ray, bold: true };
         labels.write("p", font, around(p, vec2(-1.0, 1.0), 13.0));
     }
@@ -325,7 +325,7 @@ impl PlaneView {
 
     /// Returns the layout of the labels, with the names of the axes, which all others keep clear of.
     fn labels(&self) -> LabelLayout {
-        let halo = self.colors.halo;
+        let halo = self.colors.background;
         let mut labels = LabelLayout::new(self.painter.clone(), halo, self.rect.shrink(3.0));
         let (axes, font) = (self.axes(), Font { size: NAMES, color: self.colors.ink, bold: false });
         let right = pos2(self.rect.right() - 6.0, axes.y - 3.0);
@@ -516,7 +516,7 @@ impl PlaneView {
             self.line(line.at(first.max(0.0)), line.at(last), stroke, SOLID);
         }
         for (_, at) in trail.into_iter().flat_map(|lab| self.generated(lab)) {
-            let stroke = Stroke::new(1.5, self.colors.halo);
+            let stroke = Stroke::new(1.5, self.colors.background);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
         // d is drawn as an arrow; the size of its head is in points.
@@ -587,7 +587,7 @@ impl PlaneView {
         if !self.rect.contains(at) {
             return;
         }
-        for (width, color) in [(7.0, self.colors.halo), (4.0, self.colors.ink)] {
+        for (width, color) in [(7.0, self.colors.background), (4.0, self.colors.ink)] {
             for side in [vec2(9.0, 9.0), vec2(9.0, -9.0)] {
                 self.painter.line_segment([at - side, at + side], Stroke::new(width, color));
             }
@@ -608,7 +608,8 @@ impl PlaneView {
 
     fn handle(&self, handle: LineHandle, at: Pos2, is_held: bool) {
         let larger = if is_held { 1.3 } else { 1.0 };
-        let (painter, Colors { ink, mark, ray, halo, .. }) = (&self.painter, self.colors);
+        let (painter, Colors { ink, mark, ray, background: halo, .. }) =
+            (&self.painter, self.colors);
         let (radius, fill, width, edge) = match handle {
             LineHandle::Move => {
                 let square = Rect::from_center_size(at, Vec2::splat(15.0 * larger));

@@ -190,7 +190,7 @@ fn draw(ui: &Ui, rect: Rect, PageContext { session, derived, .. }: &mut PageCont
     drawing.axes(&ui.painter_at(rect), rect);
     let curves: Vec<DrawnCurve> =
         plot.curves.iter().map(|curve| drawing.drawn(&curve.samples)).collect();
-    let mut words = LabelLayout::new(ui.painter_at(inner), colors.halo, inner.shrink(2.0));
+    let mut words = LabelLayout::new(ui.painter_at(inner), colors.background, inner.shrink(2.0));
     for x in [0.0, 1.0].map(|t| drawing.t.position(t)) {
         words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, inner.y_range()));
     }
@@ -308,7 +308,8 @@ impl PlotDrawing<'_> {
         for (curve, drawn) in self.plot.curves.iter().zip(curves) {
             let dashes = DASHES[curve.index % DASHES.len()];
             // The casing is dashed like the curve, so that an equal curve below shows in the gaps.
-            for stroke in [Stroke::new(5.0, self.colors.halo), Stroke::new(3.0, curve.named.color)]
+            for stroke in
+                [Stroke::new(5.0, self.colors.background), Stroke::new(3.0, curve.named.color)]
             {
                 for part in &drawn.parts {
                     chart::line(&self.painter, part, stroke, dashes);
@@ -353,7 +354,8 @@ impl PlotDrawing<'_> {
     fn ray_point(&self, words: &mut LabelLayout) {
         let Some(t) = self.plot.ray_point_t else { return };
         let x = self.t.position(t);
-        for stroke in [Stroke::new(6.0, self.colors.halo), Stroke::new(3.0, self.colors.ray)] {
+        for stroke in [Stroke::new(6.0, self.colors.background), Stroke::new(3.0, self.colors.ray)]
+        {
             self.painter.vline(x, self.rect.y_range(), stroke);
         }
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, self.rect.y_range()));

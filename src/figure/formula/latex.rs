@@ -8,7 +8,8 @@ use super::{Arrangement, Face, Formula, Operator, TextMeasure, left_width};
 /// Writes a formula for LaTeX's math mode.
 pub(crate) fn math(formula: &Formula) -> String {
     match formula {
-        Formula::Scalar(name) => named("mathit", name),
+        Formula::Scalar(letter) if letter.len() == 1 => (*letter).to_owned(),
+        Formula::Scalar(name) => format!(r"\mathit{{{name}}}"),
         Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
         Formula::Word(text) => word(text),
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
@@ -114,13 +115,15 @@ impl Rows {
 
     /// Adds a note, in a row of its own if there is no room beside the formula.
     fn note(&mut self, note: &str) {
+        if note.is_empty() {
+            return;
+        }
         let (width, text) = (ComputerModern.width(note, Face::Upright, 1.0), text(note));
-        match width + INDENT <= self.room {
-            _ if note.is_empty() => {}
-            true => self.add(&format!(r"\quad \text{{{text}}}"), width + 1.0, "&"),
-            false => self
-                .rows
-                .push(format!(r"&\quad \parbox[t]{{{:.0}em}}{{{text}}}", self.room - INDENT)),
+        if width + INDENT <= self.room {
+            self.add(&format!(r"\quad \text{{{text}}}"), width + 1.0, "&");
+        } else {
+            let width = self.room - INDENT;
+            self.rows.push(format!(r"&\quad \parbox[t]{{{width:.0}em}}{{{text}}}"));
         }
     }
 
@@ -193,19 +196,9 @@ fn letter(c: char) -> String {
     }
 }
 
-/// Writes a name: a single letter unchanged, several letters as the argument of the LaTeX command `style`.
-fn named(style: &str, name: &str) -> String {
-    match name.len() {
-        1 => name.to_owned(),
-        _ => format!(r"\{style}{{{name}}}"),
-    }
-}
-
 fn word(text_of: &str) -> String {
-    match text_of {
-        "sin" => return r"\sin".to_owned(),
-        "cos" => return r"\cos".to_owned(),
-        _ => {}
+    if let "sin" | "cos" = text_of {
+        return format!(r"\{text_of}");
     }
     if text_of.ends_with('°') {
         return number(text_of);

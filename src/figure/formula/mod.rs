@@ -328,7 +328,10 @@ impl fmt::Display for Formula {
             }
             Formula::Operator(operator) => f.write_str(operator.sign()),
             Formula::Given(_, inner) => inner.fmt(f),
-            Formula::Row(parts) => write_row(parts, f),
+            Formula::Row(parts) => parts.iter().enumerate().try_for_each(|(k, part)| {
+                let has_gap = k > 0 && gap(&parts[k - 1], part) > 0.0;
+                write!(f, "{}{part}", if has_gap { " " } else { "" })
+            }),
             Formula::Root(inner) => write_guarded("√", inner, f),
             Formula::Fraction(above, below) => {
                 write_numerator(above, f)?;
@@ -350,16 +353,6 @@ impl fmt::Display for Formula {
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-
-fn write_row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    for (k, part) in parts.iter().enumerate() {
-        if k > 0 && gap(&parts[k - 1], part) > 0.0 {
-            f.write_char(' ')?;
-        }
-        write!(f, "{part}")?;
-    }
-    Ok(())
-}
 
 /// Writes a sign, such as `√` or `/`, and its operand. The sign applies only to what directly follows it,
 /// so an operand with several parts gets parentheses.

@@ -38,7 +38,8 @@ pub struct Bound {
 }
 
 impl Bound {
-    pub(super) fn point(center: DVec3) -> Bound {
+    /// Returns a point as a ball.
+    pub fn point(center: DVec3) -> Bound {
         Bound { center, radius: 0.0 }
     }
 

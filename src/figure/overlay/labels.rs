@@ -41,18 +41,6 @@ impl Request {
         let rank = rank(pen.item);
         Request { label, concept: pen.concept, anchor, toward, rank, is_fixed: false }
     }
-
-    /// Creates the request for a label in this place, or in none.
-    pub(crate) fn fixed(
-        pen: LineStyle,
-        text: String,
-        at: DVec2,
-        font: LabelFont,
-        halo: Color32,
-    ) -> Request {
-        let request = Request::new(pen, text, [at, DVec2::ZERO], font, halo);
-        Request { is_fixed: true, rank: 0, ..request }
-    }
 }
 
 /// Returns the rank of an item's label; labels of lower rank are placed first. The names of the camera's

@@ -319,27 +319,17 @@ impl<'a> Layers<'a> {
                 _ => self.paint_many(layers, &there, part, t, dots),
             }
         }
-        if let (Some(patch), [floor]) = (&self.backdrop.floor, floor) {
-            self.paint_floor(patch, floor, row, t, dots);
-        }
-    }
-
-    /// Paints the lines of the floor where neither the camera's picture nor a pane hides them.
-    fn paint_floor(
-        &self,
-        patch: &PlanePatch,
-        floor: &FlatRow,
-        row: usize,
-        traced: &[f32],
-        dots: &mut [Color32],
-    ) {
-        for (column, (t, [.., line])) in floor.span.clone().zip(floor.spots(floor.span.clone())) {
-            if line == 0.0 || !is_nearer(t, traced[column]) {
+        // The lines of the floor, where neither the camera's picture nor a pane hides them.
+        let (Some(patch), [floor]) = (&self.backdrop.floor, floor) else { return };
+        for (column, (spot_t, [.., line])) in
+            floor.span.clone().zip(floor.spots(floor.span.clone()))
+        {
+            if line == 0.0 || !is_nearer(spot_t, t[column]) {
                 continue;
             }
             let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
             // Where a pane meets the floor, the pane has precedence.
-            if !self.is_behind_layer(at, f64::from(t) * (1.0 + TOLERANCE), false) {
+            if !self.is_behind_layer(at, f64::from(spot_t) * (1.0 + TOLERANCE), false) {
                 dots[column] = mix(dots[column], patch.grid_color, line * patch.opacity);
             }
         }

@@ -65,8 +65,8 @@ use paint::{Fills, StretchedPicture};
 use parts::camera::corners;
 use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
 use parts::ray::{UvLeg, uv_legs};
-use parts::{ASKED_SPHERES, Form, Part, Toward, When};
-use pixel_numbers::{NUMBER, half_extent, numbers};
+use parts::{ASKED_SPHERES, DrawnPart, Form, Part, Toward, When};
+use pixel_numbers::{half_extent, numbers};
 use screen::{CutLine, Screen, Spot, position_of, tangents, unit};
 use style::{
     BOLD_POINT, DIMMED, FINE, LEGIBLE, LabelFont, MARK, MEDIUM, POINT, THICK, THIN, VECTOR, VISIBLE,

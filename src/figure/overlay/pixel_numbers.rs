@@ -1,30 +1,32 @@
 //! The numbers of rows and columns along the pixel grid, in both views: as many as there is room for.
 
+use egui::Color32;
 use pinhole_core::DVec2;
 
-use crate::overlay::{LabelFont, MARK, drawing};
+use crate::overlay::{LabelFont, LineStyle, MARK, Request, drawing};
 
 /// Distance between two numbers, in points.
 const GAP: f64 = 3.0;
 
 /// Font of the numbers.
-pub(super) const NUMBER: LabelFont = MARK;
+const NUMBER: LabelFont = MARK;
 
 /// Returns half of the extent of a number on the screen.
 pub(super) fn half_extent(text: &str, scale: f64) -> DVec2 {
     DVec2::from(drawing::half_extent(text, f64::from(NUMBER.0) * scale))
 }
 
-/// Returns the numbers of rows or columns that fit beside one another, with their positions: every one, or
-/// every second, fifth, tenth... of them. `first` is the number of the first row or column, 0 or 1, and
-/// `place` returns the position for an index and a text; `None` if it is out of sight. Returns nothing if not
-/// even two of several fit.
+/// Returns labels with the numbers of rows or columns that fit beside one another: every one, or every second,
+/// fifth, tenth... of them. `first` is the number of the first row or column, 0 or 1, and `place` returns the
+/// position for an index and a text; `None` if it is out of sight. Returns nothing if not even two of several
+/// fit.
 pub(super) fn numbers(
+    (pen, halo): (LineStyle, Color32),
     count: u32,
     first: u32,
     scale: f64,
     place: impl Fn(u32, &str) -> Option<DVec2>,
-) -> Vec<(String, DVec2)> {
+) -> Vec<Request> {
     let steps = (0..10).flat_map(|power| [1, 2, 5].map(|m| m * 10u32.saturating_pow(power)));
     for step in steps.take_while(|step| *step <= count) {
         let numbered = (0..count).filter(|k| *k == 0 || (k + first).is_multiple_of(step));
@@ -43,7 +45,11 @@ pub(super) fn numbers(
             placed.remove(1);
         }
         if placed.windows(2).all(are_apart) && (placed.len() > 1 || count == 1) {
-            return placed.into_iter().map(|(at, text)| (text, at)).collect();
+            let request = |(at, text)| {
+                let request = Request::new(pen, text, [at, DVec2::ZERO], NUMBER, halo);
+                Request { is_fixed: true, rank: 0, ..request }
+            };
+            return placed.into_iter().map(request).collect();
         }
     }
     Vec::new()
@@ -52,10 +58,13 @@ pub(super) fn numbers(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Item;
 
     fn texts(count: u32, first: u32, spacing: f64) -> Vec<String> {
         let place = |k: u32, _: &str| Some(DVec2::new(spacing * f64::from(k), 0.0));
-        numbers(count, first, 1.0, place).into_iter().map(|(text, _)| text).collect()
+        let pen = LineStyle::new(Item::PixelNumbers, Color32::BLACK, 1.0);
+        let requests = numbers((pen, Color32::WHITE), count, first, 1.0, place);
+        requests.into_iter().map(|request| request.label.text).collect()
     }
 
     #[test]

@@ -57,11 +57,9 @@ pinhole_core::texts! {
 /// The colours of one [`Style`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Colors {
-    /// The colour where the observer's rays hit nothing.
+    /// The colour where the observer's rays hit nothing. It is also that of the casing of lines and of the halo
+    /// of text, which separate these from what they cross and do not show in the background.
     pub background: Color32,
-    /// The colour of the casing of lines and of the halo of text, which separate these from what they
-    /// cross: that of the background, in which they do not show.
-    pub halo: Color32,
     /// The eye, the frustum and the viewport's outline.
     pub ink: Color32,
     /// The u, v, w arrows.
@@ -87,7 +85,6 @@ const fn rgb(hex: u32) -> Color32 {
 
 const LIGHT: Colors = Colors {
     background: rgb(0xf4f6f9),
-    halo: rgb(0xf4f6f9),
     ink: rgb(0x2b3038),
     basis: [rgb(0xc04509), rgb(0x00805c), rgb(0x0062a8)],
     patterns: [None; 3],
@@ -100,7 +97,6 @@ const LIGHT: Colors = Colors {
 
 const DARK: Colors = Colors {
     background: rgb(0x171a20),
-    halo: rgb(0x171a20),
     ink: rgb(0xd9dee6),
     basis: [rgb(0xff8a4c), rgb(0x2fd3a0), rgb(0x6cbcf5)],
     patterns: [None; 3],
@@ -137,7 +133,6 @@ const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0
 
 const GREY_LIGHT: Colors = Colors {
     background: rgb(0xffffff),
-    halo: rgb(0xffffff),
     ink: rgb(0x2e2e2e),
     basis: [rgb(0x000000), rgb(0x454545), rgb(0x717171)],
     patterns: PATTERNS,
@@ -150,7 +145,6 @@ const GREY_LIGHT: Colors = Colors {
 
 const GREY_DARK: Colors = Colors {
     background: rgb(0x121212),
-    halo: rgb(0x121212),
     ink: rgb(0xdddddd),
     basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
     patterns: PATTERNS,

@@ -2,7 +2,7 @@
 //! picture or a map of the pixels that differ. Below the pictures are the numbers of both cameras.
 
 use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
-use pinhole_core::{Camera, CameraDifference, DVec3, Orientation, ResolvedCamera, Root, Viewport};
+use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
 use pinhole_figure::Inspection;
 use pinhole_figure::NumberStyle;
@@ -84,16 +84,12 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         let way = if is_stacked { Direction::TopDown } else { Direction::LeftToRight };
         ui.with_layout(Layout::from_main_dir_and_cross_align(way, Align::Min), |ui| {
-            let (camera, ghost) = (&document.camera, &ghost.camera);
-            let vectors = vectors((camera, now), ghost, against, style);
+            let now = (now, derived.inspection.as_deref());
+            let (vectors, scalars) = compared_lines(document, now, &ghost.camera, against, style);
             // As wide as the widest numbers, so that nothing moves sideways while they change.
             let digits = style.digits as f32;
             table(ui, "vectors", &vectors, LETTER * size * 3.0 * (digits + 2.8));
             ui.separator();
-            let here = derived.inspection.as_deref();
-            let hits = hits(here, &against.inspection, document, style);
-            let viewports = viewports(camera.viewport, ghost.viewport, &against.difference, style);
-            let scalars = [&viewports[..], &hits].concat();
             table(ui, "scalars", &scalars, LETTER * size * (digits + 2.6));
         });
     });
@@ -141,14 +137,17 @@ fn signed(x: f64, style: NumberStyle) -> String {
     format!("{sign}{}", style.number(x))
 }
 
-/// Returns the lines that compare u, v, w, *eye*, *at* and *up*.
-fn vectors(
-    now: (&Camera, &ResolvedCamera),
+/// Returns the lines that compare u, v, w, *eye*, *at* and *up*; and those that compare the viewports and the first
+/// hit of the selected ray: the object and t. `resolved` and `inspection` are the current camera and its ray.
+fn compared_lines(
+    document: &Document,
+    (resolved, inspection): (&ResolvedCamera, Option<&Inspection>),
     ghost: &Camera,
     against: &AgainstGhost,
     style: NumberStyle,
-) -> [ComparedLine; 6] {
-    let (here, there, by) = (now.1.basis(), against.ghost.basis(), &against.difference);
+) -> ([ComparedLine; 6], [ComparedLine; 5]) {
+    let (now, by) = (&document.camera, &against.difference);
+    let (here, there) = (resolved.basis(), against.ghost.basis());
     let vector = |v: DVec3| style.vector(v);
     let turned =
         |name, there, here, angle| (name, vector(there), vector(here), degrees(angle, style));
@@ -157,39 +156,18 @@ fn vectors(
         Orientation::At { at, .. } => vector(at),
         _ => "none".to_owned(),
     };
-    [
+    let vectors = [
         turned("u", there.u, here.u, by.basis[0]),
         turned("v", there.v, here.v, by.basis[1]),
         turned("w", there.w, here.w, by.basis[2]),
-        ("eye", vector(ghost.eye), vector(now.0.eye), way(by.eye)),
-        ("at", at(ghost), at(now.0), by.at.map(way).unwrap_or_default()),
-        turned("up", ghost.up(), now.0.up(), by.up),
-    ]
-}
-
-/// Returns the lines of the viewport.
-fn viewports(
-    now: Viewport,
-    ghost: Viewport,
-    by: &CameraDifference,
-    style: NumberStyle,
-) -> [ComparedLine; 3] {
+        ("eye", vector(ghost.eye), vector(now.eye), way(by.eye)),
+        ("at", at(ghost), at(now), by.at.map(way).unwrap_or_default()),
+        turned("up", ghost.up(), now.up(), by.up),
+    ];
     let line = |name, old, new, by| (name, style.number(old), style.number(new), signed(by, style));
-    [
-        line("distance", ghost.distance, now.distance, by.distance),
-        line("width", ghost.width, now.width, by.extent[0]),
-        line("height", ghost.height, now.height, by.extent[1]),
-    ]
-}
-
-/// Returns the lines that compare the first hit of the selected ray of both cameras: the object and t.
-fn hits(
-    now: Option<&Inspection>,
-    ghost: &Inspection,
-    document: &Document,
-    style: NumberStyle,
-) -> [ComparedLine; 2] {
-    let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
+    let (old, new) = (ghost.viewport, now.viewport);
+    let (here, there) =
+        (inspection.and_then(Inspection::first_hit), against.inspection.first_hit());
     // Objects are shown by number, because their names do not fit. The list of objects shows the numbers
     // as well.
     let kind = |hit: &Root| format!("{} {}", document.kind_of(hit.object as usize), hit.object);
@@ -198,8 +176,12 @@ fn hits(
     let is_same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
     let hit = if is_same { "the same" } else { "another" };
     let between = here.zip(there).map(|(here, there)| signed(here.t - there.t, style));
-    [
+    let scalars = [
+        line("distance", old.distance, new.distance, by.distance),
+        line("width", old.width, new.width, by.extent[0]),
+        line("height", old.height, new.height, by.extent[1]),
         ("hit", named(there), named(here), hit.to_owned()),
         ("t", t(there), t(here), between.unwrap_or_default()),
-    ]
+    ];
+    (vectors, scalars)
 }

@@ -15,7 +15,7 @@ use pinhole_lecture::mistakes::ComparedCamera;
 use crate::features::plot::curves::Plot;
 use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use pinhole_figure::overlay::{CameraView, opaque};
+use pinhole_figure::overlay::{self, CameraView, opaque};
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};
@@ -30,7 +30,7 @@ use memo::{LastView, Memo, Spares};
 use objects::{Enclosing, GoodWorld, Objects};
 use picture::{GoodPicture, Pictures, repainted, trace_picture, watched};
 use second_picture::{SecondPictures, ghost_camera};
-use views::{LastDerivation, WorldViews, camera_view, derived_lines, finished_camera_view, plot};
+use views::{LastDerivation, WorldViews, camera_view, derived_lines, plot};
 
 /// Computes [`Derived`] values. The result depends only on the arguments; the caches only save time.
 #[derive(Debug, Default)]
@@ -113,14 +113,28 @@ impl Deriver {
     /// Derives the views, the derivation and the plot in parallel, since they do not depend on each
     /// other.
     fn views(&mut self, derived: &mut Derived, inputs: Inputs<'_>) {
-        let Deriver { camera_view, world_views, derivation, objects, .. } = self;
+        let Inputs { sizes, watch, .. } = inputs;
+        let Deriver { camera_view: last, world_views, derivation, objects, .. } = self;
         let good = self.last_good.as_ref();
         let partial = &*derived;
         let (world, (camera, (derivation, plot))) = rayon::join(
             || world_views.get(partial, inputs, objects, good),
             || {
                 rayon::join(
-                    || finished_camera_view(camera_view, partial, inputs, good?),
+                    || {
+                        let (size, good) = (sizes.camera?, good?);
+                        let view = CameraView {
+                            // The highlighted concept belongs to the current document, so it is not shown
+                            // in an older picture.
+                            highlighted: highlighted(inputs).filter(|_| partial.fault.is_none()),
+                            loupe: good.loupe.clone(),
+                            ..camera_view(inputs, good, size)
+                        };
+                        let scene = partial.scene.as_deref();
+                        Some(last.get(view, size, sizes.style, watch, |view, pixels| {
+                            overlay::camera(view, scene, pixels)
+                        }))
+                    },
                     || (derived_lines(derivation, inputs, partial), plot(inputs, partial)),
                 )
             },

@@ -7,7 +7,6 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{
     Camera, CameraDifference, NO_OBJECT, Outputs, Paint, Raster, ResolvedCamera, Scene, Selection,
-    Shade,
 };
 use pinhole_exchange::{Document, answers};
 use pinhole_figure::overlay::{self, CameraView, GhostCamera, Picture, Same};
@@ -21,8 +20,8 @@ use crate::features::accuracy;
 use crate::features::answers::StudentAnswers;
 use crate::model::session::{ViewLayout, resolve};
 use crate::view::derive::{
-    Derived, GoodPicture, GoodWorld, Inputs, LastView, Memo, OnWork, WorkKind, camera_view,
-    highlighted, opaque, trace_picture, watched,
+    Derived, GoodPicture, GoodWorld, Inputs, LastView, Memo, WorkKind, camera_view, highlighted,
+    opaque, trace_picture, watched,
 };
 
 pinhole_core::texts! {
@@ -57,6 +56,8 @@ pub struct AgainstGhost {
     pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Arc<Inspection>,
+    /// The ghost's picture, and the map of the pixels in which the edited camera's differs from it.
+    pub pictures: [Arc<Picture>; 2],
 }
 
 /// A grade, or the reason why there is none.
@@ -85,7 +86,7 @@ type Pair = [Arc<Picture>; 2];
 pub(super) struct SecondPictures {
     wrong_camera: Memo<OtherKey<Mistake>, (Arc<ComparedCamera>, Option<Pair>)>,
     /// The other camera is the ghost, with the selected ray.
-    ghost: Memo<OtherKey<(Camera, Selection)>, Option<(Arc<AgainstGhost>, Pair)>>,
+    ghost: Memo<OtherKey<(Camera, Selection)>, Option<Arc<AgainstGhost>>>,
     grading: Memo<(Document, StudentAnswers), Grading>,
     answers_map: Memo<MapKey, Option<Arc<Picture>>>,
     view: LastView<CameraView>,
@@ -161,10 +162,20 @@ impl SecondPictures {
             None => self.wrong_camera.known(|key| key.other == mistake)?.clone(),
             Some(world) => {
                 let picture = Same(Arc::clone(&good.picture));
-                self.wrong_camera.get(OtherKey { camera, picture, other: mistake }, |key| {
+                let key = OtherKey { camera, picture, other: mistake };
+                self.wrong_camera.get(key, |OtherKey { picture: beside, .. }| {
                     self.count += 1;
-                    let make = || wrong_pictures(key, good, world, shown.setup.shade);
-                    watched(inputs.watch, WorkKind::Trace, make)
+                    watched(inputs.watch, WorkKind::Trace, || {
+                        let color_of = |i: u32| world.colors[i as usize];
+                        let paint = Paint { shade: shown.setup.shade, color_of, to_pixel: opaque };
+                        let (now, scene, raster) = (&good.resolved, &world.scene, &beside.raster);
+                        let (wrong, compared) =
+                            ComparedCamera::new(&camera, now, scene, mistake, raster, paint);
+                        let pair = compared.map(|ComparedPicture { pixels, wrong, right }| {
+                            pair(beside, pixels, [&wrong, &right])
+                        });
+                        (Arc::new(wrong), pair)
+                    })
                 })
             }
         };
@@ -191,16 +202,36 @@ impl SecondPictures {
         let ghost = shown.ghost.as_ref()?;
         let (picture, other) = (Same(Arc::clone(&good.picture)), (ghost.camera, shown.selection));
         let key = OtherKey { camera, picture, other };
-        let (against, [picture, differences]) = self.ghost.get(key, |key| {
+        let against = self.ghost.get(key, |key| {
             self.count += 1;
-            ghost_pictures(key, good, world, (shown.setup.shade, inputs.watch))
+            let OtherKey { picture: beside, other: (ghost, selection), .. } = key;
+            // There is no picture if the ghost has no basis.
+            let resolved = resolve(ghost, &camera).ok()?;
+            let colors = (shown.setup.shade, |i: u32| world.colors[i as usize]);
+            let outputs = Outputs { object: true, ..Outputs::NONE };
+            let [now, (frame, pixels)] = [&good.resolved, &resolved].map(|camera| {
+                let memory = (None, inputs.watch);
+                trace_picture(&world.scene, camera, &beside.raster, outputs, colors, memory)
+            });
+            let objects = [&now.0.object[..], &frame.object];
+            let pairs = objects[0].iter().zip(objects[1]);
+            let differing = pairs.filter(|(a, b)| a != b).count();
+            let selection = selection.inside(resolved.image());
+            Some(Arc::new(AgainstGhost {
+                ghost: resolved,
+                difference: camera.difference_from(ghost).ok()?,
+                seen: ComparedPixels { pixels: frame.object.len(), differing },
+                inspection: Arc::new(Inspection::new(&resolved, &world.scene, selection)),
+                pictures: pair(beside, pixels, objects),
+            }))
         })?;
         let shows_hit = view.items.shows(Item::Hit) && !ghost.shows_differences;
         view.items = view.items.with(Item::Hit, shows_hit);
         view.resolved = against.ghost;
         view.inspection = Some(Same(Arc::clone(&against.inspection)));
+        let picture = Arc::clone(&against.pictures[usize::from(ghost.shows_differences)]);
         derived.against_ghost = Some(against);
-        Some(if ghost.shows_differences { differences } else { picture })
+        Some(picture)
     }
 
     fn answers(
@@ -225,49 +256,6 @@ impl SecondPictures {
         let key = (Same(grading.ok()?), sizes.second?.1);
         self.answers_map.get(key, |(graded, size)| answers_map(graded, *size).map(Arc::new))
     }
-}
-
-/// Makes a mistake in the edited camera. Returns no pictures if the result sees nothing.
-fn wrong_pictures(
-    key: &OtherKey<Mistake>,
-    good: &GoodPicture,
-    world: &GoodWorld,
-    shade: Shade,
-) -> (Arc<ComparedCamera>, Option<Pair>) {
-    let color_of = |i: u32| world.colors[i as usize];
-    let paint = Paint { shade, color_of, to_pixel: opaque };
-    let OtherKey { camera, picture, other: mistake } = key;
-    let (now, scene, raster) = (&good.resolved, &world.scene, &picture.raster);
-    let (wrong, compared) = ComparedCamera::new(camera, now, scene, *mistake, raster, paint);
-    let pair = compared
-        .map(|ComparedPicture { pixels, wrong, right }| pair(picture, pixels, [&wrong, &right]));
-    (Arc::new(wrong), pair)
-}
-
-/// Traces the scene for the edited camera and the ghost. Returns `None` if the ghost has no basis.
-fn ghost_pictures(
-    OtherKey { camera, picture, other: (ghost, selection) }: &OtherKey<(Camera, Selection)>,
-    good: &GoodPicture,
-    world: &GoodWorld,
-    (shade, watch): (Shade, OnWork<'_>),
-) -> Option<(Arc<AgainstGhost>, Pair)> {
-    let resolved = resolve(ghost, camera).ok()?;
-    let colors = (shade, |i: u32| world.colors[i as usize]);
-    let outputs = Outputs { object: true, ..Outputs::NONE };
-    let trace = |camera| {
-        trace_picture(&world.scene, camera, &picture.raster, outputs, colors, (None, watch))
-    };
-    let ((now_frame, _), (frame, pixels)) = (trace(&good.resolved), trace(&resolved));
-    let pairs = now_frame.object.iter().zip(&frame.object);
-    let differing = pairs.filter(|(a, b)| a != b).count();
-    let selection = selection.inside(resolved.image());
-    let against = AgainstGhost {
-        ghost: resolved,
-        difference: camera.difference_from(ghost).ok()?,
-        seen: ComparedPixels { pixels: now_frame.object.len(), differing },
-        inspection: Arc::new(Inspection::new(&resolved, &world.scene, selection)),
-    };
-    Some((Arc::new(against), pair(picture, pixels, [&now_frame.object, &frame.object])))
 }
 
 /// Returns another camera's picture with these pixels, beside that of the edited camera, and the map of the
@@ -355,7 +343,7 @@ fn of_mistake(wrong: &WrongCamera, scene: &Scene, selection: Selection) -> Vec<A
 
 #[cfg(test)]
 mod tests {
-    use pinhole_core::{DVec3, ImageSize, Sphere, shade, trace};
+    use pinhole_core::{DVec3, ImageSize, Shade, Sphere, shade, trace};
     use pinhole_exchange::document::Item as DocumentItem;
     use pinhole_exchange::images::png;
 

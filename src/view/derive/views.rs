@@ -32,7 +32,7 @@ use crate::model::session::ViewLayout;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{
     Derived, Enclosing, FinishedView, GoodPicture, GoodWorld, Inputs, LastView, Memo, Objects,
-    OnWork, Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
+    Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
     watched,
 };
 use pinhole_figure::overlay::Figure;
@@ -64,7 +64,16 @@ impl WorldViews {
         let scene = ColoredScene { scene: &good.scene, colors: &good.colors };
         let view = view.get(shown, size, sizes.style, watch, |view, pixels| {
             let backdrop = view.backdrop(scene);
-            let painted = pictures.painted(&world, &backdrop, watch);
+            let key = (Same(Arc::clone(&world)), backdrop.clone());
+            let painted = pictures.backdrop.get(key, |(world, backdrop)| {
+                watched(watch, WorkKind::Overlay, || {
+                    let mut dots = pictures.painted.take(|_| true).unwrap_or_default();
+                    dots.clone_from(&world.pixels);
+                    backdrop.paint(&world.frame, &world.edges, &mut dots);
+                    Arc::new(dots)
+                })
+            });
+            pictures.painted.keep(&painted);
             let WorldPicture { pixels: traced, edges, .. } = &*world;
             let below = Below { traced, painted: &painted, edges };
             overlay::world(view, scene, &backdrop, below, pixels)
@@ -95,6 +104,7 @@ fn described(
     let without_marks = sizes.purpose != Purpose::Window;
     let spoken = session.shown.spoken.as_ref();
     let speaks_of_normal = spoken.map(|spoken| spoken.contains(&Concept::Normal));
+    let handles = handles::placed::drawn(&placing, &session.live.handles, &session.spoken_of());
     let figure = Figure {
         resolved: derived.resolved,
         inspection: derived.inspection.clone().map(Same),
@@ -106,7 +116,7 @@ fn described(
         names_all: spoken.is_some() || without_marks,
         shows_normal: session.highlighted() == Some(Concept::Normal)
             || speaks_of_normal.unwrap_or(without_marks),
-        handles: handles::placed::drawn(&placing, &session.live.handles, &session.spoken_of()),
+        up: handles.up,
         style: sizes.style,
         ..Figure::new(document.camera, observer)
     };
@@ -116,34 +126,13 @@ fn described(
         generations: [good.generation, good.palette],
         enclosing: Arc::clone(&world.enclosing),
         frame: Same(Arc::clone(&world.frame)),
+        handles: handles.marks,
         first_number: u32::from(session.shown.setup.count_from_one),
         scale: sizes.scale,
         is_clear: sizes.purpose.is_clear(),
         covered: sizes.covered.into_iter().flatten().collect(),
         without_marks,
     })
-}
-
-/// Returns the camera view, the camera's picture `good` with the overlay drawn over it; `None` if the view is
-/// not shown.
-pub(super) fn finished_camera_view(
-    last: &mut LastView<CameraView>,
-    derived: &Derived,
-    inputs: Inputs<'_>,
-    good: &GoodPicture,
-) -> Option<FinishedView> {
-    let size = inputs.sizes.camera?;
-    let view = CameraView {
-        // The highlighted concept belongs to the current document, so it is not shown in an older
-        // picture.
-        highlighted: highlighted(inputs).filter(|_| derived.fault.is_none()),
-        loupe: good.loupe.clone(),
-        ..camera_view(inputs, good, size)
-    };
-    let scene = derived.scene.as_deref();
-    Some(last.get(view, size, inputs.sizes.style, inputs.watch, |view, pixels| {
-        overlay::camera(view, scene, pixels)
-    }))
 }
 
 /// Returns the inputs of the camera view of a picture, without a highlighted concept and without the loupe.
@@ -194,6 +183,7 @@ pub(super) struct WorldPictures {
     /// The last picture. The last part of its key is the generation number of the colours.
     picture: Memo<(WorldTraceKey, Subsampling, u64), Arc<WorldPicture>>,
     shown: Spares<WorldPicture, 2>,
+    /// The last picture with a backdrop painted over it.
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     painted: Spares<Vec<Color32>, 2>,
     /// Number of pictures of the observer traced so far.
@@ -259,26 +249,6 @@ impl WorldPictures {
             });
         self.shown.keep(&picture);
         Some(picture)
-    }
-
-    /// Returns the observer's picture with a backdrop painted over it.
-    pub(super) fn painted(
-        &mut self,
-        world: &Arc<WorldPicture>,
-        backdrop: &Backdrop,
-        watch: OnWork<'_>,
-    ) -> Arc<Vec<Color32>> {
-        let key = (Same(Arc::clone(world)), backdrop.clone());
-        let painted = self.backdrop.get(key, |(world, backdrop)| {
-            watched(watch, WorkKind::Overlay, || {
-                let mut dots = self.painted.take(|_| true).unwrap_or_default();
-                dots.clone_from(&world.0.pixels);
-                backdrop.paint(&world.0.frame, &world.0.edges, &mut dots);
-                Arc::new(dots)
-            })
-        });
-        self.painted.keep(&painted);
-        painted
     }
 }
 

@@ -5,8 +5,8 @@ use pinhole_core::{DVec2, DVec3, Object, Outputs, Pixel, Raster, Scene, Sphere, 
 
 use crate::observer::Place;
 use crate::overlay::{
-    CameraSketch, CameraView, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle, POINT,
-    Part, Screen, Shape, When, cased, dim, dot, first, position_of, silhouette,
+    CameraSketch, CameraView, DrawnPart, Emphasis, Figure, Form, Highlighted, LabelFont, LineStyle,
+    POINT, Screen, Shape, When, cased, dim, dot, first, position_of, silhouette,
 };
 use crate::{Concept, Item, Observer, OverlayItems};
 
@@ -36,7 +36,7 @@ impl CameraSketch<'_> {
             return;
         }
         let view = self.view;
-        let (parts, _) = Figure {
+        let mut parts = Figure {
             resolved: Some(view.resolved),
             inspection: view.inspection.clone(),
             highlighted: Some(highlighted),
@@ -45,14 +45,9 @@ impl CameraSketch<'_> {
             ..Figure::new(highlighted.camera, Observer::new(view.resolved.eye(), 0.0, 0.0, 1.0))
         }
         .parts(scene, &[]);
-        let emphasized = parts.into_iter().filter_map(|part| {
-            let emphasis = part.emphasis(OverlayItems::NONE, Some(highlighted))?;
-            Some((emphasis != Emphasis::Strong, part.emphasized(emphasis)))
-        });
-        let mut emphasized: Vec<(bool, Part)> = emphasized.collect();
-        emphasized.sort_by_key(|(accompanies, _)| *accompanies);
+        parts.sort_by_key(|drawn| drawn.emphasis != Emphasis::Strong);
         let mut lit = CameraSketch::new(view, OverlayItems::ALL);
-        emphasized.iter().for_each(|(accompanies, part)| lit.lit_part(part, *accompanies));
+        parts.iter().for_each(|drawn| lit.lit_part(drawn));
         if !lit.drawing.marks.is_empty() {
             dim(&mut self.drawing, &mut self.requests, highlighted, self.colors);
         }
@@ -60,7 +55,8 @@ impl CameraSketch<'_> {
         self.requests = first(lit.requests, std::mem::take(&mut self.requests));
     }
 
-    fn lit_part(&mut self, part: &Part, accompanies: bool) {
+    fn lit_part(&mut self, DrawnPart { part, emphasis, .. }: &DrawnPart) {
+        let accompanies = *emphasis == Emphasis::Accompanying;
         let pen = part.pen;
         let (text, font) = part.label.as_ref().map_or(("", POINT), |l| (&*l.text, l.font));
         match (part.form, &part.places[..]) {
@@ -174,7 +170,7 @@ impl CameraSketch<'_> {
         let unit = (sphere.center - resolved.eye()).length();
         let screen = Screen::of_size(resolved, self.view.extent(), unit, *scale);
         let outline = silhouette(sphere, resolved.eye()).unwrap_or_default();
-        for pen in cased(pen, self.colors.halo) {
+        for pen in cased(pen, self.colors.background) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
             }
@@ -200,7 +196,7 @@ impl CameraSketch<'_> {
         };
         let strokes = hatch(extent, HATCH * scale, CELL * scale, shows_plane);
         let mut hatching = CameraSketch::new(self.view, OverlayItems::ALL);
-        for pen in cased(pen, self.colors.halo.gamma_multiply(0.6)) {
+        for pen in cased(pen, self.colors.background.gamma_multiply(0.6)) {
             strokes.iter().for_each(|stroke| hatching.line(stroke, pen));
         }
         self.drawing.marks.splice(..0, hatching.drawing.marks);

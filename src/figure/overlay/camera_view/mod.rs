@@ -9,8 +9,8 @@ use egui::Color32;
 use pinhole_core::{DVec2, Pixel, ResolvedCamera, Scene};
 
 use crate::overlay::{
-    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, NUMBER, POINT,
-    Picture, Request, Same, Shape, Style, UvLeg, dot, half_extent, mix, numbers, opposing_grey,
+    Colors, Drawing, Fills, Highlighted, LabelFont, LineStyle, Loupe, MARK, Mark, POINT, Picture,
+    Request, Same, Shape, Style, UvLeg, dot, half_extent, mix, numbers, opposing_grey,
     place_labels, position_of, uv_legs,
 };
 use crate::{Concept, Inspection, Item, OverlayItems};
@@ -155,7 +155,7 @@ impl<'a> CameraSketch<'a> {
 
     fn add(&mut self, pen: LineStyle, shape: Shape) {
         if self.items.shows(pen.item) {
-            let mark = pen.mark(shape, self.colors.halo);
+            let mark = pen.mark(shape, self.colors.background);
             self.drawing.marks.push(Mark { pattern: pen.pattern, ..mark });
         }
     }
@@ -167,7 +167,7 @@ impl<'a> CameraSketch<'a> {
 
     fn label(&mut self, pen: LineStyle, text: &str, anchor: DVec2, toward: DVec2, font: LabelFont) {
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) {
-            let (anchors, halo) = ([anchor, toward], self.colors.halo);
+            let (anchors, halo) = ([anchor, toward], self.colors.background);
             self.requests.push(Request::new(pen, text.to_owned(), anchors, font, halo));
         }
     }
@@ -240,9 +240,8 @@ impl<'a> CameraSketch<'a> {
                 let inside = 0.5 * cell.max(2.0 * half_extent(text, scale) + 2.0 * scale);
                 Some((f64::from(k) + 0.5) * cell * axis + inside.min(0.5 * size) * other)
             };
-            for (text, at) in numbers(count, self.view.first_number, scale, place) {
-                self.requests.push(Request::fixed(pen, text, at, NUMBER, self.colors.halo));
-            }
+            let (ink, first) = ((pen, self.colors.background), self.view.first_number);
+            self.requests.extend(numbers(ink, count, first, scale, place));
             if size.min_element() > ROOM_FOR_NAMES * scale {
                 let end = 0.5 * size * axis + size * other;
                 self.label(pen, &format!("{name} = {count}"), end, -other, POINT);

@@ -186,7 +186,7 @@ impl Parts<'_> {
         let text = area_of(&cross, digits, names);
         let part = self.add(Form::Area, &corners, pen).as_wide();
         let Some(text) = text else { return };
-        part.labelled_at(place(a + b), text, POINT, Toward::along(a + b));
+        part.labelled(text, POINT, Toward::along(a + b)).label_at(place(a + b));
         // As a factor, up has the length of the parallelogram's side. The others are arrows of the basis, if there is one.
         for (vector, name, color) in [(a, names[0], of_a), (b, names[1], of_b)] {
             let font = if name == "up" { POINT } else { VECTOR };
@@ -212,16 +212,12 @@ impl Parts<'_> {
         if let (Orientation::At { at, .. }, true) =
             (camera.orientation, figure.shows(Item::ViewVector))
         {
-            let toward = Toward::Screen(DVec2::Y);
             let middle: Place = eye.midpoint(at).into();
-            self.arrow([eye, at], Head::Filled, pen).labelled_at(
-                middle,
-                "view = at − eye",
-                POINT,
-                toward,
-            );
+            let part = self.arrow([eye, at], Head::Filled, pen);
+            part.labelled("view = at − eye", POINT, Toward::Screen(DVec2::Y)).label_at(middle);
             let part = self.arrow([at, eye], Head::Filled, back);
-            part.labelled_at(middle, "−view", POINT, Toward::Onward).beside = Some(DVec3::ZERO);
+            part.labelled("−view", POINT, Toward::Onward).label_at(middle).beside =
+                Some(DVec3::ZERO);
             return;
         }
         let is_named = figure.names_all
@@ -249,7 +245,7 @@ impl Parts<'_> {
         };
         let Some(direction) = unit(up) else { return };
         let pen = LineStyle::new(Item::ViewAndUp, self.colors.given, MEDIUM).about(Concept::Up);
-        match figure.handles.up {
+        match figure.up {
             Some(length) => self.arrow([eye, eye + length * direction], Head::Filled, pen),
             None => self.arrow_from(eye, UP_LENGTH * direction, Head::Filled, pen),
         }

@@ -95,7 +95,7 @@ impl Parts<'_> {
         let part = self.sides(corners.map(|corner| eye + corner), outline);
         if ghost.is_wrong {
             let outward = Toward::along(corners[2] - corners[0]);
-            part.labelled_at(eye + corners[2], "wrong camera", POINT, outward);
+            part.labelled("wrong camera", POINT, outward).label_at(eye + corners[2]);
         }
         let own = figure.resolved.filter(|own| own.eye() == eye).map(|own| *own.basis());
         let own = own.map_or([None; 3], |own| [own.u, own.v, own.w].map(Some));
@@ -178,7 +178,7 @@ impl Parts<'_> {
         let end = hit.map_or(self.end_of(ray), |t| ray.at(t));
         let toward = Toward::Screen(DVec2::new(0.3, -1.0));
         let part = self.line([ray.origin, end], pen);
-        part.labelled_at(ray.at(1.0), &*mark.label, BOLD_POINT, toward);
+        part.labelled(&*mark.label, BOLD_POINT, toward).label_at(ray.at(1.0));
         part.is_endless = hit.is_none();
         if hit.is_some() {
             self.add(answer_form(mark, 5.0), &[end.into()], pen);

@@ -52,7 +52,7 @@ pub(crate) enum Emphasis {
 
 impl Part {
     /// Returns how strongly the part is drawn; `None` if it is not drawn.
-    pub(crate) fn emphasis(
+    pub(super) fn emphasis(
         &self,
         items: OverlayItems,
         highlighted: Option<Highlighted>,
@@ -73,7 +73,7 @@ impl Part {
     }
 
     /// Returns the part restyled by its emphasis.
-    pub(crate) fn emphasized(mut self, emphasis: Emphasis) -> Part {
+    pub(super) fn emphasized(mut self, emphasis: Emphasis) -> Part {
         match emphasis {
             Emphasis::Strong => {
                 self.pen = self.pen.on_top();

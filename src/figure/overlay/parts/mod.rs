@@ -19,7 +19,7 @@ use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 
 use crate::observer::{Length, Place};
 use crate::overlay::{
-    Colors, GhostCamera, Handles, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
+    Colors, Emphasis, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
     Style,
 };
 use crate::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
@@ -131,15 +131,11 @@ impl Part {
         self
     }
 
-    /// Gives the part a label at a place of its own.
-    fn labelled_at(
-        &mut self,
-        at: impl Into<Place>,
-        text: impl Into<String>,
-        font: LabelFont,
-        toward: Toward,
-    ) -> &mut Part {
-        self.label = Some(PartLabel { text: text.into(), font, at: Some(at.into()), toward });
+    /// Puts the part's label at a place of its own.
+    fn label_at(&mut self, at: impl Into<Place>) -> &mut Part {
+        if let Some(label) = &mut self.label {
+            label.at = Some(at.into());
+        }
         self
     }
 
@@ -185,14 +181,22 @@ pub struct Figure {
     pub names_all: bool,
     /// True if the normal at the hit is drawn, as in figures and in lessons about it.
     pub shows_normal: bool,
-    /// The handles that can be dragged.
-    pub handles: Handles,
+    /// Length in the world of the up arrow while its tip is dragged; `None` at other times.
+    pub up: Option<f64>,
     /// True for the camera view, where arrows from the eye have length 1 at most.
     pub is_flat: bool,
     /// The observer, on whose distance it depends how far endless lines go.
     pub observer: Observer,
     /// The colours.
     pub style: Style,
+}
+
+/// A part that is drawn, restyled by its emphasis.
+pub(crate) struct DrawnPart {
+    pub(crate) part: Part,
+    pub(crate) emphasis: Emphasis,
+    /// True if it belongs to the ghost or to a sphere that is cut away.
+    pub(crate) is_behind: bool,
 }
 
 /// A sphere that is cut away, with its index and its colour.
@@ -220,16 +224,15 @@ impl Figure {
             highlighted: None,
             names_all: true,
             shows_normal: true,
-            handles: Handles::default(),
+            up: None,
             is_flat: false,
             observer,
             style: Style::default(),
         }
     }
 
-    /// Returns all parts, from back to front, and how many of the first ones belong to the ghost and to spheres that
-    /// are cut away.
-    pub(crate) fn parts(&self, scene: &Scene, cut_away: &[CutAway]) -> (Vec<Part>, usize) {
+    /// Returns the parts that are drawn, from back to front.
+    pub(crate) fn parts(&self, scene: &Scene, cut_away: &[CutAway]) -> Vec<DrawnPart> {
         let colors = self.style.colors();
         let mut parts = Parts { figure: self, scene, colors, list: Vec::new() };
         parts.cut_away(cut_away);
@@ -241,7 +244,11 @@ impl Figure {
         parts.camera();
         parts.answers();
         parts.object();
-        (parts.list, behind)
+        let drawn = |(k, part): (usize, Part)| {
+            let emphasis = part.emphasis(self.items, self.highlighted)?;
+            Some(DrawnPart { part: part.emphasized(emphasis), emphasis, is_behind: k < behind })
+        };
+        parts.list.into_iter().enumerate().filter_map(drawn).collect()
     }
 
     fn is_lit(&self, concept: Concept) -> bool {

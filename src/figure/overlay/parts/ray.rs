@@ -107,7 +107,7 @@ impl Parts<'_> {
             let pen = LineStyle::new(Item::Ray, color, ACCOMPANYING).about(concept);
             let (middle, toward) = (from + 0.5 * vector, Toward::Screen(DVec2::Y));
             let part = self.arrow([from, from + vector], Head::Filled, pen);
-            part.labelled_at(middle, text, POINT, toward).when(When::Lit);
+            part.labelled(text, POINT, toward).label_at(middle).when(When::Lit);
             from += vector;
         }
         let pen = LineStyle::new(Item::Ray, self.colors.ray, 2.0).about(lit);
@@ -213,7 +213,7 @@ impl Parts<'_> {
             self.line([ray.origin.into(), end], pen);
         }
         if let Some(part) = self.list.last_mut() {
-            part.labelled_at(last, "t < 0", MARK, Toward::along(back));
+            part.labelled("t < 0", MARK, Toward::along(back)).label_at(last);
         }
     }
 

@@ -44,7 +44,7 @@ pub fn drawn<'a>(
     // The axes take no room if the camera is elsewhere.
     let has_axes = camera.eye.length() <= near;
     let items = items.with(Item::Axes, items.shows(Item::Axes) && has_axes);
-    let (parts, _) = Figure {
+    let shown = Figure {
         inspection: inspection.map(|inspection| Same(Arc::new(inspection))),
         ray_point_t: ray.and_then(|(_, t)| t),
         ghost: ghost.copied(),
@@ -54,9 +54,8 @@ pub fn drawn<'a>(
         ..Figure::new(*camera, Observer::new(camera.eye, 0.0, 0.0, near))
     }
     .parts(scene, &[]);
-    let shown = parts.iter().filter(|part| part.emphasis(items, highlighted).is_some());
     let has_frustum = items.shows(Item::Frustum);
-    let places = shown.flat_map(|part| part.in_sight(camera)).collect();
+    let places = shown.iter().flat_map(|shown| shown.part.in_sight(camera)).collect();
     Drawn { camera, scene, has_frustum, places }
 }
 

@@ -108,9 +108,9 @@ fn each_item_can_be_drawn_alone_and_left_out() {
     let mut stage = canonical();
     stage.items = OverlayItems::ALL;
     let eye = HandleMark { at: DVec3::ZERO, knob: Knob::Round, state: KnobState::Plain };
-    let handles = Handles { marks: vec![eye], ..Handles::default() };
+    let handles = vec![eye];
     let of_marks = |stage: &Stage| {
-        let view = stage.view_of(|figure| figure.handles = handles.clone());
+        let view = WorldView { handles: handles.clone(), ..stage.view() };
         let Drawing { marks, labels, .. } = view.drawing(stage.scene());
         let items: Vec<Item> =
             marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
@@ -137,11 +137,8 @@ fn each_item_can_be_drawn_alone_and_left_out() {
 fn handles_keep_their_size_and_stand_out_by_form() {
     let stage = canonical();
     let mark = |at: DVec3, state: KnobState| {
-        let handles = Handles {
-            marks: vec![HandleMark { at, knob: Knob::Round, state }],
-            ..Handles::default()
-        };
-        let drawing = stage.view_of(|figure| figure.handles = handles).drawing(stage.scene());
+        let handles = vec![HandleMark { at, knob: Knob::Round, state }];
+        let drawing = WorldView { handles, ..stage.view() }.drawing(stage.scene());
         let own = drawing.marks.into_iter().filter(|mark| mark.item == Item::Handles);
         own.map(|mark| mark.shape).collect::<Vec<_>>()
     };

@@ -105,6 +105,7 @@ impl Stage {
             generations: [0; 2],
             enclosing: Arc::clone(&self.enclosing),
             frame: Same(Arc::clone(&self.frame)),
+            handles: Vec::new(),
             first_number: 0,
             scale: 1.0,
             is_clear: false,

@@ -162,20 +162,19 @@ impl WorldView {
             let rays = corners(resolved).map(|uv| resolved.ray(uv));
             rays.into_iter().filter_map(|ray| Some(ray.at(plane.roots(&ray).first_positive()?)))
         });
-        let spheres = around.spheres.iter().map(|ball| (ball.center, ball.radius));
-        pane_around(around, normal, height, spheres.chain(seen.map(|point| (point, 0.0))))
+        let spheres = around.spheres.iter().copied();
+        pane_around(around, normal, height, spheres.chain(seen.map(Bound::point)))
     }
 
     /// Returns a floor below all spheres and the camera.
     fn bare_floor(&self, around: &Surroundings) -> Option<Pane> {
+        let resolved = self.figure.resolved.iter();
         let viewport =
-            self.figure.resolved.iter().flat_map(|resolved| {
-                corners(resolved).map(|uv| (resolved.viewport_point(uv), 0.0))
-            });
-        let spheres = around.spheres.iter().map(|ball| (ball.center, ball.radius));
-        let parts: Vec<(DVec3, f64)> = spheres.chain(viewport).chain([(around.eye, 0.0)]).collect();
-        let bottoms = || parts.iter().map(|(center, radius)| center.y - radius);
-        let tops = parts.iter().map(|(center, radius)| center.y + radius);
+            resolved.flat_map(|camera| corners(camera).map(|uv| camera.viewport_point(uv)));
+        let points = viewport.chain([around.eye]).map(Bound::point);
+        let parts: Vec<Bound> = around.spheres.iter().copied().chain(points).collect();
+        let bottoms = || parts.iter().map(|ball| ball.center.y - ball.radius);
+        let tops = parts.iter().map(|ball| ball.center.y + ball.radius);
         let lowest = bottoms().fold(f64::INFINITY, f64::min);
         let step = grid_step((tops.fold(f64::NEG_INFINITY, f64::max) - lowest) / HEIGHT_STEPS);
         pane_around(around, DVec3::Y, (lowest / step).floor() * step, parts.into_iter())
@@ -188,7 +187,7 @@ fn pane_around(
     around: &Surroundings,
     normal: DVec3,
     height: f64,
-    balls: impl Iterator<Item = (DVec3, f64)>,
+    balls: impl Iterator<Item = Bound>,
 ) -> Option<Pane> {
     let away = (normal.dot(around.middle) - height).abs();
     if !away.is_finite() {
@@ -199,7 +198,7 @@ fn pane_around(
     let (middle, limit) = (along(around.middle), DVec2::splat(PANE_REACH * (around.extent + away)));
     let step = grid_step(around.extent.max(away) / CELLS);
     let (mut least, mut most) = (middle, middle);
-    let inside = |(center, radius): (DVec3, f64)| {
+    let inside = |Bound { center, radius }| {
         let center = along(center);
         (center - middle).abs().cmple(limit).all().then_some((center, radius))
     };
@@ -238,7 +237,7 @@ impl Sketch<'_> {
         let color = self.colors.ink.gamma_multiply(0.6);
         let pen = LineStyle::new(Item::Floor, color, FINE).without_halo().where_visible();
         let pen = pen.patterned(Some(DROP));
-        let eye = Bound { center: view.figure.camera.eye, radius: 0.0 };
+        let eye = Bound::point(view.figure.camera.eye);
         for Bound { center, radius } in ground.spheres.into_iter().chain([eye]) {
             let (bottom, foot) = (center - radius * DVec3::Y, center.with_y(floor.corners()[0].y));
             if bottom.y - foot.y > SHORTEST_DROP * floor.step && floor.contains(foot) {

@@ -3,7 +3,7 @@
 
 use pinhole_core::{DVec2, DVec3};
 
-use crate::overlay::{Figure, LineStyle, Shape, Sketch, dot};
+use crate::overlay::{LineStyle, Shape, Sketch, dot};
 use crate::overlay_items::Item;
 
 /// The handles to draw, and data that is only needed while one of them is hovered or dragged.
@@ -66,11 +66,10 @@ const RIM: f64 = 2.4;
 impl Sketch<'_> {
     /// Draws all handles; the hovered or held one is drawn last.
     pub(crate) fn handles(&mut self) {
-        let Figure { items, handles, .. } = &self.view.figure;
-        if !items.shows(Item::Handles) {
+        if !self.view.figure.items.shows(Item::Handles) {
             return;
         }
-        for (mark, spot) in self.without_overlaps(&handles.marks).into_iter().rev() {
+        for (mark, spot) in self.without_overlaps(&self.view.handles).into_iter().rev() {
             self.knob(mark, spot);
         }
     }
@@ -95,7 +94,7 @@ impl Sketch<'_> {
     }
 
     fn knob(&mut self, mark: &HandleMark, at: DVec2) {
-        let (ink, halo, scale) = (self.colors.hit, self.colors.halo, self.screen.scale);
+        let (ink, halo, scale) = (self.colors.hit, self.colors.background, self.screen.scale);
         let radius = scale * mark.state.radius();
         let mut add = |shape: Shape, color, cased: bool| {
             let pen = LineStyle { halo: cased, ..LineStyle::new(Item::Handles, color, 0.0) };

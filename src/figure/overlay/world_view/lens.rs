@@ -5,8 +5,8 @@ use pinhole_core::{DVec2, DVec3, ResolvedCamera, Sphere};
 
 use crate::observer::{Length, Place};
 use crate::overlay::{
-    Emphasis, Figure, Form, Head, LineStyle, MARK, NUMBER, POINT, Part, Request, Shape, Sketch,
-    Toward, circle, corners, first, half_extent, numbers, tangents, unit,
+    DrawnPart, Emphasis, Form, Head, LineStyle, MARK, POINT, Part, Shape, Sketch, Toward, circle,
+    corners, first, half_extent, numbers, tangents, unit,
 };
 
 /// Size of the viewport on the screen, in points, below which a box is drawn for the camera. In a smaller viewport, the
@@ -26,28 +26,23 @@ const APART: f64 = 14.0;
 const NUMBER_GAP: f64 = 2.0;
 
 impl Sketch<'_> {
-    /// Draws parts: those with emphasis last, on top of all others. The labels of the first `behind` parts come last,
+    /// Draws parts: those with emphasis last, on top of all others. The labels of parts behind come last,
     /// so that the camera's own labels have precedence if space is short.
-    pub(crate) fn parts(&mut self, (parts, behind): (Vec<Part>, usize)) {
-        let Figure { items, highlighted, .. } = self.view.figure;
-        let (mut on_top, mut of_behind) = (Vec::new(), 0);
-        for (k, part) in parts.into_iter().enumerate() {
-            if k == behind {
+    pub(crate) fn parts(&mut self, parts: Vec<DrawnPart>) {
+        let (on_top, others): (Vec<_>, Vec<_>) =
+            parts.into_iter().partition(|drawn| drawn.emphasis.is_on_top());
+        let mut of_behind = 0;
+        for DrawnPart { part, emphasis, is_behind } in &others {
+            self.fades = *emphasis == Emphasis::Faded;
+            self.part(part);
+            if *is_behind {
                 of_behind = self.requests.len();
-            }
-            match part.emphasis(items, highlighted) {
-                None => {}
-                Some(emphasis) if emphasis.is_on_top() => on_top.push(part.emphasized(emphasis)),
-                Some(emphasis) => {
-                    self.fades = emphasis == Emphasis::Faded;
-                    self.part(&part);
-                }
             }
         }
         (self.fades, self.has_labels) = (false, true);
         self.requests.rotate_left(of_behind);
         let others = std::mem::take(&mut self.requests);
-        on_top.iter().for_each(|part| self.part(part));
+        on_top.iter().for_each(|drawn| self.part(&drawn.part));
         self.requests = first(std::mem::take(&mut self.requests), others);
     }
 
@@ -81,7 +76,7 @@ impl Sketch<'_> {
             (Form::Ring(radius), [at]) => self.ring(*at, radius + 2.0, pen),
             (Form::Hole(radius), [at]) => {
                 shown = self.point(*at, radius, pen);
-                let hole = LineStyle { color: self.colors.halo, ..pen }.without_halo();
+                let hole = LineStyle { color: self.colors.background, ..pen }.without_halo();
                 self.point(*at, 0.6 * radius, hole);
             }
             (Form::Outline(sphere), _) => self.outline(&sphere, pen),
@@ -139,7 +134,7 @@ impl Sketch<'_> {
 
     fn outline(&mut self, sphere: &Sphere, pen: LineStyle) {
         let outline = silhouette(sphere, self.view.frame.camera().eye()).unwrap_or_default();
-        let pens = cased(pen, self.colors.halo);
+        let pens = cased(pen, self.colors.background);
         for pen in if pen.halo { &pens[..] } else { &pens[1..] } {
             outline.windows(2).for_each(|ends| self.line(ends[0], ends[1], *pen));
         }
@@ -255,9 +250,9 @@ impl Sketch<'_> {
                 let direction = self.on_screen(edge, outward);
                 Some(self.screen.spot(edge)?.at + direction * direction.abs().dot(room))
             };
-            let placed = numbers(count, self.view.first_number, scale, beside);
-            for (text, at) in placed {
-                self.request(Request::fixed(pen, text, at, NUMBER, self.colors.halo));
+            let (ink, first) = ((pen, self.colors.background), self.view.first_number);
+            for request in numbers(ink, count, first, scale, beside) {
+                self.request(request);
             }
             let middle = at(-out * half);
             let outward = self.on_screen(middle, -outward);

@@ -15,8 +15,8 @@ use rayon::prelude::*;
 
 use crate::Item;
 use crate::overlay::{
-    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, Layers, Picture, Same,
-    Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
+    BAND, Backdrop, Bowl, ColoredScene, Drawing, Figure, Fills, Flat, Grid, HandleMark, Layers,
+    Picture, Same, Screen, Sketch, ViewportLayer, camera_uv_at, mix, opaque, place_labels, wide,
 };
 
 /// The inputs of the world view. Equal inputs give the same picture, so they serve as the cache's key.
@@ -34,6 +34,8 @@ pub struct WorldView {
     /// The observer's picture of [`observer::traced_scene`](crate::observer::traced_scene),
     /// traced at every pixel.
     pub frame: Same<Frame<f32>>,
+    /// The handles that can be dragged.
+    pub handles: Vec<HandleMark>,
     /// The number of the first row and column, 0 or 1.
     pub first_number: u32,
     /// Screen pixels per point.
@@ -180,21 +182,17 @@ impl WorldView {
 
     fn layers<'a>(&'a self, backdrop: &'a Backdrop) -> Layers<'a> {
         let mut layers = Layers::new(&self.frame, backdrop);
-        if let Some(resolved) = &self.figure.resolved {
+        layers.viewport = self.figure.resolved.as_ref().and_then(|resolved| {
+            let (items, image) = (self.figure.items, resolved.image());
             let behind = self.figure.style.colors().background;
-            layers.viewport = viewport_layer(resolved, self.frame.camera(), behind);
-            if let Some(layer) = &mut layers.viewport {
-                let picture =
-                    self.picture.as_ref().filter(|_| self.figure.items.shows(Item::Picture));
-                let image = resolved.image();
-                let picture = picture.filter(|p| p.is_whole() && p.image == image);
-                layer.picture =
-                    picture.map(|p| p.on([image.width() as usize, image.height() as usize]));
-                if self.figure.items.shows(Item::PixelGrid) {
-                    layer.grid = pixel_grid(&self.screen(), resolved);
-                }
-            }
-        }
+            let layer = viewport_layer(resolved, self.frame.camera(), behind)?;
+            let picture = self.picture.as_ref().filter(|_| items.shows(Item::Picture));
+            let picture = picture.filter(|p| p.is_whole() && p.image == image);
+            let picture = picture.map(|p| p.on([image.width() as usize, image.height() as usize]));
+            let has_grid = items.shows(Item::PixelGrid);
+            let grid = has_grid.then(|| pixel_grid(&self.screen(), resolved)).flatten();
+            Some(ViewportLayer { picture, grid, ..layer })
+        });
         layers
     }
 

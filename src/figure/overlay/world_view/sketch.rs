@@ -43,7 +43,7 @@ struct LinePart {
 impl Sketch<'_> {
     /// Adds a visible mark.
     pub(crate) fn add(&mut self, pen: LineStyle, shape: Shape) {
-        self.push(pen.mark(shape, self.colors.halo));
+        self.push(pen.mark(shape, self.colors.background));
     }
 
     fn push(&mut self, mut mark: Mark) {
@@ -174,7 +174,7 @@ impl Sketch<'_> {
     pub(crate) fn label(&mut self, pen: LineStyle, text: &str, at: [DVec2; 2], font: LabelFont) {
         let inside = at[0].cmpge(DVec2::ZERO).all() && at[0].cmple(self.screen.size).all();
         if self.has_labels && inside {
-            self.request(Request::new(pen, text.to_owned(), at, font, self.colors.halo));
+            self.request(Request::new(pen, text.to_owned(), at, font, self.colors.background));
         }
     }
 
@@ -197,7 +197,7 @@ impl Sketch<'_> {
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let dashed = run.hidden || pen.dashed;
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let mark = pen.mark(shape, self.colors.halo);
+            let mark = pen.mark(shape, self.colors.background);
             self.push(Mark { hidden: dashed, pattern: pen.pattern, ..mark });
         }
     }
