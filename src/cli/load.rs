@@ -111,8 +111,16 @@ pub(super) fn selection_of(
     camera: &ResolvedCamera,
     RayArguments { pixel, uv }: RayArguments,
 ) -> Result<Option<Selection>, CommandError> {
-    if let Some(pixel) = pixel {
-        inside(camera.image(), pixel).map_err(|problem| scene_fault(scene, problem))?;
+    let image = camera.image();
+    if let Some(Pixel { row, column }) = pixel.filter(|pixel| !image.contains(*pixel)) {
+        let (height, width) = (image.height(), image.width());
+        let problem = format!(
+            "pixel {row},{column} is outside the image of {height} rows and {width} columns: rows are \
+             0 to {}, columns 0 to {}",
+            height - 1,
+            width - 1
+        );
+        return Err(scene_fault(scene, problem));
     }
     let selection = pixel.map(Selection::Pixel).or(uv.map(Selection::Uv));
     let is_finite = |one: Selection| camera.ray(one.uv(camera)).direction.is_finite();
@@ -122,20 +130,6 @@ pub(super) fn selection_of(
         return Err(scene_fault(scene, problem));
     }
     Ok(selection)
-}
-
-fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
-    if image.contains(pixel) {
-        return Ok(());
-    }
-    let Pixel { row, column } = pixel;
-    let (width, height) = (image.width(), image.height());
-    Err(format!(
-        "pixel {row},{column} is outside the image of {height} rows and {width} columns: rows are \
-         0 to {}, columns 0 to {}",
-        height - 1,
-        width - 1
-    ))
 }
 
 /// Returns the size of a picture, by default the `usual` size. If only the width or the height is given,

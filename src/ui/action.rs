@@ -205,14 +205,6 @@ pub enum Observe {
     FrameAll,
 }
 
-impl Observe {
-    /// Returns true if the observer jumps to another view, rather than moving by steps.
-    pub(crate) fn is_another_view(&self) -> bool {
-        use Observe::{Along, FrameAll, FrameCamera, FrameSphere};
-        matches!(self, Along(_) | FrameAll | FrameCamera | FrameSphere(_))
-    }
-}
-
 /// Adds or deletes one of the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ObjectAction {

@@ -50,6 +50,25 @@ impl Page {
         figure: FigureSubject::World,
     };
 
+    /// Both views and a few numbers, or all of them.
+    const BOTH: Page = Page {
+        follows_pointer: true,
+        areas: figure_and_numbers,
+        rest: numbers,
+        lights: Some(HoverSource::Numbers),
+        ..Page::VIEWS
+    };
+
+    /// The derivation beside both views.
+    const DERIVATION: Page = Page {
+        follows_pointer: true,
+        areas: stack_beside,
+        rest: derivation::ui,
+        lights: Some(HoverSource::Derivation),
+        figure: FigureSubject::Derivation,
+        ..Page::VIEWS
+    };
+
     /// A page that is not about the scene: without views and side panel.
     const ALONE: Page = Page { has_panel: false, areas: no_views, ..Page::VIEWS };
 }
@@ -57,33 +76,18 @@ impl Page {
 /// Returns the page of a layout.
 pub(crate) fn page(layout: ViewLayout) -> Page {
     match layout {
-        ViewLayout::Both => Page {
-            follows_pointer: true,
-            areas: figure_and_numbers,
-            rest: numbers,
-            lights: Some(HoverSource::Numbers),
-            ..Page::VIEWS
-        },
-        ViewLayout::World => Page {
-            areas: |divider| divider.figure_and_foot(true),
-            rest: foot,
-            ..page(ViewLayout::Both)
-        },
+        ViewLayout::Both => Page::BOTH,
+        ViewLayout::World => {
+            Page { areas: |divider| divider.figure_and_foot(true), rest: foot, ..Page::BOTH }
+        }
         ViewLayout::Camera => Page {
             areas: |divider| divider.figure_and_foot(false),
             rest: foot,
             figure: FigureSubject::Camera,
-            ..page(ViewLayout::Both)
+            ..Page::BOTH
         },
-        ViewLayout::Derivation => Page {
-            follows_pointer: true,
-            areas: stack_beside,
-            rest: derivation::ui,
-            lights: Some(HoverSource::Derivation),
-            figure: FigureSubject::Derivation,
-            ..Page::VIEWS
-        },
-        ViewLayout::DerivationAlone => Page { areas: no_views, ..page(ViewLayout::Derivation) },
+        ViewLayout::Derivation => Page::DERIVATION,
+        ViewLayout::DerivationAlone => Page { areas: no_views, ..Page::DERIVATION },
         ViewLayout::Plot => Page {
             follows_pointer: true,
             areas: above_graph,

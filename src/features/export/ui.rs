@@ -105,7 +105,11 @@ impl ExportForm {
         Grid::new("export").num_columns(2).show(ui, |ui| {
             self.looks(ui, shown);
             if let Some((_, frames)) = &mut self.animation {
-                frames_ui(ui, frames);
+                let count = DragValue::new(&mut frames.count).range(1..=MOST_FRAMES);
+                number(ui, "frames", "frames", count);
+                let most = Frames::MOST_PER_SECOND;
+                let rate = DragValue::new(&mut frames.per_second).range(1..=most);
+                number(ui, "per second", "frames per second", rate);
             }
         });
         let typed = self.field.text.clone();
@@ -205,12 +209,4 @@ fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
     let response = ui.add(field).named(name);
     ui.end_row();
     response.changed()
-}
-
-/// Shows the number of frames and their rate.
-fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
-    let count = DragValue::new(&mut frames.count).range(1..=MOST_FRAMES);
-    number(ui, "frames", "frames", count);
-    let rate = DragValue::new(&mut frames.per_second).range(1..=Frames::MOST_PER_SECOND);
-    number(ui, "per second", "frames per second", rate);
 }

@@ -132,25 +132,26 @@ fn share_that_differs(wrong: &ComparedCamera) -> Option<String> {
     Some(format!("{} of the picture differs", percent(shares.differing, shares.pixels)))
 }
 
-/// Shows the gallery, the explanation and the checks side by side, or the vote instead of them. In a narrow
-/// area, the gallery is in a menu.
+/// Shows the open vote or, if there is none, the gallery of mistakes.
 pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
-    let PageContext { open, session, derived, tools, style, .. } = context;
-    let (document, gallery, style) = (&open.document, &mut tools.gallery, *style);
-    let mistakes_view = &mut session.shown.mistakes_view;
-    let inputs = derived.resolved.as_ref().zip(derived.scene.as_deref());
-    let inputs = inputs.map(|(resolved, scene)| (&document.camera, resolved, scene));
-    if mistakes_view.wants_vote
-        && let Some((camera, resolved, scene)) = inputs
+    let view = &mut context.session.shown.mistakes_view;
+    let inputs = context.derived.resolved.as_ref().zip(context.derived.scene.as_deref());
+    if view.wants_vote
+        && let Some((resolved, scene)) = inputs
     {
-        mistakes_view.ask(camera, resolved, scene);
+        view.ask(&context.open.document.camera, resolved, scene);
         ui.ctx().request_discard("a vote was opened after its picture was drawn");
     }
-    if mistakes_view.open_vote.is_some() {
-        return vote::ui::ui(ui, mistakes_view, derived.wrong_camera.as_deref(), inputs.is_some());
-    }
+    if view.open_vote.is_some() { vote::ui::ui(ui, context) } else { choice(ui, context) }
+}
+
+/// Shows the gallery, the explanation and the checks side by side. In a narrow area, the gallery is in a menu.
+fn choice(ui: &mut Ui, context: &mut PageContext<'_>) {
+    let PageContext { open, session, derived, tools, style, .. } = context;
+    let (gallery, style, can_ask) = (&mut tools.gallery, *style, vote::ui::can_ask(derived));
+    let mistakes_view = &mut session.shown.mistakes_view;
     if derived.fault.is_none() {
-        gallery.step(ui, document, session.shown.setup.shade);
+        gallery.step(ui, &open.document, session.shown.setup.shade);
     }
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let whole = ui.available_rect_before_wrap();
@@ -166,7 +167,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (left, right) = (whole.left() + thumbnails, whole.right() - checks_width);
     if !is_stacked {
         column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-            vote::ui::button(ui, mistakes_view, inputs.is_some());
+            vote::ui::button(ui, mistakes_view, can_ask);
             gallery.grid(ui, &mut mistakes_view.chosen);
         });
     }
@@ -181,7 +182,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
                     ui.set_min_width(most.min(COLUMNS[2] * CELL.x));
                     gallery.grid(ui, chosen);
                 });
-                vote::ui::button(ui, mistakes_view, inputs.is_some());
+                vote::ui::button(ui, mistakes_view, can_ask);
             });
         }
         if is_narrow {

@@ -125,7 +125,7 @@ fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<&Root>, dig
     let object = curve.named.object;
     let title = ui.horizontal_wrapped(|ui| {
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
-        line_sample(ui, sample, curve);
+        stroke(ui.painter(), &[sample.left_center(), sample.right_center()], curve);
         ui.label(RichText::new(&curve.named.title).strong());
         text(ui, &curve.unit_words(digits));
         if first.is_some_and(|hit| hit.object == object) {
@@ -238,11 +238,6 @@ fn input(ui: &Ui, rect: Rect, scale: &Scale, ray_point_t: &mut Option<f64>) {
 fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     let dashes = DASHES[curve.index % DASHES.len()];
     chart::line(painter, points, (3.0, curve.named.color), dashes);
-}
-
-/// Draws a sample of the curve's line, which links the text to the curve.
-fn line_sample(ui: &Ui, rect: Rect, curve: &Curve) {
-    stroke(ui.painter(), &[rect.left_center(), rect.right_center()], curve);
 }
 
 impl PlotDrawing<'_> {

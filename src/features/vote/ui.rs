@@ -14,11 +14,13 @@ use pinhole_lecture::mistakes::{ComparedCamera, Mistake, Vote};
 use crate::features::mistakes::MistakesView;
 use crate::features::vote::state::OpenVote;
 use crate::model::session::Session;
+use crate::ui::PageContext;
 use crate::ui::action::{LookAction, VoteAction};
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{
     ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
 };
+use crate::view::derive::Derived;
 
 /// The question's text.
 pub(crate) const ASKED: &str = "Which mistake made the wrong picture?";
@@ -102,13 +104,14 @@ pub(crate) fn button(ui: &mut Ui, view: &MistakesView, can: bool) {
     ui.add_space(3.0);
 }
 
+/// Returns true if there is a picture to vote on.
+pub(crate) fn can_ask(derived: &Derived) -> bool {
+    derived.resolved.is_some() && derived.scene.is_some()
+}
+
 /// Shows the vote.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    view: &mut MistakesView,
-    wrong: Option<&ComparedCamera>,
-    can_ask: bool,
-) {
+pub(crate) fn ui(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageContext<'_>) {
+    let (view, wrong) = (&mut session.shown.mistakes_view, derived.wrong_camera.as_deref());
     let whole = ui.available_rect_before_wrap().shrink2(vec2(10.0, 6.0));
     let Some(open) = &mut view.open_vote else { return };
     let is_wide = whole.width() > WIDE * whole.height();
@@ -127,7 +130,7 @@ pub(crate) fn ui(
         let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
         area.show(ui, |ui| reason(ui, open, wrong));
     });
-    inside(ui, bar, |ui| buttons(ui, view, can_ask, is_wide));
+    inside(ui, bar, |ui| buttons(ui, view, can_ask(derived), is_wide));
 }
 
 fn question(ui: &mut Ui, rect: Rect) {

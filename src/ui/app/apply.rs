@@ -18,7 +18,7 @@ use crate::model::session::{
     Preferences, Session, Settings, ThemeName, ViewLayout, Workspace, ZOOM,
 };
 use crate::ui::action::{
-    Action, FileAction, FileUse, Leave, LessonAction, LookAction, PlayAction, ShareAction,
+    Action, FileAction, FileUse, Leave, LessonAction, LookAction, Observe, PlayAction, ShareAction,
 };
 use crate::ui::app::App;
 use crate::ui::app::scene::Opened;
@@ -95,8 +95,10 @@ impl App {
                 self.dragging.steer(steer, &mut self.scene.open.document.camera, time);
             }
             Action::Observe(observe) => {
+                use Observe::{Along, FrameAll, FrameCamera, FrameSphere};
                 let size = self.views.world_size();
-                if observe.is_another_view() {
+                // The observer jumps to another view, rather than moving by steps.
+                if let Along(_) | FrameAll | FrameCamera | FrameSphere(_) = observe {
                     self.views.glide.begin(ctx);
                 }
                 self.question.as_mut().unwrap_or(&mut self.scene).observe(observe, size);

@@ -1,5 +1,5 @@
-//! Reads and writes files other than scenes: the translator's text, a student's answers, and figures of the
-//! views on the screen.
+//! Asks for files, and reads and writes those other than scenes: the translator's text, a student's answers, and
+//! figures of the views on the screen.
 
 use std::io::Read as _;
 use std::path::{Path, PathBuf};

@@ -137,13 +137,9 @@ impl App {
             *blank = !over::took_key(ctx);
         } else if !self.over.covers() {
             self.keys(ctx);
-            if let Some(action) = files::pasted(ctx) {
-                request(ctx, action);
-            }
             let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
-            if let Some(path) = dropped {
-                request(ctx, Action::Use(FileUse::Open, path));
-            }
+            let dropped = dropped.map(|path| Action::Use(FileUse::Open, path));
+            files::pasted(ctx).into_iter().chain(dropped).for_each(|action| request(ctx, action));
         }
         if self.window.is_to_close(ctx) {
             self.stop_animation();
@@ -323,13 +319,10 @@ impl App {
         let Session { shown, presenting, .. } = &self.scene.session;
         let is_flat = self.scene.session.shows_exercise() && self.question.is_none();
         let is_swapped = presenting.is_some_and(|now| now.is_swapped(shown.setup.layout));
-        let stage = || {
-            let stage = Stage::new(whole, shown.setup.layout, self.band(whole));
-            // A question in two dimensions has no camera.
-            let layout = if is_flat { ViewLayout::Lines } else { shown.setup.layout };
-            Stage { is_swapped, layout, ..stage }
-        };
-        self.scene.has_stage().then(stage)
+        let stage = Stage::new(whole, shown.setup.layout, self.band(whole));
+        // A question in two dimensions has no camera.
+        let layout = if is_flat { ViewLayout::Lines } else { shown.setup.layout };
+        self.scene.has_stage().then_some(Stage { is_swapped, layout, ..stage })
     }
 
     /// Returns the height of the numbers at the foot of the main figure.
@@ -401,7 +394,8 @@ impl App {
     fn outputs(&mut self, ui: &mut Ui, rects: &ViewRects, stage: Option<&Stage>) {
         let page = self.page();
         if let Some(stage) = stage {
-            stage.show_ground(ui);
+            // Its pictures and graphs need not cover it.
+            ui.painter().rect_filled(stage.main, 0.0, theme::style(ui).colors().background);
         }
         self.show_views(ui, rects, stage.is_some());
         let style = self.scene.session.shown.setup.number_style();

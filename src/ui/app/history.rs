@@ -23,7 +23,7 @@ pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
     /// The document after the last step.
     pub(super) settled: Document,
-    /// The last step, which the next change may extend.
+    /// How the last step came about, which the next change may extend.
     last: Option<Last>,
 }
 
@@ -38,7 +38,6 @@ pub(super) enum Moment {
 
 #[derive(Debug)]
 struct Last {
-    name: String,
     focus: Option<Id>,
     time: f64,
 }
@@ -63,15 +62,16 @@ impl SceneHistory {
         let scrolls = ctx.input(|i| i.smooth_scroll_delta().y != 0.0 || i.zoom_delta() != 1.0);
         let goes_on = self.last.as_ref().is_some_and(|last| {
             let same_field = last.focus == focus && (focus.is_some() || scrolls);
-            name.gradual && name.text == last.name && same_field && time - last.time < PAUSE
+            let same_name = self.steps.undo_name() == Some(&name.text);
+            name.gradual && same_name && same_field && time - last.time < PAUSE
         });
         let settled = std::mem::replace(&mut self.settled, document.clone());
         if goes_on {
             self.steps.extend();
         } else {
-            self.steps.record(name.text.clone(), Moment::Edited(Box::new(settled)));
+            self.steps.record(name.text, Moment::Edited(Box::new(settled)));
         }
-        self.last = Some(Last { name: name.text, focus, time });
+        self.last = Some(Last { focus, time });
     }
 
     /// Records, as an undo step, that another scene or lesson step was opened, or that the open one was

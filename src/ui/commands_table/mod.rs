@@ -216,13 +216,6 @@ pub enum When {
     WorldView,
 }
 
-impl When {
-    /// Returns true if the key works only during a vote.
-    fn is_of_vote(self) -> bool {
-        matches!(self, When::Vote | When::VoteUntyped | When::VoteUnfocused)
-    }
-}
-
 /// A key with its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Keys {
@@ -291,7 +284,8 @@ pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Actio
     }
     let mut actions = Vec::new();
     let keys = || all().iter().flat_map(|command| command.keys.iter().map(move |k| (k, command)));
-    let (of_vote, others): (Vec<_>, Vec<_>) = keys().partition(|(keys, _)| keys.when.is_of_vote());
+    let is_of_vote = |when| matches!(when, When::Vote | When::VoteUntyped | When::VoteUnfocused);
+    let (of_vote, others): (Vec<_>, Vec<_>) = keys().partition(|(keys, _)| is_of_vote(keys.when));
     for (keys, command) in of_vote.into_iter().chain(others).filter(|(keys, _)| counts(keys.when)) {
         let times = keys.take(ctx);
         actions.extend((0..times).map(|_| (keys.when, command.action.clone())));

@@ -64,18 +64,8 @@ fn plain(when: When, k: Key) -> Keys {
 
 /// Returns every command that does not depend on what is open.
 pub(super) fn table() -> Vec<UiCommand> {
-    let parts = [
-        files,
-        program,
-        presenting,
-        voting,
-        playing,
-        steps,
-        zooms,
-        objects_and_drags,
-        switches,
-        choices,
-    ];
+    let parts =
+        [files, program, presenting, voting, playing, steps, views_and_objects, switches, choices];
     parts.into_iter().flat_map(|part| part()).collect()
 }
 
@@ -347,8 +337,8 @@ pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
 }
 
 #[rustfmt::skip]
-fn zooms() -> Vec<UiCommand> {
-    use When::{CameraView, View, WorldView};
+fn views_and_objects() -> Vec<UiCommand> {
+    use When::*;
     commands![
         Hand, "Narrow the field of view", "Makes the viewport smaller and the picture's contents larger.",
             Steer(CameraMove::Zoom, 1, 0) => plain(CameraView, Key::Plus), plain(CameraView, Key::Equals);
@@ -366,13 +356,6 @@ fn zooms() -> Vec<UiCommand> {
             Observe::Zoom(1) => plain(WorldView, Key::Plus), plain(WorldView, Key::Equals);
         Views, "Observer farther", "Moves the observer away from what it looks at.",
             Observe::Zoom(-1) => plain(WorldView, Key::Minus);
-    ]
-}
-
-#[rustfmt::skip]
-fn objects_and_drags() -> Vec<UiCommand> {
-    use When::Untyped;
-    commands![
         Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.", ObjectAction::AddSphere;
         Objects, "+ Plane", "Adds a plane below the origin, and chooses it.", ObjectAction::AddPlane;
         Objects, "Delete the chosen object", "Deletes it from the scene.",

@@ -46,7 +46,8 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     if choice.height() > 0.0 {
         inside(ui, choice, |ui| exercises::ui::choice(ui, context));
     }
-    let has_two_parts = stage.is_above_column()
+    let is_below_figure = stage.column.top() > stage.main.top();
+    let has_two_parts = is_below_figure
         && whole.width() > whole.height()
         && formulas_height(ui, context, whole.width(), WRITTEN) > 0.0;
     let (texts, card) = if has_two_parts {

@@ -7,7 +7,6 @@
 
 use egui::{Rect, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
-use pinhole_figure::typesetting::theme;
 
 use crate::features::{exercises, lines, plot};
 use crate::model::ViewLayout;
@@ -63,11 +62,6 @@ impl Stage {
         Stage { main, column, layout, band, is_swapped: false }
     }
 
-    /// Returns true if the column is below the figure.
-    pub(crate) fn is_above_column(&self) -> bool {
-        self.column.top() > self.main.top()
-    }
-
     /// Returns the areas of the layout's views; `None` if the layout's page arranges the main figure itself.
     pub(crate) fn areas(&self, image: ImageSize) -> Option<Areas> {
         let Stage { main: whole, band, layout, .. } = *self;
@@ -100,12 +94,6 @@ impl Stage {
             ViewLayout::Lines => areas(None, None, whole),
             _ => None,
         }
-    }
-
-    /// Fills the area of the main figure with the views' own ground, which its pictures and graphs need not
-    /// cover.
-    pub(crate) fn show_ground(&self, ui: &Ui) {
-        ui.painter().rect_filled(self.main, 0.0, theme::style(ui).colors().background);
     }
 
     /// Shows what belongs to the main figure beside its views, in `rest`, and the column.
