@@ -3,8 +3,9 @@
 //!
 //! # Rooms
 //!
-//! The crates know no window and no session; Cargo keeps each of them to those below it. Above them are the rooms of
-//! the program. Each uses only rooms below it, and no two rooms use one another: `tests/layout.rs` checks this.
+//! The crates know no window and no session; Cargo keeps them apart. Above them are the rooms of the program, each of which
+//! uses only rooms below it. A feature has a part on several floors: `ui.rs` is of the window's, `state.rs` of the
+//! model's, which holds it. No circle of uses runs through files of features and rooms: `tests/layout.rs` checks this.
 //!
 //! ```text
 //! platform                         a window, drawn by wgpu or the CPU; a page of a browser
@@ -18,8 +19,7 @@
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! In a feature's folder, `state.rs` is what it remembers, which the session or a lesson's step holds, and `ui.rs` is what
-//! it shows. The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
+//! In a feature's folder, `state.rs` is what it remembers, and `ui.rs` is what it shows. The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
 //! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests use it,
 //! and of the program only `pinhole report`.
 //!
@@ -34,7 +34,7 @@
 //! 2. *Apply*: keys, menus and views request [`Action`](ui::action::Action)s. Each is applied by the
 //!    part that owns the state.
 //! 3. *Derive*: [`view::derive`] computes everything that is shown from the document and the session
-//!    ([`model::session`]). It caches the results by their inputs, so that an idle window does no work.
+//!    ([`model::session`]). What costs more than a fraction of a millisecond is cached by its inputs.
 //! 4. *Outputs*: views, readouts and textures all read the same [`Derived`](view::derive::Derived) and
 //!    cannot change it, so all of them show the same frame.
 //!

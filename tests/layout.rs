@@ -177,7 +177,7 @@ fn paths(text: &str) -> BTreeSet<String> {
 }
 
 /// Returns for each room, a module of a crate, of a floor or of a feature, those that it uses: `src/view/derive` uses
-/// `src/view/plot`. Names that a floor or crate passes on count as those of the room that they come from.
+/// `src/model/session`. Names that a floor or crate passes on count as those of the room that they come from.
 fn rooms() -> BTreeMap<String, BTreeSet<String>> {
     let is_apart = |name: &str| {
         ["/tests/", "/benches/", "/examples/"].iter().any(|folder| name.contains(folder))
@@ -211,16 +211,30 @@ fn rooms() -> BTreeMap<String, BTreeSet<String>> {
         }
     }
     let mut uses = BTreeMap::<String, BTreeSet<String>>::new();
-    // What stands for a folder names its parts.
-    for (name, text) in files.iter().filter(|(name, _)| !name.ends_with("/mod.rs")) {
+    for (name, text) in &files {
         let (root, from) = room_of(name);
+        // What stands for a floor names its parts.
+        if from.ends_with("/mod") {
+            continue;
+        }
         for path in paths(text) {
             let place = format!("{root}{}", path.replace("::", "/"));
             let prefixes = place.match_indices('/').map(|(end, _)| &place[..end]);
             let passed = prefixes.chain([&*place]).find_map(|prefix| passed_on.get(prefix));
             let to = room_of(passed.unwrap_or(&place)).1;
-            if known.contains(&to) && to != from {
-                uses.entry(from.clone()).or_default().insert(to);
+            // A feature that is used by its name is followed to its files.
+            let name = to.strip_prefix("src/features/").filter(|name| !name.contains('/'));
+            let mut files = Vec::new();
+            if let Some(own) = name.map(|name| format!("{name}::")) {
+                for part in text.split(&own).skip(1) {
+                    let end = part.find(|c: char| !c.is_alphanumeric() && c != '_');
+                    files.push(format!("{to}/{}", &part[..end.unwrap_or(part.len())]));
+                }
+            }
+            for to in files.into_iter().chain([to]) {
+                if known.contains(&to) && to != from {
+                    uses.entry(from.clone()).or_default().insert(to);
+                }
             }
         }
     }
@@ -243,12 +257,35 @@ fn nothing_reaches_up() {
     for (from, uses) in &rooms {
         for to in uses {
             let floors = (floor_of(from), floor_of(to));
-            // What a feature remembers is part of the session, on the lowest floor.
+            // What a feature remembers and computes is part of the session, on the lowest floor.
             let is_state = to.starts_with("src/features/") && floors.1 == Some(1);
             let reaches_up = matches!(floors, (Some(from), Some(to)) if from < to);
             assert!(!reaches_up || is_state, "{from} uses {to}");
         }
     }
+}
+
+/// The features that use another one.
+const FEATURES_OF_OTHERS: [(&str, &str); 6] = [
+    ("class", "exercises"),
+    ("exercises", "lines"),
+    ("export", "lines"),
+    ("export", "play"),
+    ("mistakes", "vote"),
+    ("vote", "mistakes"),
+];
+
+#[test]
+fn features_do_not_use_one_another() {
+    let feature =
+        |room: &str| Some(room.strip_prefix("src/features/")?.split('/').next()?.to_owned());
+    let mut found = BTreeSet::new();
+    for (from, uses) in rooms() {
+        let pairs = uses.iter().filter_map(|to| Some((feature(&from)?, feature(to)?)));
+        found.extend(pairs.filter(|(from, to)| from != to));
+    }
+    let known = FEATURES_OF_OTHERS.map(|(from, to)| (from.to_owned(), to.to_owned()));
+    assert_eq!(found, BTreeSet::from(known));
 }
 
 #[test]

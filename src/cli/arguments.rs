@@ -7,11 +7,11 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ContextKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_exchange::{Conventions, Format, SceneSource};
 use pinhole_figure::overlay::Style;
 
 use crate::features::export::order::FigureSubject;
 use crate::model::lessons::LessonArgument;
-use pinhole_exchange::{Conventions, Format, SceneSource};
 
 /// See what a pinhole camera sees, and why.
 ///

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use pinhole_core::{DVec3, Orientation, Pixel, ResolvedCamera, UpAngle, shortest, triple};
 use pinhole_exchange::document::Document;
+use pinhole_figure::readings::{Reading, ReadingValue, of_basis};
 use pinhole_figure::{Concept, Inspection};
 use pinhole_lecture::numbers::grouped;
 use serde_json::{Value, json};
@@ -11,7 +12,6 @@ use serde_json::{Value, json};
 use super::console::{CommandError, columns, scene_fault, to_json, to_stdout};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::InspectArguments;
-use pinhole_figure::readings::{Reading, ReadingValue, of_basis};
 
 /// A ray with the numbers to print.
 struct Readout<'a> {

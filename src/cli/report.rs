@@ -16,8 +16,8 @@ use crate::cli::arguments::ReportArguments;
 use crate::features::export::order::by_ending;
 use crate::report::measure::Measurement;
 use crate::report::model::Report;
-use crate::report::plot::PNG_SCALE;
-use crate::report::{plot, table};
+use crate::report::plot::{self, PNG_SCALE};
+use crate::report::table;
 
 pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     check(arguments)?;

@@ -1,5 +1,5 @@
 //! The state that the user edits and that is stored between runs: the session around a document, its
-//! history, lessons and animations.
+//! history and lessons.
 //!
 //! A document ([`pinhole_exchange::document::Document`]) holds the contents of a scene file; the
 //! [`session::Session`] holds the state of its views. Nothing here draws.

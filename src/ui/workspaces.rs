@@ -2,6 +2,7 @@
 //! [`Page`] here, a line in [`page`], and a row in the model's table of layouts.
 
 use egui::{Align, Layout, RichText, TextWrapMode, Ui, UiBuilder, vec2};
+use pinhole_figure::HoverSource;
 use pinhole_figure::typesetting::theme::{self, STACKED};
 
 use crate::features::export::order::FigureSubject;
@@ -14,7 +15,6 @@ use crate::ui::scene::{compare, readouts};
 use crate::ui::widgets::{clipped, inside};
 use crate::ui::{PageContext, derivation};
 use crate::view::derive::SecondPicture;
-use pinhole_figure::HoverSource;
 
 /// A page of a workspace.
 pub(crate) struct Page {

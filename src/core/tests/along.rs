@@ -1,11 +1,12 @@
 //! Tests of [`AlongRay`], an object's implicit function f along a ray.
 
-use crate::common::oracle::{Big, Big3, big, near};
-use crate::common::seed::config;
-use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3, vector};
 use pinhole_core::*;
 use pinhole_reference::Family;
 use proptest::prelude::*;
+
+use crate::common::oracle::{Big, Big3, big, near};
+use crate::common::seed::config;
+use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3, vector};
 
 /// The lecture's camera that looks halfway between -x and -z, given by its view direction.
 const AT_45_DEGREES: Camera = Camera {

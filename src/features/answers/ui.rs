@@ -4,6 +4,7 @@
 
 use egui::{Align, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2};
 use pinhole_core::Selection;
+use pinhole_figure::overlay::opaque;
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::typesetting::theme::error_color;
 use pinhole_lecture::grading::{Cell, Graded};
@@ -14,7 +15,6 @@ use crate::ui::action::{Action, AnswersAction, FileUse, LookAction};
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{ResponseExt as _, sign};
 use crate::view::derive::{Derived, SecondPicture};
-use pinhole_figure::overlay::opaque;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

@@ -2,8 +2,7 @@
 //! they have been revealed.
 
 use pinhole_core::{DVec2, DVec3, Ray};
-use pinhole_figure::{AnswerMark, MarkShape};
-use pinhole_figure::{Item, OverlayItems};
+use pinhole_figure::{AnswerMark, Item, MarkShape, OverlayItems};
 use pinhole_lecture::exercises::{Answer, Asked, Given};
 
 use crate::features::exercises::{Exercises, Feedback, TypedAnswer};

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use egui::{FontId, Sense, Ui, vec2};
 use pinhole_figure::derivation::Derivation;
-use pinhole_figure::typesetting::theme;
-use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::{self, WRITTEN};
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::{LARGEST_SEED, next_seed};
@@ -19,9 +18,8 @@ use crate::features::lines::view::{draw_exercise, substitution};
 use crate::model::Session;
 use crate::ui::action::{AnswersAction, ShareAction};
 use crate::ui::scene::views;
-use crate::ui::stage::column::SIZES;
 use crate::ui::widgets::seed_field;
-use crate::ui::widgets::{self, ResponseExt as _, button_width, combo, inside, marked_text};
+use crate::ui::widgets::{self, ResponseExt as _, SIZES, button_width, combo, inside, marked_text};
 use crate::ui::{PageContext, derivation};
 use crate::view::derive::Derived;
 

@@ -1,8 +1,7 @@
 //! The answer fields of an exercise: each with the sign of its verdict and what is said of its answer.
 
 use egui::{Align, Color32, Context, FontId, Id, Key, Label, Layout, RichText, Stroke, Ui, vec2};
-use pinhole_figure::typesetting::theme::WRITTEN;
-use pinhole_figure::typesetting::theme::{self, error_color};
+use pinhole_figure::typesetting::theme::{self, WRITTEN, error_color, text_size};
 use pinhole_lecture::Mistake;
 use pinhole_lecture::exercises::{QuestionPart, Verdict};
 
@@ -14,7 +13,6 @@ use crate::ui::action::LookAction;
 use crate::ui::widgets::{
     ResponseExt as _, line_field, marked_text, sign, text_width, vector_color,
 };
-use pinhole_figure::typesetting::theme::text_size;
 
 /// Describes what the user may type.
 const HINT: &str =

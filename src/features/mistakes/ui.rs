@@ -6,8 +6,9 @@ use egui::{
     Align, Color32, FontId, FontSelection, Label, Layout, Rect, RichText, ScrollArea, Ui,
     UiBuilder, pos2,
 };
+use pinhole_figure::readings::ReadingValue;
 use pinhole_figure::typesetting::theme::{STACKED, error_color, text_size};
-use pinhole_figure::{Concept, NumberStyle};
+use pinhole_figure::{Concept, Formulas, NumberStyle};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted, WrongCamera};
 use pinhole_lecture::numbers::percent;
 
@@ -19,8 +20,6 @@ use crate::ui::PageContext;
 use crate::ui::scene::view_rects::strip_above;
 use crate::ui::widgets::{self, ResponseExt as _, Words, cell, combo, sign, vector_color};
 use crate::view::derive::SecondPicture;
-use pinhole_figure::Formulas;
-use pinhole_figure::readings::ReadingValue;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

@@ -13,14 +13,13 @@ use egui::{
 use pinhole_core::{NO_OBJECT, Paint, Raster, Shade};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
-use pinhole_figure::overlay::Style;
+use pinhole_figure::overlay::{Style, opaque};
 use pinhole_figure::typesetting::theme;
 use pinhole_lecture::mistakes::{ComparedCamera, ComparedPicture, Mistake};
 
 use crate::ui::action::Leave;
 use crate::ui::widgets::{ResponseExt as _, ViewTexture};
 use crate::view::adaptive_resolution::REST;
-use pinhole_figure::overlay::opaque;
 
 /// Maximum width and height of a picture, in pixels and in points.
 const PICTURE: Vec2 = vec2(96.0, 72.0);

@@ -6,10 +6,10 @@ use std::f64::consts::{PI, TAU};
 
 use pinhole_core::steering::SteerError;
 use pinhole_core::{Camera, DVec2, Orientation, Pixel, Scene, Selection, Viewport};
+use pinhole_exchange::document::Document;
 use pinhole_figure::Inspection;
 
 use crate::model::Session;
-use pinhole_exchange::document::Document;
 
 pinhole_core::texts! {
     /// The kind of an animation: a motion of the camera, of a point on the ray, or of the selected pixel.

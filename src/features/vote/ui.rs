@@ -7,8 +7,7 @@ use egui::{
     Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
-use pinhole_figure::typesetting::theme::WRITTEN;
-use pinhole_figure::typesetting::theme::error_color;
+use pinhole_figure::typesetting::theme::{WRITTEN, error_color};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, Vote};
 
 use crate::features::mistakes::MistakesView;

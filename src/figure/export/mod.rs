@@ -88,9 +88,6 @@ impl Figure {
         pixels
     }
 
-    /// Encodes the figure in a file format, and returns the bytes of the file.
-    ///
-    /// # Errors
     /// Adds a picture below everything else, the outlines of its spheres, and paths over it, all in dots.
     #[must_use]
     pub fn with_view(
@@ -113,6 +110,9 @@ impl Figure {
         }
     }
 
+    /// Encodes the figure in a file format, and returns the bytes of the file.
+    ///
+    /// # Errors
     /// Returns an error, as a sentence, if the figure cannot be written in this format.
     pub fn to_file(&self, format: FigureFormat) -> Result<Vec<u8>, String> {
         match format {
@@ -139,7 +139,6 @@ fn to_png(size: [usize; 2], pixels: &[Color32], transparent: bool) -> Result<Vec
     Ok(bytes)
 }
 
-/// Converts premultiplied pixels to straight alpha.
 /// Returns pixels as red, green, blue and opacity, not multiplied by it.
 pub fn to_srgba(pixels: &[Color32]) -> Vec<[u8; 4]> {
     pixels.iter().map(Color32::to_srgba_unmultiplied).collect()

@@ -2,14 +2,13 @@
 
 use pinhole_exchange::is_hidden;
 
-use super::layout::{self, pieces, upright};
+use super::layout::{self, FRACTION, pieces, upright};
 use super::{Arrangement, Face, Formula, Operator, TextMeasure, left_width};
 
 /// Writes a formula for LaTeX's math mode.
 pub(crate) fn math(formula: &Formula) -> String {
     match formula {
-        Formula::Scalar(letter) if letter.len() == 1 => (*letter).to_owned(),
-        Formula::Scalar(name) => format!(r"\mathit{{{name}}}"),
+        Formula::Scalar(name) => named("mathit", name),
         Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
         Formula::Word(text) => word(text),
         Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
@@ -57,86 +56,96 @@ impl TextMeasure for ComputerModern {
     }
 }
 
-/// Maximum width of the part before a formula's first relation, as a fraction of the page's, that is aligned. A
-/// formula with a wider one begins where the others have their relations.
-const LEFT: f32 = 0.32;
-
 /// Writes formulas, each with a note, which may be empty, as the lines of an `align*` environment. They are
 /// aligned at their first relations. Formulas that are too wide for a page are broken before relations,
 /// then before operators; then their vectors are written as columns.
 pub(crate) fn aligned<'a>(lines: impl Iterator<Item = (&'a Formula, &'a str)> + Clone) -> String {
-    let left = |formula: &Formula| {
-        Some(left_width(formula, 1.0, &mut ComputerModern)).filter(|left| *left <= LEFT * PAGE)
-    };
-    let room = PAGE - lines.clone().filter_map(|(formula, _)| left(formula)).fold(0.0, f32::max);
+    let left = |formula| left_width(formula, 1.0, &mut ComputerModern);
+    let room = PAGE - lines.clone().map(|(formula, _)| left(formula)).fold(0.0, f32::max);
     let rows = lines.flat_map(|(formula, note)| {
-        let parts = formula.parts();
-        let relation = parts.iter().position(Formula::is_relation);
-        let at = relation.filter(|_| left(formula).is_some()).unwrap_or(0);
-        let first = if at > 0 { format!("{} &", row(&parts[..at])) } else { "&".to_owned() };
-        let mut rows = Rows { rows: vec![first], used: 0.0, room };
-        rows.formula(&parts[at..]);
+        let mut rows = Rows { done: Vec::new(), open: String::new(), used: 0.0, room };
+        rows.formula(formula.parts());
         rows.note(note);
-        rows.rows
+        rows.done.push(rows.open);
+        rows.done
     });
     rows.map(|row| format!("  {row}")).collect::<Vec<_>>().join(" \\\\\n")
 }
 
 /// Builds the rows of one line in an `align*` environment.
 struct Rows {
-    /// The rows, of which the last one is unfinished.
-    rows: Vec<String>,
-    /// Width of the last row after its `&`, in ems.
+    done: Vec<String>,
+    /// The unfinished row.
+    open: String,
+    /// Width of the unfinished row after its `&`, in ems.
     used: f32,
     /// Maximum width of a row after its `&`, in ems.
     room: f32,
 }
 
-/// Width of the indent of later terms and of notes, in ems.
-const INDENT: f32 = 2.0;
-
 impl Rows {
     fn formula(&mut self, parts: &[Formula]) {
-        let width = |parts: &[Formula]| layout::row(parts, 1.0, &mut ComputerModern).width;
-        for side in pieces(parts, Formula::is_relation) {
+        let at = parts.iter().position(Formula::is_relation).unwrap_or(0);
+        self.open = if at > 0 { format!("{} &", row(&parts[..at])) } else { "&".to_owned() };
+        // A fraction in a displayed formula has text of full size.
+        let is_fraction = |part: &Formula| matches!(part, Formula::Fraction(..));
+        let width = |parts: &[Formula]| {
+            let width = layout::row(parts, 1.0, &mut ComputerModern).width;
+            if parts.iter().any(|part| part.has(&is_fraction)) { width / FRACTION } else { width }
+        };
+        for side in pieces(&parts[at..], Formula::is_relation) {
             if width(side) <= self.room {
                 self.add(&row(side), width(side), "&");
                 continue;
             }
-            // The first term begins a row.
-            self.used = if self.used > 0.0 { self.room } else { 0.0 };
+            if self.used > 0.0 {
+                self.end_row("&");
+            }
             for (k, term) in pieces(side, Formula::is_binary).into_iter().enumerate() {
+                let indent = if k == 0 { "&" } else { r"&\qquad " };
                 let columns: Vec<Formula> = term.iter().map(upright).collect();
-                let term = if width(term) + INDENT > self.room { &columns } else { term };
-                self.add(&row(term), width(term), if k == 0 { "&" } else { r"&\qquad " });
+                let is_wide = width(term) + 2.0 > self.room;
+                let term = if is_wide { &columns } else { term };
+                self.add(&row(term), width(term), indent);
             }
         }
     }
 
-    /// Adds a note, in a row of its own if there is no room beside the formula.
+    /// Adds a note, in as many rows as it needs.
     fn note(&mut self, note: &str) {
+        let width = |text: &str| 1.0 + ComputerModern.width(text, Face::Upright, 1.0);
         if note.is_empty() {
             return;
         }
-        let (width, text) = (ComputerModern.width(note, Face::Upright, 1.0), text(note));
-        if width + INDENT <= self.room {
-            self.add(&format!(r"\quad \text{{{text}}}"), width + 1.0, "&");
-        } else {
-            let width = self.room - INDENT;
-            self.rows.push(format!(r"&\quad \parbox[t]{{{width:.0}em}}{{{text}}}"));
+        if self.used + width(note) <= self.room {
+            return self.add(&format!(r"\quad \text{{{}}}", text(note)), width(note), "&");
+        }
+        let mut line = String::new();
+        for word in note.split(' ').chain([""]) {
+            if !line.is_empty() && (word.is_empty() || width(&line) + width(word) > self.room) {
+                self.end_row(r"&\quad ");
+                self.open.push_str(&format!(r"\text{{{}}}", text(line.trim_end())));
+                line.clear();
+            }
+            line.extend([word, " "]);
         }
     }
 
-    /// Adds text of this width, in ems, to the last row if it fits; otherwise begins a new row with `indent`.
+    /// Begins a new row with `indent`.
+    fn end_row(&mut self, indent: &str) {
+        self.done.push(std::mem::replace(&mut self.open, indent.to_owned()));
+        self.used = if indent == "&" { 0.0 } else { 2.0 };
+    }
+
+    /// Adds text of this width, in ems, to the row if it fits; otherwise begins a new row with `indent`.
     fn add(&mut self, text: &str, width: f32, indent: &str) {
         if self.used > 0.0 && self.used + width > self.room {
-            self.rows.push(format!("{indent}{text}"));
-            self.used = if indent == "&" { width } else { INDENT + width };
-        } else if let Some(row) = self.rows.last_mut() {
-            row.push_str(if self.used > 0.0 { " " } else { "" });
-            row.push_str(text);
-            self.used += width;
+            self.end_row(indent);
+        } else if self.used > 0.0 {
+            self.open.push(' ');
         }
+        self.open.push_str(text);
+        self.used += width;
     }
 }
 
@@ -196,9 +205,19 @@ fn letter(c: char) -> String {
     }
 }
 
+/// Writes a name: a single letter unchanged, several letters as the argument of the LaTeX command `style`.
+fn named(style: &str, name: &str) -> String {
+    match name.len() {
+        1 => name.to_owned(),
+        _ => format!(r"\{style}{{{name}}}"),
+    }
+}
+
 fn word(text_of: &str) -> String {
-    if let "sin" | "cos" = text_of {
-        return format!(r"\{text_of}");
+    match text_of {
+        "sin" => return r"\sin".to_owned(),
+        "cos" => return r"\cos".to_owned(),
+        _ => {}
     }
     if text_of.ends_with('°') {
         return number(text_of);

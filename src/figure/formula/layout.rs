@@ -109,7 +109,7 @@ const SMALL: f32 = 0.72;
 /// Minimum size of smaller parts, in points, unless the text around them is smaller.
 const LEAST: f32 = 12.0;
 /// Size of numerators and denominators, relative to the surrounding text.
-const FRACTION: f32 = 0.88;
+pub(super) const FRACTION: f32 = 0.88;
 /// Height in ems from which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 

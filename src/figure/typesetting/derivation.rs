@@ -12,10 +12,8 @@ use crate::derivation::sections::DerivationSection;
 use crate::derivation::{Derivation, DerivedLine, DerivedSection, left_out};
 use crate::formula::{Column, Face, Layout, SymbolInk, TextMeasure, TextRun, left_width, lines};
 use crate::overlay::Colors;
-use crate::symbols::plain_scalars;
-use crate::symbols::{SymbolKind, meaning};
-use crate::typesetting::theme::WRITTEN;
-use crate::typesetting::theme::{self, error_color};
+use crate::symbols::{SymbolKind, meaning, plain_scalars};
+use crate::typesetting::theme::{self, WRITTEN, error_color};
 
 /// Size of the em of formulas, in points.
 pub const SIZE: f32 = 17.0;

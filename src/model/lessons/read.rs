@@ -8,8 +8,7 @@ use pinhole_exchange::fields::{Section, TomlField, TomlSource};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
 use pinhole_figure::{Concept, Observer, OverlayItems};
-use pinhole_lecture::Exercise;
-use pinhole_lecture::LARGEST_SEED;
+use pinhole_lecture::{Exercise, LARGEST_SEED};
 
 use super::keys::{KEYS, choice, is_in_scene, items};
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};

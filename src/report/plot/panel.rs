@@ -3,12 +3,12 @@
 
 use egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Stroke, StrokeKind, pos2};
 use pinhole_figure::chart::{GridInk, SOLID, Scale, Tick, columns, line, row_numbers, rows};
+use pinhole_lecture::numbers::short_plain;
 
 use super::marker::{self, marker_of};
 use super::{FRAME, GRID, SMALL, TEXT, WEAK, plain};
 use crate::report::model::{Case, Digits, NO_DIGIT, SINGLE};
 use crate::report::summary::{MethodSummary, Outcome, Summary, outcome};
-use pinhole_lecture::numbers::short_plain;
 
 const ULP: Color32 = Color32::from_gray(0xa8);
 

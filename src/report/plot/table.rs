@@ -4,13 +4,12 @@
 
 use egui::{Align2, Painter, Pos2, Rect, pos2, vec2};
 use pinhole_figure::chart::{Scale, columns};
-use pinhole_lecture::numbers::grouped;
+use pinhole_lecture::numbers::{grouped, short_plain};
 
 use super::marker::{WRONG, in_words, marker_of};
 use super::{BAND, FRAME, GRID, MARGIN, PAGE, SMALL, TEXT, WEAK, bold, plain};
 use crate::report::summary::{MethodOverall, MethodSummary, Overall, Summary, least_middle_most};
 use crate::report::table::lines;
-use pinhole_lecture::numbers::short_plain;
 
 /// Width of the table without errors and times, in points.
 pub(super) const WIDTH: f32 = 512.0;

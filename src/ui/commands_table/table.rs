@@ -4,10 +4,9 @@
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_exchange::{BuiltinScene, SceneSource};
-use pinhole_figure::Item;
-use pinhole_figure::Scheme;
 use pinhole_figure::derivation::Markup;
 use pinhole_figure::observer::WorldAxis;
+use pinhole_figure::{Item, Scheme};
 use pinhole_lecture::{Exercise, Mistake};
 
 use crate::features::play::state::Kind;

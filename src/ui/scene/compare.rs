@@ -4,9 +4,8 @@
 use egui::{Align, Direction, Grid, Layout, Rect, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec3, Orientation, ResolvedCamera, Root};
 use pinhole_exchange::document::Document;
-use pinhole_figure::Inspection;
-use pinhole_figure::NumberStyle;
 use pinhole_figure::typesetting::theme::STACKED;
+use pinhole_figure::{Inspection, NumberStyle};
 use pinhole_lecture::numbers::percent;
 
 use super::view_rects::strip_above;

@@ -11,15 +11,14 @@ use pinhole_exchange::document::Document;
 use pinhole_figure::Item;
 use pinhole_figure::concept::HoverSource;
 use pinhole_figure::inspection::Inspection;
+use pinhole_figure::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 use pinhole_figure::typesetting::notation::{self, formula};
-use pinhole_figure::typesetting::theme;
-use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::{self, WRITTEN};
 use pinhole_lecture::numbers::grouped;
 
 use crate::ui::PageContext;
 use crate::ui::widgets::{ResponseExt as _, is_about, vector_color};
 use crate::view::derive::Derived;
-use pinhole_figure::readings::{NumberStyle, Reading, ReadingValue, of_basis};
 
 /// Minimum width of the block that lists the hits, in points.
 const HITS: f32 = 280.0;

@@ -13,12 +13,12 @@ use egui::{
 use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ImageSize, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
-use pinhole_figure::NumberStyle;
 use pinhole_figure::overlay::{self, PointShown, Under};
+use pinhole_figure::readings::ReadingValue;
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::typesetting::notation::unbroken;
 use pinhole_figure::typesetting::{labels, theme};
-use pinhole_figure::{Concept, HoverSource, Hovered, Item, Observer, ViewSize};
+use pinhole_figure::{Concept, HoverSource, Hovered, Item, NumberStyle, Observer, ViewSize};
 use pinhole_lecture::numbers::grouped;
 
 use crate::model::interaction::{HANDLE_REACH, MARK_REACH, WHEEL_ZOOM};
@@ -31,7 +31,6 @@ use crate::ui::scene::view_rects::{STRIP, ViewRects, above, strip};
 use crate::ui::scene::{gizmo, readouts};
 use crate::ui::widgets::{ResponseExt as _, ViewTexture, inside, keep_arrows, may_explain};
 use crate::view::derive::{Derived, FinishedView, ViewSizes};
-use pinhole_figure::readings::ReadingValue;
 
 /// Name of the world view, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";

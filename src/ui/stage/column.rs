@@ -6,15 +6,14 @@ use egui::{
     Align, Color32, FontId, Frame, Id, Label, Layout, Margin, Rect, RichText, Sense, Ui, Vec2,
     WidgetInfo,
 };
-use pinhole_figure::typesetting::theme;
-use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::typesetting::theme::{self, WRITTEN};
 
 use super::{Stage, navigation};
 use crate::features::lines::view::substitution;
 use crate::features::{exercises, mistakes};
 use crate::model::ViewLayout;
 use crate::model::lessons::OpenLesson;
-use crate::ui::widgets::{inside, marked_text};
+use crate::ui::widgets::{SIZES, inside, marked_text};
 use crate::ui::{PageContext, derivation};
 
 /// Distance between the column's edge and its contents, in points.
@@ -29,8 +28,6 @@ const FOOT: f32 = 30.0;
 const BEFORE_BUTTONS: f32 = 12.0;
 /// Radius of the dot for the lecturer, in points.
 const DOT: f32 = 3.0;
-/// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
-pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
 /// Shows the column.
 pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {

@@ -12,17 +12,20 @@ use egui::{
     TextEdit, TextStyle, TextureHandle, TextureId, TextureOptions, Ui, UiBuilder, Vec2, vec2,
 };
 use pinhole_figure::symbols::typeset_message;
-use pinhole_figure::typesetting::theme::{self, error_color};
+use pinhole_figure::typesetting::theme::{self, WRITTEN, error_color};
+use pinhole_figure::{Concept, HoverSource, Hovered};
 use pinhole_lecture::LARGEST_SEED;
 
 use crate::ui::action::{Action, request};
-use pinhole_figure::{Concept, HoverSource, Hovered};
 
 pub mod marked_text;
 pub mod number;
 pub mod path_field;
 
 pub(crate) use number::{NumberField, vector_color, vector_row};
+
+/// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
+pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
 /// Extends a widget's response with methods that set its accessible properties, and that request an action
 /// when it is clicked.

@@ -3,10 +3,9 @@
 use std::collections::BTreeMap;
 
 use egui::{Color32, ColorImage, Pos2, Theme};
-use pinhole_figure::Item;
-use pinhole_figure::Scheme;
 use pinhole_figure::overlay::{self, Style, contrast_ratio};
 use pinhole_figure::typesetting::theme::WRITTEN;
+use pinhole_figure::{Item, Scheme};
 
 use super::Seen;
 use crate::app::painted_texts::{Run, over, texts};

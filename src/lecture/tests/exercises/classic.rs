@@ -3,9 +3,10 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
 use pinhole_lecture::exercises::{Answer, Asked, Exercise, Question, Verdict};
 use pinhole_lecture::mistakes::Mistake;
+
+use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
 
 /// The quantity that a part of a question asks for, the answered numbers, and the mistakes that the
 /// verdict names; none if the answer is right.
