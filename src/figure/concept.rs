@@ -100,6 +100,35 @@ pub enum HoverSource {
     Derivation,
 }
 
+/// A set of concepts, in which all objects count as one, and so do all points on the ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Concepts(u32);
+
+// Two bits are for concepts with an index.
+const _: () = assert!(NAMES.len() + 2 <= u32::BITS as usize);
+
+impl Concepts {
+    /// Returns the set with this concept.
+    #[must_use]
+    pub fn with(self, concept: Concept) -> Concepts {
+        Concepts(self.0 | concept.bit())
+    }
+
+    /// Returns true if the concept is in the set.
+    pub fn contains(self, concept: Concept) -> bool {
+        self.0 & concept.bit() != 0
+    }
+}
+
+/// What the newest line of a derivation is about, and what was spoken of until then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Directed {
+    /// The concept of the newest line.
+    pub concept: Concept,
+    /// The concepts of all lines so far.
+    pub spoken: Concepts,
+}
+
 /// The concepts that need no object's index, each with its name in files and its description.
 const NAMES: &[(Concept, &str, &str)] = &[
     (Concept::Eye, "eye", symbols::EYE),
@@ -173,6 +202,27 @@ impl Concept {
                 &[Concept::AlongU, Concept::AlongV, Concept::AlongW]
             }
             _ => &[],
+        }
+    }
+
+    /// Returns the concepts out of which this one grows when its line follows theirs, and which stay beside it.
+    pub fn grows_from(self) -> &'static [Concept] {
+        match self {
+            Concept::W => &[Concept::Backwards],
+            Concept::U => &[Concept::UpCrossW],
+            Concept::V => &[Concept::WCrossU],
+            Concept::Direction => &[Concept::AlongU, Concept::AlongV, Concept::AlongW],
+            other => other.made_from(),
+        }
+    }
+
+    /// Returns the concept's bit in a set.
+    fn bit(self) -> u32 {
+        let named = NAMES.iter().position(|(concept, ..)| *concept == self.in_views());
+        1 << match (named, self) {
+            (Some(index), _) => index,
+            (None, Concept::Root { .. }) => NAMES.len(),
+            (None, _) => NAMES.len() + 1,
         }
     }
 

@@ -2,6 +2,7 @@
 
 mod asking;
 mod back;
+mod directed;
 mod files;
 mod leaving;
 mod numbers;

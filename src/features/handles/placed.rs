@@ -3,7 +3,7 @@
 //! pointer.
 //!
 //! It places the handles on the screen, hit-tests them, formats their names and values, and creates the
-//! marks that the overlay draws. [`handle_drag`](crate::features::handles::drag) calculates the effect of a
+//! marks that the overlay draws. [`drag`](crate::features::handles::drag) calculates the effect of a
 //! drag.
 //!
 //! No gizmo crate is used, for two reasons. The gizmos for egui edit one transform at a time, but a
@@ -41,6 +41,8 @@ pub struct HandleInputs<'a> {
     pub observer: &'a ResolvedCamera,
     /// Screen pixels per point.
     pub scale: f32,
+    /// True if the observer is directed to a part of the figure.
+    pub is_directed: bool,
 }
 
 /// A handle and its position.
@@ -137,7 +139,7 @@ impl HandleInputs<'_> {
     /// up is not drawn.
     fn up_length(&self) -> Option<f64> {
         let camera = &self.document.camera;
-        let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale);
+        let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale, self.is_directed);
         let length = camera.up().length();
         let is_drawn = [arrow, length].iter().all(|x| *x > 0.0 && x.is_finite());
         is_drawn.then(|| (overlay::UP_LENGTH * arrow + self.beyond_up()) / length)

@@ -17,6 +17,7 @@ use pinhole_exchange::{Document, is_hidden};
 use pinhole_lecture::numbers::grouped;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
+use crate::concept::{Concepts, Directed};
 use crate::derivation::numbers::equation;
 use crate::formula::{Formula, latex, norm, number, row, word};
 use crate::{Concept, DerivationSection, DerivationSections, Fault, Inspection, symbols};
@@ -249,6 +250,15 @@ impl Derivation {
         let lines = self.sections.iter().flat_map(|section| &section.lines);
         let about = lines.enumerate().filter(|(_, line)| concept.is_some_and(|c| line.is_about(c)));
         about.last().map_or(self.line_count(), |(k, _)| k + 1)
+    }
+
+    /// Returns what the last of the first `count` lines that is about a concept is about; `None` if none is.
+    pub fn directed(&self, count: usize) -> Option<Directed> {
+        let lines = self.sections.iter().flat_map(|section| &section.lines).take(count);
+        lines.filter_map(|line| line.concept).fold(None, |before, concept| {
+            let spoken = before.map_or(Concepts::default(), |before: Directed| before.spoken);
+            Some(Directed { concept, spoken: spoken.with(concept) })
+        })
     }
 
     /// Returns the number of lines up to and including the first derived one after these, so that given

@@ -4,7 +4,7 @@ use pinhole_core::{Camera, DVec3, Orientation, Scene, extent_of_fov};
 
 use crate::observer::subject::{Bound, Drawn, Subject, balls_of, frustum_corners, given_at};
 use crate::observer::view_size::{Area, ViewSize, tame_aspect};
-use crate::observer::{FOV, Observer};
+use crate::observer::{DISTANCES, FOV, Observer};
 
 /// Margins at the picture's border that are kept free, as fractions of half the picture: in general, and
 /// around what is drawn, which has its own room.
@@ -38,6 +38,23 @@ const NEAREST_REFIT: f64 = 0.45;
 /// Maximum distance from the camera's eye at which an observer is kept when the view's size changes, as a
 /// multiple of the fitted observer's distance.
 const FARTHEST_KEPT: f64 = 1.2;
+
+/// The extents of what the figure is directed to, as fractions of the view's shorter side: up to which it is no more than
+/// a point, which it needs at least, from which on the observer stays where it is, and which are sought.
+const FILLS_NOTHING: f64 = 0.05;
+const FILLS_LEAST: f64 = 0.4;
+const FILLS_ENOUGH: f64 = 0.5;
+const FILLS_WELL: f64 = 0.62;
+
+/// Minimum ratio of the new to the old depth of the camera's eye when the observer is directed to arrows.
+const NEAREST_SHARE: f64 = 0.05;
+
+/// The angles by which the observer turns to the side, in degrees, if it needs another direction; and how much more must
+/// be seen from its first direction, and from a turned one, in all and for each degree.
+const BESIDE: [f64; 6] = [25.0, -25.0, 50.0, -50.0, 75.0, -75.0];
+const OTHERWISE: f64 = 0.05;
+const TURNED: f64 = 0.25;
+const TURNED_BY_DEGREE: f64 = 0.002;
 
 impl Observer {
     /// Returns an observer behind the camera's shoulder that sees the eye, the viewport, at, what is drawn, and
@@ -97,6 +114,42 @@ impl Observer {
         let is_whole = subject.balls.iter().all(|ball| self.sees_in(ball, size, 0.0))
             && shown.iter().all(|ball| self.sees_in(ball, size, MARGIN_AT_LABELS));
         if fills && is_whole { *self } else { fitted.in_range() }
+    }
+
+    /// Returns an observer for which what is drawn fills the view. Returns `now` if it does so there, so that it does not
+    /// move for little. The next best direction is that of `now`, then this one's; if what is drawn is seen along its
+    /// length from both, from beside it.
+    pub fn directed(&self, now: &Observer, drawn: &Drawn<'_>, size: ViewSize) -> Observer {
+        let mut subject = Subject::new(drawn);
+        subject.balls.retain(|ball| ball.radius > 0.0);
+        if subject.places.is_empty() || subject.fill(now, size) >= FILLS_ENOUGH {
+            return *now;
+        }
+        let turned = |beside: &f64| {
+            let mut direction = *self;
+            direction.orbit(beside.to_radians(), 0.0);
+            (direction, TURNED + TURNED_BY_DEGREE * beside.abs())
+        };
+        let mut best = (FILLS_NOTHING, *now);
+        for (direction, worse) in
+            [(*now, 0.0), (*self, OTHERWISE)].into_iter().chain(BESIDE.iter().map(turned))
+        {
+            let observer = subject.fit_close(&direction, size);
+            let fill = subject.fill(&observer, size);
+            if fill >= FILLS_WELL && best.0 < FILLS_LEAST {
+                return observer;
+            }
+            if fill - worse > best.0 {
+                best = (fill - worse, observer);
+            }
+        }
+        best.1
+    }
+
+    /// Returns true if all that is drawn is within a view of this size.
+    pub fn has_in_view(&self, drawn: &Drawn<'_>, size: ViewSize) -> bool {
+        let shown = Subject::new(drawn).shown_to(self, size);
+        shown.iter().all(|ball| self.sees(&Bound::point(ball.center), size.aspect(), 0.0))
     }
 
     /// Returns the depth of a point in front of the observer.
@@ -179,6 +232,42 @@ impl Observer {
 }
 
 impl Subject {
+    /// Returns the extent of all that is drawn, as a fraction of the view's shorter side; 0 if some of it is out of sight or
+    /// covered, or if a ball hides the camera.
+    fn fill(&self, observer: &Observer, size: ViewSize) -> f64 {
+        let shown = self.shown_to(observer, size);
+        let stand = observer.target() + observer.distance() * observer.back();
+        if self.balls.iter().any(|ball| lies_between(ball, self.around.eye, stand)) {
+            return 0.0;
+        }
+        if !shown.iter().all(|ball| observer.sees_in(ball, size, MARGIN_AT_LABELS)) {
+            return 0.0;
+        }
+        let points = shown.iter().map(|ball| observer.box_of(&Bound::point(ball.center), size));
+        let [left, top, right, bottom] = points
+            .reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])])
+            .unwrap_or_default();
+        (right - left).max(bottom - top) / size.width.min(size.height)
+    }
+
+    /// Returns the nearest observer in this direction that sees all that is drawn, but no nearer than where arrows are as
+    /// long as they are drawn.
+    fn fit_close(&self, direction: &Observer, size: ViewSize) -> Observer {
+        let eye = self.around.eye;
+        let depth = direction.depth_of(eye).max(DISTANCES.0);
+        let nearest = 1.0 / (size.arrow_points().1 * size.world_per_point(1.0));
+        let nearest = nearest.clamp(NEAREST_SHARE * depth, depth);
+        let there = Observer { target: eye, distance: nearest, ..*direction };
+        let balls = self.shown_to(&there, size);
+        let has_arrow = self.places.iter().any(|(place, _)| place.along != DVec3::ZERO);
+        let fixed = Subject { balls, places: Vec::new(), around: self.around.clone(), ..*self };
+        let mut fitted = fixed.fit(direction, size);
+        if has_arrow {
+            fitted.distance += (nearest - fitted.depth_of(eye)).max(0.0);
+        }
+        fitted.in_range()
+    }
+
     /// Returns the nearest observer in this direction that sees all balls and all that is drawn where nothing covers
     /// them.
     fn fit(&self, direction: &Observer, size: ViewSize) -> Observer {

@@ -12,6 +12,9 @@ const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 /// width.
 const ARROW_SHARE: f64 = 0.28;
 
+/// Maximum length of the basis arrows in a view that is directed to them, as such a fraction.
+const DIRECTED_SHARE: f64 = 0.42;
+
 /// Minimum width and height of a part of the view in which something is shown, as a fraction of the view's.
 const LEAST_SHARE: f64 = 0.25;
 
@@ -22,6 +25,8 @@ pub struct ViewSize {
     pub width: f64,
     /// The height.
     pub height: f64,
+    /// True if the view is directed to a part of the figure, whose arrows may then be longer.
+    pub is_directed: bool,
     /// What an inset and a line of numbers cover. Both lie in the lower right corner.
     pub covered: [Option<Area>; 2],
 }
@@ -32,7 +37,7 @@ pub type Area = [f64; 4];
 impl ViewSize {
     /// Creates the size of a view of which nothing is covered.
     pub fn new(width: f64, height: f64) -> ViewSize {
-        ViewSize { width, height, covered: [None; 2] }
+        ViewSize { width, height, is_directed: false, covered: [None; 2] }
     }
 
     /// Returns the size of a view that has the usual height and this aspect ratio (width to height).
@@ -49,7 +54,9 @@ impl ViewSize {
     /// drawn with the minimum length.
     pub fn arrow_points(self) -> (f64, f64) {
         let (least, most) = ARROW_POINTS;
-        (least.min(ARROW_SHARE * self.width.min(self.height)).max(1.0), most)
+        let shorter = self.width.min(self.height);
+        let most = if self.is_directed { most.max(DIRECTED_SHARE * shorter) } else { most };
+        (least.min(ARROW_SHARE * shorter).max(1.0), most)
     }
 
     /// Returns the length in the world that one point of the screen covers at this depth in front of the

@@ -47,7 +47,7 @@ pub use parts::Figure;
 pub use parts::camera::UP_LENGTH;
 pub use parts::compared::GhostCamera;
 pub use parts::emphasis::Highlighted;
-pub use parts::sight::{drawn, drawn_of, observer_of};
+pub use parts::sight::{drawn, drawn_of, observer_of, subject};
 pub use screen::{arrow_length, camera_uv_at, length_of_points, world_position_of};
 pub use style::{Colors, Style, contrast_ratio};
 pub use world_view::handles::{HandleMark, Handles, Knob, KnobState};

@@ -20,6 +20,8 @@ pub(crate) struct Screen {
     unit: f64,
     /// Screen pixels per point.
     pub(crate) scale: f64,
+    /// See [`ViewSize::is_directed`].
+    pub(crate) is_directed: bool,
 }
 
 /// A point on the screen.
@@ -66,10 +68,10 @@ impl Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
         let unit = if unit.is_finite() && unit > 0.0 { unit } else { 1.0 };
-        Screen { observer: *observer, focal, size, unit, scale: scale.into() }
+        Screen { observer: *observer, focal, size, unit, scale: scale.into(), is_directed: false }
     }
 
-    /// Creates a screen that is only used to measure lengths at one point in the world.
+    /// Creates a screen whose unit of length is the distance of a point.
     fn at(observer: &ResolvedCamera, point: DVec3, scale: f32) -> Screen {
         Screen::new(observer, point.distance(observer.eye()), scale)
     }
@@ -193,7 +195,8 @@ impl Screen {
 
     fn arrow_points(&self) -> (f64, f64) {
         let (width, height) = (self.size.x / self.scale, self.size.y / self.scale);
-        ViewSize::new(width, height).arrow_points()
+        let is_directed = self.is_directed;
+        ViewSize { is_directed, ..ViewSize::new(width, height) }.arrow_points()
     }
 }
 
@@ -203,9 +206,10 @@ pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale
     Screen::at(observer, at, scale).length_of_points(at, (points, points))
 }
 
-/// Returns the length in the world of the basis arrows that the world view draws at a camera's eye.
-pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
-    Screen::at(observer, eye, scale).arrow_length(eye)
+/// Returns the length in the world of the basis arrows that the world view draws at a camera's eye. A view that is
+/// directed to a part of the figure may draw longer ones.
+pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32, is_directed: bool) -> f64 {
+    Screen { is_directed, ..Screen::at(observer, eye, scale) }.arrow_length(eye)
 }
 
 /// Returns the position of a point of the world in the observer's picture, in screen pixels; `None` if it is

@@ -4,8 +4,8 @@
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
-use pinhole_figure::Scheme;
-use pinhole_figure::{Concept, HoverSource, Hovered};
+use pinhole_figure::concept::{Concepts, Directed};
+use pinhole_figure::{Concept, HoverSource, Hovered, Scheme};
 use serde::{Deserialize, Serialize};
 
 use crate::features::answers::StudentAnswers;
@@ -58,6 +58,9 @@ pub struct Live {
     pub scanned_pixels: Option<u64>,
     /// The concept under the pointer or with the keyboard focus.
     pub hovered: Option<Hovered>,
+    /// What the newest revealed line of the derivation is about, to which the figure is directed; `None` if lines are not
+    /// revealed one by one.
+    pub directed: Option<Directed>,
     /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
     pub alt_dims: bool,
     /// The pen for drawing over the views while presenting; `None` while it is not in use.
@@ -170,9 +173,18 @@ impl Session {
         Settings { setup: self.shown.setup, preferences: self.preferences }
     }
 
-    /// Returns the concept that both views and the derivation highlight.
+    /// Returns the concept that both views and the derivation highlight: the one under the pointer, that of the newest
+    /// revealed line, or that of the lesson's step.
     pub fn highlighted(&self) -> Option<Concept> {
-        self.live.hovered.map(|hovered| hovered.concept).or(self.shown.highlighted)
+        let directed = self.live.directed.map(|directed| directed.concept);
+        let hovered = self.live.hovered.map(|hovered| hovered.concept);
+        hovered.or(directed).or(self.shown.highlighted)
+    }
+
+    /// Returns the concepts of the revealed lines, which stay as they are while the newest one is highlighted.
+    pub fn spoken_lines(&self) -> Concepts {
+        let directed = self.live.directed.filter(|_| self.live.hovered.is_none());
+        directed.map_or(Concepts::default(), |directed| directed.spoken)
     }
 
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.

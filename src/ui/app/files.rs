@@ -20,10 +20,8 @@ use crate::features::exercises::{Exercises, Progress};
 use crate::features::export::order::{Content, FigureSubject, MARGIN, Order, derivation_of};
 use crate::features::export::ui::{ExportForm, OnScreen};
 use crate::features::lines;
-use crate::features::translator::state::imported;
-use crate::features::translator::state::with;
-use crate::model::page_part;
-use crate::model::{Session, ViewLayout};
+use crate::features::translator::state::{imported, with};
+use crate::model::{Session, ViewLayout, page_part};
 use crate::ui::action::{Action, AnswersAction, FigureAction, FileUse, Leave, ShareAction};
 use crate::ui::app::App;
 use crate::ui::app::scene::OpenScene;
@@ -314,7 +312,7 @@ impl App {
     fn figure_source(&self) -> (&Document, Session) {
         let scene = self.question.as_ref().unwrap_or(&self.scene);
         let mut session = scene.session.clone();
-        session.live.hovered = None;
+        (session.live.hovered, session.live.directed) = (None, None);
         (&scene.open.document, session)
     }
 

@@ -19,7 +19,6 @@ use crate::features::translator;
 use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Session, Shown, ViewLayout, Workspace};
-use crate::ui::PageContext;
 use crate::ui::action::{
     Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
     take_requested,
@@ -29,10 +28,10 @@ use crate::ui::app::{App, apply, files, over};
 use crate::ui::commands_table::{self, When};
 use crate::ui::panels::{camera, objects, section, start_buttons, top_bar};
 use crate::ui::scene::{Divider, ViewInput, ViewRects, readouts, views};
-use crate::ui::second_picture;
 use crate::ui::stage::{Stage, navigation};
 use crate::ui::widgets::{clipped, pointed_at};
 use crate::ui::workspaces::{Page, page};
+use crate::ui::{PageContext, second_picture};
 use crate::view::derive::Deriver;
 
 /// Width of the side panel, in points, and the range to which it can be dragged.
@@ -76,6 +75,7 @@ impl App {
                 self.question = self.scene.question(self.question.take());
             }
             self.derive(ui, &rects);
+            self.note_directed(&ctx);
             self.outputs(ui, &rects, stage.as_ref());
             self.code_over(ui, stage.as_ref());
             if self.scene.session.presenting.is_some() && theme::installed(&ctx).by_touch {
@@ -371,6 +371,9 @@ impl App {
         if let Some(size) = views::world_size(rects) {
             let is_at_rest = !ui.input(|i| i.pointer.any_down()) && !self.playback.is_running();
             scene.frame(size, is_at_rest);
+            if scene.direct(size, is_at_rest) {
+                self.views.glide.begin(ui.ctx());
+            }
         }
         let mut hovered: Option<Hovered> = None;
         let mut pointed_ray = None;

@@ -166,15 +166,20 @@ impl OpenScene {
         let open = self.lessons.open.clone().filter(|_| self.differs_from_step());
         let Some(open) = open else { return Ok(Opened::default()) };
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.shown.is_asking);
-        let revealed_lines = self.session.shown.revealed_lines;
+        let (revealed_lines, framed) = (self.session.shown.revealed_lines, self.framed);
         let opened = self.open_lesson(open.id(), None)?;
         apply::clear_answers(open.step(), &mut self.session.exercises);
         self.session.shown.revealed_lines = revealed_lines;
         if !is_asking {
             self.answer();
         }
-        // The step's own observer is fitted again the next time the world view is shown.
-        let observer = open.step().shown.observer.or(seen_from);
+        // The step's own observer is fitted again the next time the world view is shown, unless it was directed to a line.
+        let is_directed = self.session.live.directed.is_some();
+        let own = open.step().shown.observer.filter(|_| !is_directed);
+        let observer = own.or(seen_from);
+        if is_directed {
+            self.framed = framed;
+        }
         (self.session.shown.observer, self.lessons.seen_from) = (observer, observer);
         Ok(opened)
     }

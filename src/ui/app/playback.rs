@@ -10,9 +10,8 @@ use super::App;
 use super::scene::OpenScene;
 use crate::features::export::animation::{Animation, Frames, Recorder};
 use crate::features::export::order::Order;
-use crate::features::play;
-use crate::features::play::Player;
 use crate::features::play::state::{Kind, Start, Still, ray_point_end};
+use crate::features::play::{self, Player};
 use crate::ui::action::PlayAction;
 use crate::ui::dialogs::Dialog;
 
@@ -140,7 +139,7 @@ impl App {
     pub(super) fn export_animation(&mut self, order: Order, frames: Frames, path: PathBuf) {
         let (Some(player), scene) = (&self.playback.player, &self.scene) else { return };
         let mut session = scene.session.clone();
-        session.live.hovered = None;
+        (session.live.hovered, session.live.directed) = (None, None);
         let animation = Animation {
             kind: player.kind,
             start: player.start,

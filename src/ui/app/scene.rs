@@ -6,9 +6,10 @@ use std::sync::Arc;
 use egui::Context;
 use pinhole_core::{Camera, Scene, Selection};
 use pinhole_exchange::{FileError, SceneSource};
+use pinhole_figure::concept::Directed;
 use pinhole_figure::given::{self, Given};
 use pinhole_figure::observer::{Drawn, ORDINARY_ASPECT};
-use pinhole_figure::overlay::{GhostCamera, Under, drawn, drawn_of};
+use pinhole_figure::overlay::{GhostCamera, Under, drawn, drawn_of, subject};
 use pinhole_figure::{Item, Observer, OverlayItems, ViewSize};
 use pinhole_lecture::exercises::Asked;
 use pinhole_lecture::mistakes::{Mistake, WrongCamera};
@@ -46,6 +47,10 @@ pub(super) struct Framed {
     /// The observer that a lesson's step specifies, if any. The fitted observer has the same direction
     /// and target.
     named: Option<Observer>,
+    /// The observer of the whole figure.
+    whole: Observer,
+    /// What the observer was directed to since.
+    directed: Option<Directed>,
 }
 
 /// The work that the other parts of the window must do after a scene is opened.
@@ -133,7 +138,49 @@ impl OpenScene {
             (None, Some(_)) if of_step == shown => shown,
             (None, Some(_)) => return,
         };
-        // Overlay items that are switched on or off later must not move the observer.
+        let items = self.items_to_frame();
+        let observer = match (named, own) {
+            (Some(named), _) => named.framing_the_same(&self.drawn(&scene(), items), size),
+            (None, Some(framed)) => framed.whole.refitted(&drawn_of(camera, &scene()), size),
+            (None, None) => frame_all(&scene(), size),
+        };
+        // If it was framed before, the whole figure stays in sight until the next line.
+        let (whole, directed) = (observer, self.framed.and(self.session.live.directed));
+        self.framed = Some(Framed { observer, size, camera: *camera, named, whole, directed });
+        self.session.shown.observer = Some(observer);
+        self.lessons.framed(shown, observer);
+    }
+
+    /// Directs the observer of a world view of this size to what the newest revealed line is about or, without one, to the
+    /// whole figure, unless it is in view. Does nothing if the user has moved the observer, or while something is dragged
+    /// or played. Returns true if the observer moves.
+    pub(super) fn direct(&mut self, size: ViewSize, is_at_rest: bool) -> bool {
+        let (shown, directed) = (self.session.shown.observer, self.session.live.directed);
+        let own = self.framed.filter(|framed| is_at_rest && shown == Some(framed.observer));
+        let Some(framed) = own.filter(|framed| framed.directed != directed) else { return false };
+        let size = ViewSize { is_directed: directed.is_some(), ..size };
+        let scene = self.open.document.scene().unwrap_or_default();
+        let observer = match directed {
+            Some(directed) => {
+                framed.whole.directed(&framed.observer, &self.subject(&scene, directed), size)
+            }
+            None if framed
+                .observer
+                .has_in_view(&self.drawn(&scene, self.items_to_frame()), size) =>
+            {
+                framed.observer
+            }
+            None => framed.whole,
+        };
+        self.framed = Some(Framed { observer, directed, ..framed });
+        self.session.shown.observer = Some(observer);
+        self.lessons.framed(shown, observer);
+        observer != framed.observer
+    }
+
+    /// Returns the overlay items for which the observer is placed. Those that are switched on or off later must not move
+    /// it.
+    fn items_to_frame(&self) -> OverlayItems {
         let mut items = match &self.lessons.open {
             Some(open) => apply::items_to_frame(open.step(), &self.session.shown),
             None => self.session.shown.setup.items,
@@ -142,14 +189,16 @@ impl OpenScene {
             // The solution has them, and must not move the observer.
             [Item::Basis, Item::Ray, Item::Hit].into_iter().for_each(|item| items.set(item, true));
         }
-        let observer = match (named, own) {
-            (Some(named), _) => named.framing_the_same(&self.drawn(&scene(), items), size),
-            (None, Some(framed)) => framed.observer.refitted(&drawn_of(camera, &scene()), size),
-            (None, None) => frame_all(&scene(), size),
-        };
-        self.framed = Some(Framed { observer, size, camera: *camera, named });
-        self.session.shown.observer = Some(observer);
-        self.lessons.framed(shown, observer);
+        items
+    }
+
+    /// Returns what is drawn of what the lines so far have spoken of.
+    fn subject<'a>(&'a self, scene: &'a Scene, directed: Directed) -> Drawn<'a> {
+        let (shown, camera) = (&self.session.shown, &self.open.document.camera);
+        let ghost = shown.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
+        let ghost = ghost.as_ref().map(GhostCamera::frozen);
+        let ray = (shown.selection, shown.ray_point_t);
+        subject(camera, scene, shown.setup.items, ray, directed, ghost.as_ref())
     }
 
     /// Returns what the world view draws with these items, including what is hidden while a question is open.
@@ -301,7 +350,8 @@ impl OpenScene {
         if shown.setup.layout == ViewLayout::Answers && now.answers.is_none() {
             shown.setup.layout = ViewLayout::Both;
         }
-        let live = Live { pen: now.live.pen, ..Live::default() };
+        let Live { pen, directed, .. } = now.live;
+        let live = Live { pen, directed, ..Live::default() };
         *self = OpenScene { session: Session { shown, live, exercises, ..now }, ..to };
     }
 }

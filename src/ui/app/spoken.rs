@@ -2,19 +2,19 @@
 
 use std::sync::Arc;
 
+use pinhole_figure::readings::{Reading, of_basis};
 use pinhole_figure::typesetting::notation::without_marks;
 use pinhole_figure::{Fault, Inspection};
 use pinhole_lecture::exercises;
 
 use crate::features::exercises::Exercises;
-use crate::features::mistakes::MistakesView;
-use crate::features::{answers, class, mistakes, vote};
+use crate::features::mistakes::{self, MistakesView};
+use crate::features::{answers, class, vote};
 use crate::model::files::title_of;
 use crate::model::{Settings, ViewLayout, Workspace};
 use crate::ui::app::App;
 use crate::ui::dialogs::Dialog;
 use crate::ui::scene::views;
-use pinhole_figure::readings::{Reading, of_basis};
 
 /// What the contents in words depend on: the words without the numbers, and what the numbers are of.
 #[derive(PartialEq)]

@@ -79,6 +79,26 @@ impl Views {
 }
 
 impl App {
+    /// Notes what the newest revealed line of the derivation is about, to which the next pass directs the observer. While
+    /// the pointer shows another ray, or the page has no derivation, that stays as it was.
+    pub(super) fn note_directed(&mut self, ctx: &Context) {
+        let session = &mut self.scene.session;
+        let before = session.live.directed;
+        session.live.directed = match (session.shown.revealed_lines, &self.views.derived.derivation)
+        {
+            // What a question asks for is not pointed at.
+            _ if session.shown.is_asking || self.question.is_some() => None,
+            (None, _) => None,
+            (Some(count), Some(lines)) if session.live.pointed_ray.is_none() => {
+                lines.directed(count)
+            }
+            _ => before,
+        };
+        if session.live.directed != before {
+            ctx.request_repaint();
+        }
+    }
+
     /// Derives everything that is shown.
     pub(super) fn derive(&mut self, ui: &Ui, rects: &ViewRects) {
         let (ctx, second) = (ui.ctx(), self.page().second.zip(rects.second));

@@ -75,9 +75,11 @@ impl WorldArea<'_> {
     pub(super) fn placed(&self, document: &Document, session: &Session) -> Vec<PlacedHandle> {
         let resolved = document.camera.resolve().ok();
         let (selection, items) = (session.shown.selection, session.shown.setup.items);
+        let is_directed = session.live.directed.is_some();
         let WorldArea { observer, scale, .. } = *self;
         let resolved = resolved.as_ref();
-        let inputs = HandleInputs { document, resolved, selection, items, observer, scale };
+        let inputs =
+            HandleInputs { document, resolved, selection, items, observer, scale, is_directed };
         placed(&inputs, &session.live.handles)
     }
 

@@ -8,14 +8,13 @@ use egui::ColorImage;
 use pinhole_core::{Counts, Ellipse, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_exchange::document::Document;
 use pinhole_figure::derivation::Derivation;
-use pinhole_figure::overlay::{Highlighted, Label, Mark, Style};
+use pinhole_figure::overlay::{self, CameraView, Highlighted, Label, Mark, Style, opaque};
 use pinhole_figure::{AnswerMark, Fault, Inspection};
 use pinhole_lecture::mistakes::ComparedCamera;
 
 use crate::features::plot::curves::Plot;
 use crate::model::Session;
 use crate::view::adaptive_resolution::Subsampling;
-use pinhole_figure::overlay::{self, CameraView, opaque};
 
 pub use crate::view::derive::picture::{Compared, MOST_QUESTIONS, OnWork, TooMany, WorkKind};
 pub use crate::view::derive::second_picture::{AgainstGhost, Grading, SecondPicture};
@@ -156,6 +155,7 @@ fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlight
         camera: document.camera,
         digits: session.shown.setup.digits,
         dims: session.dims(),
+        spoken: session.spoken_lines(),
     })
 }
 

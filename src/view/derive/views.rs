@@ -20,7 +20,9 @@ use pinhole_figure::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
 };
 use pinhole_figure::observer::enclosing;
-use pinhole_figure::overlay::{self, Backdrop, Below, CameraView, ColoredScene, Same, WorldView};
+use pinhole_figure::overlay::{
+    self, Backdrop, Below, CameraView, ColoredScene, Figure, Same, WorldView,
+};
 use pinhole_lecture::exercises::Given;
 use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
@@ -35,7 +37,6 @@ use crate::view::derive::{
     Purpose, Spares, WorkKind, ghost_camera, highlighted, opaque, repainted, trace_picture,
     watched,
 };
-use pinhole_figure::overlay::Figure;
 
 /// A cache of the world view and of the pictures over which it is drawn.
 #[derive(Debug, Default)]
@@ -92,6 +93,7 @@ fn described(
 ) -> Option<WorldView> {
     let Inputs { document, session, sizes, .. } = inputs;
     let observer = session.shown.observer?;
+    let is_directed = session.live.directed.is_some();
     let placing = HandleInputs {
         document,
         resolved: derived.resolved.as_ref(),
@@ -99,6 +101,7 @@ fn described(
         items: session.shown.setup.items,
         observer: world.frame.camera(),
         scale: sizes.scale,
+        is_directed,
     };
     let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
     let without_marks = sizes.purpose != Purpose::Window;
@@ -116,6 +119,7 @@ fn described(
         names_all: spoken.is_some() || without_marks,
         shows_normal: session.highlighted() == Some(Concept::Normal)
             || speaks_of_normal.unwrap_or(without_marks),
+        is_directed,
         up: handles.up,
         style: sizes.style,
         ..Figure::new(document.camera, observer)

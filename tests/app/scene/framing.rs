@@ -11,8 +11,7 @@ use pinhole::ui::app::App;
 use pinhole_core::{DVec2, DVec3, NO_OBJECT, Sphere};
 use pinhole_figure::Scheme;
 use pinhole_figure::observer::Observer;
-use pinhole_figure::overlay::UP_LENGTH;
-use pinhole_figure::overlay::{Style, arrow_length};
+use pinhole_figure::overlay::{Style, UP_LENGTH, arrow_length};
 use pinhole_figure::overlay_items::Item;
 
 use super::camera;
@@ -33,7 +32,7 @@ fn assert_tips_in_sight(harness: &Harness<'_, App>, what: &str) {
     let camera = camera(harness);
     let resolved = camera.resolve().unwrap();
     let scale = harness.ctx.pixels_per_point();
-    let length = arrow_length(seen, camera.eye, scale);
+    let length = arrow_length(seen, camera.eye, scale, false);
     let basis = resolved.basis();
     let up = UP_LENGTH * camera.up().normalize();
     for (name, axis) in [("u", basis.u), ("v", basis.v), ("w", basis.w), ("up", up)] {
@@ -172,7 +171,7 @@ fn in_view(harness: &Harness<'_, App>, point: DVec3) -> [DVec2; 2] {
 pub(in crate::app) fn misframed(harness: &Harness<'_, App>) -> Option<String> {
     let camera = camera(harness);
     let frame = harness.state().derived().world_frame.clone()?;
-    let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point());
+    let length = arrow_length(frame.camera(), camera.eye, harness.ctx.pixels_per_point(), false);
     let items = harness.state().session().shown.setup.items;
     let mut points = vec![camera.eye];
     if items.shows(Item::ViewAndUp) && camera.orientation.has_up() {

@@ -7,6 +7,7 @@ use pinhole_core::Camera;
 use pinhole_lecture::numbers::equated;
 
 use super::{Form, Part, When};
+use crate::concept::Concepts;
 use crate::overlay::{Colors, DIMMED, Drawing, LABEL_DIGITS, LEGIBLE, Label, Request, VISIBLE};
 use crate::{Concept, OverlayItems};
 
@@ -21,9 +22,34 @@ pub struct Highlighted {
     pub digits: usize,
     /// True if everything else is faded.
     pub dims: bool,
+    /// The concepts that are not faded, since the lines of the derivation have spoken of them.
+    pub spoken: Concepts,
 }
 
 impl Highlighted {
+    /// Returns true if another concept is drawn with the highlighted one because that is made from it. While lines are
+    /// revealed, only concepts that they have spoken of are.
+    fn is_made_from(&self, other: Concept) -> bool {
+        match self.spoken == Concepts::default() {
+            true => self.concept.made_from().contains(&other),
+            false => self.spoken.contains(other) && self.concept.grows_from().contains(&other),
+        }
+    }
+
+    /// Returns true if what stands for this concept, or for none, is faded.
+    pub(crate) fn fades(&self, concept: Option<Concept>) -> bool {
+        self.dims && !concept.is_some_and(|concept| self.spoken.contains(concept))
+    }
+
+    /// Returns true if the objects of the scene are faded: if the lines of the derivation have spoken of none of them.
+    pub(crate) fn fades_scenery(&self) -> bool {
+        let of_objects =
+            [Concept::Object(0), Concept::Root { object: 0, number: 0 }, Concept::Normal];
+        self.dims
+            && self.spoken != Concepts::default()
+            && !of_objects.into_iter().any(|concept| self.spoken.contains(concept))
+    }
+
     /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
     pub(crate) fn equated(&self, x: f64) -> String {
         equated(x, self.digits.min(LABEL_DIGITS))
@@ -61,13 +87,12 @@ impl Part {
         let plain = (is_shown && self.when != When::Lit).then_some(Emphasis::Plain);
         let Some(lit) = highlighted else { return plain };
         let is_lit = self.pen.concept == Some(lit.concept);
-        let made_from = lit.concept.made_from();
-        let accompanies = self.pen.concept.is_some_and(|own| made_from.contains(&own));
+        let accompanies = self.pen.concept.is_some_and(|own| lit.is_made_from(own));
         match self.when {
             When::Shown | When::Lit if is_lit => Some(Emphasis::Strong),
             When::Unlit if is_lit => None,
             When::Shown | When::Lit if accompanies => Some(Emphasis::Accompanying),
-            _ if lit.dims => plain.map(|_| Emphasis::Faded),
+            _ if lit.fades(self.pen.concept) => plain.map(|_| Emphasis::Faded),
             _ => plain,
         }
     }
@@ -118,14 +143,17 @@ impl Colors {
 pub(crate) fn dim(
     drawing: &mut Drawing,
     requests: &mut Vec<Request>,
-    Highlighted { concept, dims, .. }: Highlighted,
+    lit: Highlighted,
     colors: &Colors,
 ) {
+    let concept = lit.concept;
     drawing.marks.retain(|mark| mark.concept != Some(concept));
     requests.retain(|request| request.concept != Some(concept));
-    if dims {
-        drawing.marks.iter_mut().for_each(|mark| mark.color = colors.faded(mark.color));
-        requests.iter_mut().for_each(|request| colors.fade(&mut request.label));
+    for mark in drawing.marks.iter_mut().filter(|mark| lit.fades(mark.concept)) {
+        mark.color = colors.faded(mark.color);
+    }
+    for request in requests.iter_mut().filter(|request| lit.fades(request.concept)) {
+        colors.fade(&mut request.label);
     }
 }
 

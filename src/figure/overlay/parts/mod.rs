@@ -1,6 +1,6 @@
 //! The parts of the figure: all that is drawn of the camera, its selected ray, what is compared with them, the world's
-//! axes, the spheres that are cut away, and a highlighted object. A
-//! part says what it is in space, to which overlay item it belongs, which concept it stands for, and its label.
+//! axes, the spheres that are cut away, and a highlighted object. A part says what it is in space, to which overlay item
+//! it belongs, which concept it stands for, and its label.
 //!
 //! The list is made without knowing who looks at it. The world view draws it as the observer sees it, the camera
 //! view draws the highlighted parts as the camera sees them, and the observer is fitted to it.
@@ -157,7 +157,7 @@ impl Toward {
     }
 }
 
-/// Of what the parts are made, besides the scene.
+/// What is drawn, from which the parts are made together with the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
     /// The edited camera as the user gives it; it may have no basis.
@@ -176,6 +176,8 @@ pub struct Figure {
     pub items: OverlayItems,
     /// The highlighted concept, if any.
     pub highlighted: Option<Highlighted>,
+    /// True if the observer is directed to a part of the figure.
+    pub is_directed: bool,
     /// True if all parts have labels, as in lessons and figures. Otherwise only the camera's main parts
     /// and the highlighted concept have labels.
     pub names_all: bool,
@@ -222,6 +224,7 @@ impl Figure {
             answers: Arc::default(),
             items: OverlayItems::NONE,
             highlighted: None,
+            is_directed: false,
             names_all: true,
             shows_normal: true,
             up: None,

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Scene, Selection};
+use pinhole_core::{Camera, DVec3, Scene, Selection, Sphere};
 use pinhole_exchange::document::Document;
 
-use super::{Figure, Form, Part};
-use crate::observer::{Drawn, Length, Place, ViewSize};
+use super::{DrawnPart, Figure, Form, Part};
+use crate::concept::{Concepts, Directed};
+use crate::observer::{Drawn, Length, Place, Surroundings, ViewSize};
 use crate::overlay::{GhostCamera, Highlighted, LABEL_DIGITS, Same};
 use crate::{Concept, Inspection, Item, Observer, OverlayItems};
 
@@ -24,18 +25,71 @@ pub fn drawn<'a>(
     highlighted: Option<Concept>,
     ghost: Option<&GhostCamera>,
 ) -> Drawn<'a> {
+    // Objects must be in sight anyway, but for planes, which have no end.
+    let lit = highlighted.map(Concept::in_views);
+    let lit = lit.filter(|concept| !matches!(concept, Concept::Object(_)));
+    let parts = figure(camera, scene, items, ray, lit, ghost).parts(scene, &[]);
+    let places = parts.iter().flat_map(|drawn| drawn.part.in_sight(camera)).collect();
+    Drawn { camera, scene, has_frustum: items.shows(Item::Frustum), places }
+}
+
+/// Returns what is drawn of what the newest line of a derivation is about, and of what its lines have spoken of.
+pub fn subject<'a>(
+    camera: &'a Camera,
+    scene: &'a Scene,
+    items: OverlayItems,
+    ray: (Selection, Option<f64>),
+    directed: Directed,
+    ghost: Option<&GhostCamera>,
+) -> Drawn<'a> {
+    let lit = directed.concept.in_views();
+    let mut figure = figure(camera, scene, items, Some(ray), Some(lit), ghost);
+    if let Some(lit) = &mut figure.highlighted {
+        lit.spoken = directed.spoken;
+    }
+    let parts = figure.parts(scene, &[]);
+    let is_spoken = |concept| directed.spoken.contains(concept);
+    let is_subject = |drawn: &&DrawnPart| {
+        drawn.emphasis.is_on_top() || drawn.part.pen.concept.is_some_and(is_spoken)
+    };
+    let places = parts.iter().filter(is_subject).flat_map(|drawn| drawn.part.in_sight(camera));
+    let sphere = match lit {
+        Concept::Object(index) | Concept::Root { object: index, .. } => {
+            scene.spheres().get(index as usize)
+        }
+        _ => None,
+    };
+    // A planet need not be in sight.
+    let in_scale = Surroundings::new(camera, scene).spheres;
+    let is_in_scale = |sphere: &&Sphere| in_scale.iter().any(|ball| ball.center == sphere.center);
+    let sphere = sphere.filter(is_in_scale);
+    let sides = sphere.into_iter().flat_map(|sphere| {
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| sphere.radius * axis);
+        axes.into_iter().flat_map(|axis| [sphere.center - axis, sphere.center + axis])
+    });
+    let places = places.chain(sides.map(|side| (Place::from(side), false))).collect();
+    Drawn { camera, scene, has_frustum: false, places }
+}
+
+/// Returns the figure of a camera whose parts must be in sight.
+fn figure(
+    camera: &Camera,
+    scene: &Scene,
+    items: OverlayItems,
+    ray: Option<(Selection, Option<f64>)>,
+    lit: Option<Concept>,
+    ghost: Option<&GhostCamera>,
+) -> Figure {
     let resolved = camera.resolve().ok();
     let inspection = resolved
         .zip(ray)
         .map(|(resolved, (selection, _))| Inspection::new(&resolved, scene, selection));
-    // Objects must be in sight anyway, but for planes, which have no end.
-    let lit = highlighted.map(Concept::in_views);
-    let lit = lit.filter(|concept| !matches!(concept, Concept::Object(_)));
     let highlighted = lit.map(|concept| Highlighted {
         concept,
         camera: *camera,
         digits: LABEL_DIGITS,
         dims: false,
+        spoken: Concepts::default(),
     });
     let near = resolved.map_or(1.0, |resolved| {
         let viewport = resolved.viewport();
@@ -43,20 +97,15 @@ pub fn drawn<'a>(
     });
     // The axes take no room if the camera is elsewhere.
     let has_axes = camera.eye.length() <= near;
-    let items = items.with(Item::Axes, items.shows(Item::Axes) && has_axes);
-    let shown = Figure {
+    Figure {
         inspection: inspection.map(|inspection| Same(Arc::new(inspection))),
         ray_point_t: ray.and_then(|(_, t)| t),
         ghost: ghost.copied(),
-        items,
+        items: items.with(Item::Axes, items.shows(Item::Axes) && has_axes),
         highlighted,
         shows_normal: false,
         ..Figure::new(*camera, Observer::new(camera.eye, 0.0, 0.0, near))
     }
-    .parts(scene, &[]);
-    let has_frustum = items.shows(Item::Frustum);
-    let places = shown.iter().flat_map(|shown| shown.part.in_sight(camera)).collect();
-    Drawn { camera, scene, has_frustum, places }
 }
 
 /// Returns the observer with which a document opens in a view of this size: its own, or one that is fitted to its

@@ -3,7 +3,7 @@
 use pinhole_core::Orientation;
 
 use super::*;
-use crate::concept::Concept;
+use crate::concept::{Concept, Concepts};
 
 /// Concepts that both views show on the canonical stage, except its wall: see below.
 const CONCEPTS: [Concept; 21] = [
@@ -31,7 +31,13 @@ const CONCEPTS: [Concept; 21] = [
 ];
 
 fn highlighted(stage: &Stage, concept: Concept) -> Option<Highlighted> {
-    Some(Highlighted { concept, camera: stage.camera, digits: 5, dims: true })
+    Some(Highlighted {
+        concept,
+        camera: stage.camera,
+        digits: 5,
+        dims: true,
+        spoken: Concepts::default(),
+    })
 }
 
 fn world_drawing(stage: &Stage, concept: Concept) -> Drawing {

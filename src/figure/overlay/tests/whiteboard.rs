@@ -26,7 +26,7 @@ fn reaches(stage: &Stage, drawing: &Drawing, at: DVec3) -> bool {
 fn the_ring_goes_from_u_to_v_to_w_and_the_angles_are_squares() {
     let stage = stage(Camera::CANONICAL, Item::Ring);
     let drawing = small_drawing(&stage);
-    let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
+    let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25, false);
     let heads = || drawing.marks.iter().filter(|mark| matches!(mark.shape, Shape::Polygon { .. }));
     assert_eq!(heads().count(), 3);
     for (from, to) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
@@ -52,7 +52,7 @@ fn both_products_are_areas() {
     ] {
         let stage = stage(Camera { orientation, ..Camera::CANONICAL }, item);
         let drawing = small_drawing(&stage);
-        let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25);
+        let length = arrow_length(stage.frame.camera(), DVec3::ZERO, 0.25, false);
         assert!(reaches(&stage, &drawing, length * corner), "{corner}");
         assert_eq!(texts(&drawing), [expected]);
     }

@@ -119,6 +119,9 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
+/// How much of the scenery's colour is left while the figure is directed to something else.
+const SCENERY: f32 = 0.45;
+
 /// Minimum distance between the image pixels' edges that are drawn on the viewport, in points. If the edges
 /// are closer together, only every second, fifth, tenth... edge is drawn.
 const GRID_SPACING: f64 = 7.0;
@@ -137,11 +140,16 @@ impl WorldView {
     fn paint(&self, layers: &Layers, marks: &Fills, below: Below<'_>, dots: &mut [Color32]) {
         let Below { traced, painted, edges } = below;
         let [width, height] = self.size();
+        let background = self.background();
+        let fades = self.figure.highlighted.is_some_and(|lit| lit.fades_scenery());
         if [dots.len(), traced.len(), painted.len()] != [width * height; 3] || dots.is_empty() {
             return dots.fill(Color32::BLACK);
         }
         dots.par_chunks_mut(BAND * width).enumerate().for_each(|(band, dots)| {
             dots.copy_from_slice(&painted[band * BAND * width..][..dots.len()]);
+            if fades {
+                dots.iter_mut().for_each(|dot| *dot = mix(background, *dot, SCENERY));
+            }
             layers.paint_viewport(band * BAND, traced, dots);
         });
         layers.smooth_viewport(edges, dots);
@@ -149,15 +157,22 @@ impl WorldView {
     }
 
     fn screen(&self) -> Screen {
-        Screen::new(self.frame.camera(), self.figure.observer.distance(), self.scale)
+        let mut screen =
+            Screen::new(self.frame.camera(), self.figure.observer.distance(), self.scale);
+        screen.is_directed = self.figure.is_directed;
+        screen
+    }
+
+    fn background(&self) -> Color32 {
+        match self.is_clear {
+            true => Color32::TRANSPARENT,
+            false => self.figure.style.colors().background,
+        }
     }
 
     /// Returns the layers below the camera and its marks.
     pub fn backdrop(&self, scene: ColoredScene<'_>) -> Backdrop {
-        let background = match self.is_clear {
-            true => Color32::TRANSPARENT,
-            false => self.figure.style.colors().background,
-        };
+        let background = self.background();
         let rays = self.frame.camera().pixel_rays();
         let bowl = |(index, sphere)| Bowl { sphere, color: scene.color_of(index), rays };
         let bowls = self.drawn_around(scene.scene).map(bowl).collect();
