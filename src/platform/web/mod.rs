@@ -27,7 +27,7 @@ use web_sys::HtmlCanvasElement;
 use crate::model::lessons::{Lesson, LessonArgument, OpenLesson, StepId};
 use crate::model::recovery::{Slot, Unsaved};
 use crate::model::{Remembered, Store, fault};
-use crate::ui::app::{App, SpokenAbout};
+use crate::ui::app::{App, SpokenAbout, look_of};
 use crate::ui::widgets::number;
 use crate::ui::widgets::path_field::{FileAnswer, FileRequest};
 
@@ -102,7 +102,7 @@ impl Page {
             remembered.selection = None;
         }
         App::set_up(&creation.egui_ctx, &remembered.settings);
-        let look = Look { by_touch: page::is_touched(), ..Look::new(&remembered.settings, false) };
+        let look = Look { by_touch: page::is_touched(), ..look_of(&remembered.settings, false) };
         theme::install(&creation.egui_ctx, look);
         creation.egui_ctx.add_plugin(Output);
         let _ = CONTEXT.set(creation.egui_ctx.clone());

@@ -447,7 +447,7 @@ fn present_or_end(session: &mut Session) {
 const NEVER: f32 = 86_400.0;
 
 /// Returns the look that the settings ask for.
-pub(super) fn look_of(settings: &Settings, presenting: bool) -> Look {
+pub(crate) fn look_of(settings: &Settings, presenting: bool) -> Look {
     let Settings { setup, preferences: Preferences { scheme, reduced_motion, .. } } = *settings;
     Look { scheme, presenting, by_touch: false, reduced_motion, digits: setup.digits }
 }

@@ -27,7 +27,7 @@ use egui::Context;
 use pinhole_exchange::document::Document;
 use pinhole_figure::typesetting::theme;
 
-use self::apply::look_of;
+pub(crate) use self::apply::look_of;
 use self::history::SceneHistory;
 use self::over::Overlays;
 use self::playback::Playback;
