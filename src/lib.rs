@@ -19,9 +19,10 @@
 //! core                             crate: cameras, scenes, exact answers, pictures
 //! ```
 //!
-//! In a feature's folder, `state.rs` is what it remembers, and `ui.rs` is what it shows. The crate `page` makes the program for a browser, one HTML file, from `assets/page.html`, `assets/page.js`
-//! and `platform/web`. The crate `reference` is the oracle, which computes correct answers independently. Tests use it,
-//! and of the program only `pinhole report`.
+//! In a feature's folder, `state.rs` is what it remembers, and `ui.rs` is what it shows. The crate `page` makes the
+//! program for a browser, one HTML file, from `assets/page.html`, `assets/page.js` and `platform/web`. The crate
+//! `reference` is the oracle, which computes correct answers independently. Tests use it, and of the program only
+//! `pinhole report`.
 //!
 //! # The path of one edit
 //!
