@@ -265,20 +265,21 @@ var pinhole = (() => {
         + "settings of the browser or of the computer switch them off."]);
       return;
     }
-    if (!hasPicture && isKept && !firstFailure() && startAgain(message)) return;
+    if (!isUsed && isKept && failures().length < STARTS - 1 && startAgain(message)) return;
     const kept = isKept ? "Unsaved changes are kept in the storage of this browser."
       : isKept === false ? "Unsaved changes could not be stored: save the report, which has the scene, before you go on."
       : "What you changed in the last seconds may be lost: the program can no longer be asked for it.";
     show(title, [kept], message, [["Go on", () => location.reload()], ...reportButtons(withBrowser(report))]);
   }
 
-  // A start that fails before the first picture is tried again, once. The mark of it is in the page's history, which
-  // outlives a reload, and needs no storage and no address.
-  const firstFailure = () => history.state?.failed;
+  // A start that fails before it is used is tried again. The marks of it are in the page's history,
+  // which outlives a reload, and needs no storage and no address.
+  const STARTS = 4;
+  const failures = () => history.state?.failed ?? [];
 
   function startAgain(message) {
     try {
-      history.replaceState({ failed: message }, "");
+      history.replaceState({ failed: [...failures(), message] }, "");
     } catch {
       return false;
     }
@@ -287,7 +288,7 @@ var pinhole = (() => {
   }
 
   function withBrowser(report) {
-    const before = firstFailure() ? `The start before this one failed, too: ${firstFailure()}\n` : "";
+    const before = failures().map((message) => `A start before this one failed, too: ${message}\n`).join("");
     return `${navigator.userAgent}\n${before}${report}`;
   }
 
@@ -295,9 +296,21 @@ var pinhole = (() => {
     hasPicture = true;
     performance.mark("first picture");
     if (!isOver) element("message").hidden = true;
-    if (firstFailure()) history.replaceState(null, "");
-    forgetLink();
     idle(() => rehearse(REHEARSAL));
+  }
+
+  // Once its user has done anything, or has had the time to, the program has started: an error is shown from then on,
+  // and a reload shows what has been done since.
+  let isUsed = false;
+
+  function used() {
+    if (isUsed || !hasPicture || isOver) return;
+    isUsed = true;
+    if (failures().length) history.replaceState(null, "");
+    forgetLink();
+  }
+  for (const type of ["pointerdown", "keydown", "wheel", "drop", "paste", "hashchange"]) {
+    window.addEventListener(type, used, { capture: true, passive: true });
   }
 
   const idle = window.requestIdleCallback?.bind(window) ?? ((act) => setTimeout(act, 20));
@@ -311,8 +324,9 @@ var pinhole = (() => {
   const rehearse = guarded(([[x, y, isLeft, isPressed = false], ...others]) => {
     if (isOver) return;
     const told = wasm_bindgen.rehearse(x, y, isLeft, isPressed, !others.length);
-    if (others.length) idle(() => rehearse(others));
-    else performance.mark("rehearsed", { detail: told });
+    if (others.length) return idle(() => rehearse(others));
+    performance.mark("rehearsed", { detail: told });
+    used();
   });
 
   // Ends the program. If it still can, it stores its changes and calls `failed`.
