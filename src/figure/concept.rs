@@ -125,6 +125,8 @@ impl Concepts {
 pub struct Directed {
     /// The concept of the newest line.
     pub concept: Concept,
+    /// Index of the object that a line spoke of last.
+    pub object: Option<u32>,
     /// The concepts of all lines so far.
     pub spoken: Concepts,
 }
@@ -231,6 +233,16 @@ impl Concept {
         match self {
             Concept::Equation { object, .. } => Concept::Object(object),
             other => other,
+        }
+    }
+
+    /// Returns the index of the object that the concept belongs to.
+    pub fn object(self) -> Option<u32> {
+        match self {
+            Concept::Object(object)
+            | Concept::Root { object, .. }
+            | Concept::Equation { object, .. } => Some(object),
+            _ => None,
         }
     }
 

@@ -204,6 +204,9 @@ pub(crate) fn card(ui: &mut Ui, context: &mut PageContext<'_>, all: &Arc<Derivat
     let lines: Vec<(&DerivedLine, &LaidLine)> = lines.zip(laid.lines.iter().flatten()).collect();
     let shown = &lines[..frame.revealed.unwrap_or(lines.len()).min(lines.len())];
     let newest = frame.revealed.and(shown.len().checked_sub(1));
+    // Of the lines about what the newest one directs to, only that one is lit.
+    let hovered = session.live.hovered.map(|hovered| hovered.concept);
+    let highlighted = hovered.or(session.shown.highlighted);
     let mut room = ui.available_height();
     let fits = |(_, laid): &&(&DerivedLine, &LaidLine)| {
         room -= laid.height + BETWEEN_LINES;
@@ -213,7 +216,7 @@ pub(crate) fn card(ui: &mut Ui, context: &mut PageContext<'_>, all: &Arc<Derivat
     ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
     for (k, (line, laid)) in shown.iter().enumerate().skip(first) {
         let is_about = |concept| line.is_about(concept);
-        let is_lit = newest == Some(k) || frame.highlighted.is_some_and(is_about);
+        let is_lit = newest == Some(k) || highlighted.is_some_and(is_about);
         show(ui, line, laid, &frame, is_lit);
     }
 }

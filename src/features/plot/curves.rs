@@ -17,6 +17,11 @@ pub const MOST: usize = 8;
 /// Zeros of f beyond this multiple of the first hit's t are described in words, but lie outside the plot.
 const FAR: f64 = 8.0;
 
+/// Height of the plot's lower and upper edge, in the unit of each curve.
+const HEIGHTS: [f64; 2] = [-2.4, 4.4];
+/// The same if there is only a straight line.
+const HEIGHTS_OF_LINE: [f64; 2] = [-0.7, 1.5];
+
 /// Number of intervals between the samples of a curve.
 const SAMPLES: usize = 160;
 
@@ -119,9 +124,28 @@ impl Plot {
         Plot { left_out: scene.len() - curves.len(), curves, range, ray_point_t }
     }
 
+    /// Returns the heights of the plot's lower and upper edge.
+    pub(crate) fn heights(&self) -> [f64; 2] {
+        match self.curves.as_slice() {
+            [only] if only.is_straight() => HEIGHTS_OF_LINE,
+            _ => HEIGHTS,
+        }
+    }
+
+    /// Returns the value of f at height 1 where the heights are numbered by f itself: if there is a single curve.
+    pub(crate) fn unit(&self) -> Option<f64> {
+        match self.curves.as_slice() {
+            [only] => Some(only.unit.value),
+            _ => None,
+        }
+    }
+
     /// Describes the heights of the curves: the left side of an object's implicit equation with the ray in
-    /// it, and its unit. Several objects have f in common, which is 0 on the surface of each.
+    /// it, and its unit if that is not 1. Several objects have f in common, which is 0 on the surface of each.
     pub(crate) fn height_words(&self) -> String {
+        if let [only] = self.curves.as_slice() {
+            return only.f_words().to_owned();
+        }
         let each: BTreeSet<String> = self.curves.iter().map(Curve::height_words).collect();
         match Vec::from_iter(each).as_slice() {
             [one] => one.clone(),
@@ -165,13 +189,16 @@ impl Curve {
         if zeros.is_empty() { self.vertex.map(beyond).into_iter().collect() } else { zeros }
     }
 
+    /// Returns the left side of the object's implicit equation with the ray in it.
+    fn f_words(&self) -> &'static str {
+        match self.is_straight() {
+            true => "n · (p + t d − point)",
+            false => "|p + t d − centre|² − r²",
+        }
+    }
+
     fn height_words(&self) -> String {
-        let f = if self.is_straight() {
-            "n · (p + t d − point)"
-        } else {
-            "|p + t d − centre|² − r²"
-        };
-        format!("{f}{}", self.unit.origin.words())
+        format!("{}{}", self.f_words(), self.unit.origin.words())
     }
 
     /// Describes the unit of f in words.

@@ -7,7 +7,7 @@ use egui::{
     pos2, vec2,
 };
 use pinhole_core::Root;
-use pinhole_figure::chart::{self, GridInk, SOLID, Scale, Tick};
+use pinhole_figure::chart::{self, GridInk, SOLID, Scale};
 use pinhole_figure::overlay::Colors;
 use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
 use pinhole_figure::typesetting::notation::{self, formula};
@@ -127,7 +127,9 @@ fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<&Root>, dig
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
         stroke(ui.painter(), &[sample.left_center(), sample.right_center()], curve);
         ui.label(RichText::new(&curve.named.title).strong());
-        text(ui, &curve.unit_words(digits));
+        if plot.unit().is_none() {
+            text(ui, &curve.unit_words(digits));
+        }
         if first.is_some_and(|hit| hit.object == object) {
             ui.add(Label::new(RichText::new("the first hit").strong()).extend());
         }
@@ -147,10 +149,8 @@ fn curve_text(ui: &mut Ui, plot: &Plot, curve: &Curve, first: Option<&Root>, dig
 /// Size of the text in the drawing, in points.
 const DRAWN_TEXT: f32 = 15.0;
 
-/// Value of f at the plot's upper and at its lower edge, in the unit of each curve.
-const TOP: f64 = 4.4;
-const BOTTOM: f64 = -2.4;
-
+/// Minimum distance of the numbers of f, in points.
+const ROWS_APART: f32 = 20.0;
 /// Dash and gap of a curve's line, in points, by the curve's index.
 const DASHES: [[f32; 2]; 4] = [SOLID, [11.0, 6.0], [3.0, 5.0], [20.0, 5.0]];
 
@@ -184,7 +184,7 @@ fn draw(ui: &Ui, rect: Rect, PageContext { session, derived, .. }: &mut PageCont
     // Leaves space for the numbers of f on the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let t = Scale::even([*plot.range.start(), *plot.range.end()], [inner.left(), inner.right()]);
-    let height = Scale::even([BOTTOM, TOP], [inner.bottom(), inner.top()]);
+    let height = Scale::even(plot.heights(), [inner.bottom(), inner.top()]);
     let painter = ui.painter_at(inner);
     let drawing = PlotDrawing { painter, rect: inner, t, height, plot, first, colors };
     drawing.axes(&ui.painter_at(rect), rect);
@@ -253,11 +253,10 @@ impl PlotDrawing<'_> {
         let behind = self.at(0.0, 0.0).x.clamp(rect.left(), rect.right());
         around.rect_filled(rect.with_max_x(behind), 0.0, ink.gamma_multiply(0.14));
         let grid = GridInk { line: ink.gamma_multiply(0.2), text: ink, size: DRAWN_TEXT };
-        let row = |value: i32| {
-            let value = f64::from(value);
-            Tick { value, at: self.height.position(value), text: number(value, 3) }
-        };
-        let ticks: Vec<Tick> = (-2..=4).map(row).collect();
+        let unit = self.plot.unit().unwrap_or(1.0);
+        let ends = self.plot.heights().map(|height| unit * height);
+        let own = Scale::even(ends, [rect.bottom(), rect.top()]);
+        let ticks = own.ticks(ROWS_APART);
         chart::rows(around, rect, &ticks, grid.line);
         chart::row_numbers(around, rect.left(), &ticks, grid);
         let mut ticks = self.t.ticks(62.0);

@@ -63,6 +63,8 @@ pub struct DerivedLine {
     pub concept: Option<Concept>,
     /// Other concepts for which the line is highlighted.
     pub also: &'static [Concept],
+    /// What the line directs the figure to, if that is not its own concept.
+    pub directs_to: Option<Concept>,
     /// The note after the formula; may be empty.
     pub note: String,
     /// True if the derivation fails here; the note then says why.
@@ -77,6 +79,7 @@ impl DerivedLine {
             formula,
             concept: concept.into(),
             also: &[],
+            directs_to: None,
             note: String::new(),
             is_fault: false,
             is_given: false,
@@ -92,6 +95,10 @@ impl DerivedLine {
 
     fn also(self, also: &'static [Concept]) -> DerivedLine {
         DerivedLine { also, ..self }
+    }
+
+    fn directing_to(self, concept: Concept) -> DerivedLine {
+        DerivedLine { directs_to: Some(concept), ..self }
     }
 
     fn given(self) -> DerivedLine {
@@ -252,12 +259,20 @@ impl Derivation {
         about.last().map_or(self.line_count(), |(k, _)| k + 1)
     }
 
-    /// Returns what the last of the first `count` lines that is about a concept is about; `None` if none is.
+    /// Returns what the last of the first `count` lines that is about a concept directs to; `None` if none is.
     pub fn directed(&self, count: usize) -> Option<Directed> {
         let lines = self.sections.iter().flat_map(|section| &section.lines).take(count);
-        lines.filter_map(|line| line.concept).fold(None, |before, concept| {
-            let spoken = before.map_or(Concepts::default(), |before: Directed| before.spoken);
-            Some(Directed { concept, spoken: spoken.with(concept) })
+        let directing = lines.filter_map(|line| Some((line, line.directs_to.or(line.concept)?)));
+        directing.fold(None, |before: Option<Directed>, (line, concept)| {
+            let spoken = before.map_or(Concepts::default(), |before| before.spoken);
+            let object = line.concept.and_then(Concept::object);
+            let object = object.or(before.and_then(|before| before.object));
+            // An equation for t is that of the ray and an object.
+            let ray =
+                matches!(line.concept, Some(Concept::Equation { .. })).then_some(Concept::Ray);
+            let about = [Some(concept), line.concept, ray].into_iter().flatten();
+            let spoken = about.fold(spoken, Concepts::with);
+            Some(Directed { concept, object, spoken })
         })
     }
 

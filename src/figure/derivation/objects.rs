@@ -77,6 +77,13 @@ impl ObjectLines<'_> {
         self.noted_line(step, sides, "");
     }
 
+    /// Lets the line that was added last direct the figure to this concept in place of the object.
+    fn directs_to(&mut self, concept: Concept) {
+        if let Some(line) = self.lines.pop() {
+            self.lines.push(line.directing_to(concept));
+        }
+    }
+
     fn noted_line<const N: usize>(&mut self, step: EquationStep, sides: [Formula; N], note: &str) {
         let concept = Concept::Equation { object: self.object, step };
         self.lines.push(DerivedLine::chain(concept, sides).noted(note));
@@ -122,9 +129,11 @@ impl ObjectLines<'_> {
         self.noted_line(Substitution, implicit, "implicit: 𝐱 is on the sphere");
         let symbols = squares(minus(along(P, T, D), CENTRE), R);
         self.noted_line(Substitution, symbols, "the ray put in");
+        self.directs_to(Concept::Ray);
         let substituted = minus(self.ray_in_numbers(), numbers.vector(sphere.center));
         let radius = squared(numbers.scalar(sphere.radius));
         self.line(Substitution, squares(substituted, radius));
+        self.directs_to(Concept::Ray);
         let from_centre = minus(P, CENTRE);
         let terms = [
             row([power(T, "2"), dot(D, D)]),
@@ -133,8 +142,10 @@ impl ObjectLines<'_> {
         ];
         let sum = |[a, b, c]: [Formula; 3]| joined(joined(a, Operator::Plus, b), Operator::Plus, c);
         self.noted_line(Substitution, [sum(terms), power(R, "2")], "multiplied out");
+        self.directs_to(Concept::Direction);
         let terms = [row([A, power(T, "2")]), row([number("2"), B, T]), C];
         self.noted_line(Substitution, [sum(terms), number("0")], "sorted by 𝑡");
+        self.directs_to(Concept::Ray);
     }
 
     /// Returns `p + t d` with the ray's numbers.
@@ -157,15 +168,29 @@ impl ObjectLines<'_> {
             minus(power(derivation, "2"), power(minus_of, "2"))
         };
         let parts = [
-            (A, dot(D, D), dot(d(), d()), quadratic.a),
-            (B, dot(D, parentheses(from_centre.clone())), dot(d(), oc()), quadratic.b),
-            (C, squares(norm(from_centre), R), squares(norm(oc()), squared(radius)), quadratic.c),
+            (Concept::Direction, A, dot(D, D), dot(d(), d()), quadratic.a),
+            (
+                Concept::Ray,
+                B,
+                dot(D, parentheses(from_centre.clone())),
+                dot(d(), oc()),
+                quadratic.b,
+            ),
+            (
+                Concept::Object(self.object),
+                C,
+                squares(norm(from_centre), R),
+                squares(norm(oc()), squared(radius)),
+                quadratic.c,
+            ),
         ];
-        for (name, symbols, substituted, value) in parts {
+        for (about, name, symbols, substituted, value) in parts {
             self.line(Coefficients, [name, symbols, substituted, numbers.scalar(value)]);
+            self.directs_to(about);
         }
         let equation = numbers.quadratic([quadratic.a, 2.0 * quadratic.b, quadratic.c]);
         self.line(Coefficients, [equation, number("0")]);
+        self.directs_to(Concept::Ray);
     }
 
     /// Adds the lines that solve the equation for t and compute the discriminant D. Their notes say why b is
@@ -181,6 +206,7 @@ impl ObjectLines<'_> {
         let sides = [T, solved(two(&B), four, two(&A)), solved(B, DISCRIMINANT, A)];
         let note = "every factor 2 cancels: 𝑏 is half the coefficient of 𝑡";
         self.noted_line(Solution, sides, note);
+        self.directs_to(Concept::Ray);
         let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
         let sides = [
             DISCRIMINANT,
@@ -215,6 +241,7 @@ impl ObjectLines<'_> {
         self.noted_line(Substitution, implicit, "implicit: 𝐱 is on the plane");
         let sides = zero(N, minus(along(P, T, D), POINT));
         self.noted_line(Substitution, sides, "the ray put in");
+        self.directs_to(Concept::Ray);
         self.line(Coefficients, zero(n(), minus(self.ray_in_numbers(), point.clone())));
         let sides = [row([T, parentheses(dot(N, D))]), dot(N, to_point.clone())];
         self.noted_line(Substitution, sides, "multiplied out");

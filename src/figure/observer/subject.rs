@@ -69,6 +69,14 @@ pub enum Length {
     Normal,
 }
 
+impl Place {
+    /// Returns the place at this share of the way to another one, in the unit of that.
+    pub(crate) fn toward(&self, to: &Place, share: f64) -> Place {
+        let (at, along) = (self.at.lerp(to.at, share), self.along.lerp(to.along, share));
+        Place { at, along, length: to.length }
+    }
+}
+
 impl From<DVec3> for Place {
     fn from(at: DVec3) -> Place {
         Place { at, along: DVec3::ZERO, length: Length::Arrow }

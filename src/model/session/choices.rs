@@ -111,6 +111,11 @@ impl ViewLayout {
         Workspace::ALL.into_iter().find(|workspace| workspace.pages().contains(&self))
     }
 
+    /// Returns true if the lines of the derivation are revealed one by one while presenting.
+    pub fn reveals_lines(self) -> bool {
+        self == ViewLayout::Plot || self.workspace() == Some(Workspace::Derivation)
+    }
+
     /// Returns true if the layout shows the derivation.
     pub fn shows_derivation(self) -> bool {
         matches!(self, ViewLayout::Derivation | ViewLayout::DerivationAlone)

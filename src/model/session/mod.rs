@@ -61,6 +61,9 @@ pub struct Live {
     /// What the newest revealed line of the derivation is about, to which the figure is directed; `None` if lines are not
     /// revealed one by one.
     pub directed: Option<Directed>,
+    /// The share of the arrows and lines of the newest line's concept that is drawn while they grow; `None` once they are
+    /// whole.
+    pub growth: Option<f64>,
     /// True while Alt is held. Pointing at a concept in a view then also dims everything else.
     pub alt_dims: bool,
     /// The pen for drawing over the views while presenting; `None` while it is not in use.

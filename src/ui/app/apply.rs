@@ -14,9 +14,7 @@ use crate::features::translator::state::{Notice, Taken, pasted};
 use crate::features::vote;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
-use crate::model::session::{
-    Preferences, Session, Settings, ThemeName, ViewLayout, Workspace, ZOOM,
-};
+use crate::model::session::{Preferences, Session, Settings, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::{
     Action, FileAction, FileUse, Leave, LessonAction, LookAction, Observe, PlayAction, ShareAction,
 };
@@ -432,7 +430,7 @@ fn present_or_end(session: &mut Session) {
         None => {
             session.presenting = Some(Presenting::begin());
             // The derivation answers the open question, so it is revealed line by line.
-            let derives = session.shown.setup.layout.workspace() == Some(Workspace::Derivation);
+            let derives = session.shown.setup.layout.reveals_lines();
             session.shown.revealed_lines = (session.shown.is_asking && derives).then_some(0);
         }
         Some(presenting) => {

@@ -120,8 +120,7 @@ impl App {
         let layout = session.shown.setup.layout;
         // While a question waits for the class's answer, the views take the space of the derivation or the
         // graph.
-        let derives = layout.workspace() == Some(Workspace::Derivation);
-        let asks = session.shown.is_asking && (derives || layout == ViewLayout::Plot);
+        let asks = session.shown.is_asking && layout.reveals_lines();
         page(if asks { ViewLayout::Both } else { layout })
     }
 

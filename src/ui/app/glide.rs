@@ -1,13 +1,18 @@
 //! The glide of the observer (the world view's own camera) from one step of a lesson to the next, or to
-//! another view that the user asks for, so that a class sees how one picture becomes the other.
+//! another view that the user asks for, so that a class sees how one picture becomes the other; and the growth of what
+//! a revealed line makes.
 
 use egui::Context;
 use pinhole_figure::Observer;
+use pinhole_figure::concept::Directed;
 
 use crate::model::OpenLesson;
 
 /// Duration of a glide, in seconds.
-const DURATION: f64 = 0.4;
+const DURATION: f64 = 0.5;
+
+/// The share of its length with which an arrow begins to grow.
+const BUD: f64 = 0.05;
 
 /// The observer that is shown while it glides from view to view.
 #[derive(Default)]
@@ -18,6 +23,8 @@ pub(super) struct Glide {
     shown: Option<Observer>,
     /// The observer from which the glide began, and the time in seconds at which it did.
     from: Option<(Observer, f64)>,
+    /// What the newest revealed line is about, and the time in seconds since which that grows.
+    directed: Option<(Directed, f64)>,
 }
 
 impl Glide {
@@ -53,6 +60,32 @@ impl Glide {
             _ => to,
         };
         self.shown
+    }
+}
+
+impl Glide {
+    /// Returns the share of the newest line's concept that is drawn while it grows; `None` once it is whole. A press of
+    /// the mouse ends the growth; with `is_still` there is none.
+    pub(super) fn growth(
+        &mut self,
+        ctx: &Context,
+        directed: Option<Directed>,
+        is_still: bool,
+    ) -> Option<f64> {
+        let (time, is_pressed) = ctx.input(|i| (i.time, i.pointer.any_down()));
+        if self.directed.map(|(before, _)| before) != directed {
+            self.directed = directed.map(|directed| (directed, time));
+        }
+        let (_, start) = self.directed.as_mut()?;
+        if is_pressed || is_still {
+            *start = f64::NEG_INFINITY;
+        }
+        let share = (time - *start) / DURATION;
+        if share >= 1.0 {
+            return None;
+        }
+        ctx.request_repaint();
+        Some(eased(share).max(BUD))
     }
 }
 

@@ -13,7 +13,7 @@ use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
-use crate::model::{Session, Shown, ViewLayout, Workspace};
+use crate::model::{Session, Shown, ViewLayout};
 use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
 
@@ -125,8 +125,10 @@ impl OpenScene {
         let all = derivation.lines_through(session.shown.highlighted);
         let is_left = count < all;
         if is_left {
+            // Beside the graph, the answer says what comes out, and the lines how.
+            let is_whole = is_asking && session.shown.setup.layout != ViewLayout::Plot;
             let next = derivation.lines_after(count, all);
-            session.shown.revealed_lines = Some(if is_asking { all } else { next });
+            session.shown.revealed_lines = Some(if is_whole { all } else { next });
         }
         is_asking || is_left
     }
@@ -138,13 +140,15 @@ impl OpenScene {
         let shown = &self.session.shown;
         self.session.presenting?;
         let layout = step.layout().unwrap_or(shown.setup.layout);
-        if layout.workspace() != Some(Workspace::Derivation) {
+        if !layout.reveals_lines() {
             return None;
         }
         let is_same = self.open.document == step.document
             && shown.selection == step.shown.selection
+            // Beside the graph, each step has lines of its own.
+            && (layout != ViewLayout::Plot || step.shown.formulas == shown.formulas)
             && (!step.says("derivation") || step.shown.sections == shown.sections);
-        let was_derived = shown.setup.layout.workspace() == Some(Workspace::Derivation);
+        let was_derived = shown.setup.layout.reveals_lines();
         if is_same && was_derived && !shown.is_asking { shown.revealed_lines } else { Some(0) }
     }
 

@@ -10,7 +10,7 @@ use pinhole_figure::{Fault, ViewSize};
 use super::App;
 use super::glide::Glide;
 use crate::features::exercises;
-use crate::model::{Session, Shown};
+use crate::model::{Live, Session, Shown};
 use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::scene::{ViewRects, gizmo, views};
 use crate::ui::widgets::ViewTexture;
@@ -118,9 +118,11 @@ impl App {
         let (step, is_still) =
             (self.scene.lessons.open.as_ref(), session.preferences.reduced_motion);
         let observer = views.glide.follow(ctx, step, session.shown.observer, is_still);
-        let gliding = (observer != session.shown.observer).then(|| {
+        let growth = views.glide.growth(ctx, session.live.directed, is_still);
+        let gliding = (observer != session.shown.observer || growth.is_some()).then(|| {
             let shown = Shown { observer, ..session.shown.clone() };
-            Session { shown, ..session.clone() }
+            let live = Live { growth, ..session.live.clone() };
+            Session { shown, live, ..session.clone() }
         });
         let session = gliding.as_ref().unwrap_or(session);
         views.derived = views.deriver.derive_watched(document, session, &sizes, &watch);

@@ -57,7 +57,7 @@ pinhole_core::texts! {
     /// The built-in scenes.
     Scene: "Scene";
     /// The lessons' steps.
-    Step: "Step";
+    Step: "Contents";
     /// The exercises.
     Exercise: "Exercise";
     /// The wrong cameras.

@@ -3,6 +3,8 @@
 use std::cmp::Reverse;
 
 use super::{Group, UiCommand};
+use crate::model::lessons::LessonArgument;
+use crate::ui::action::{Action, Leave};
 
 /// Words that users may type, and the words that commands use for them.
 const SYNONYMS: [(&str, &str); 9] = [
@@ -17,29 +19,39 @@ const SYNONYMS: [(&str, &str); 9] = [
     ("wall", "plane"),
 ];
 
-/// Returns the commands that match every typed word, best first. If nothing was typed, returns all commands
-/// in their order.
+/// Returns the commands that match every typed word, best first; before all others, the step whose number was
+/// typed, such as 6.2. If nothing was typed, returns all commands in their order.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
+    let asked = match LessonArgument::parse(typed.trim()) {
+        Ok(LessonArgument::Builtin(id)) => Some(Action::from(Leave::GoTo(id))),
+        _ => None,
+    };
     let typed = in_words(typed);
     let mut ranked: Vec<_> = commands
         .filter_map(|command| {
             let (title, about) = (in_words(&command.title()), in_words(&command.about));
             let fits = typed.split_whitespace().map(|word| fit(word, &title, &about));
             let worst = fits.min().unwrap_or(BEST);
-            Some((Reverse(worst), command.group == Group::Step, title.len(), command))
-                .filter(|_| worst > 0)
+            let is_step = command.group == Group::Step;
+            let length = if is_step { 0 } else { title.len() };
+            Some((Reverse(worst), is_step, length, command)).filter(|_| worst > 0)
         })
         .collect();
     if !typed.trim().is_empty() {
         // The sort is stable: equal matches keep the table's order.
-        ranked.sort_by_key(|(worst, is_step, length, _)| (*worst, *is_step, *length));
+        ranked.sort_by_key(|(worst, is_step, length, command)| {
+            (asked.as_ref() != Some(&command.action), *worst, *is_step, *length)
+        });
     }
     ranked.into_iter().map(|(.., command)| command).collect()
 }
 
 /// Returns the text in lower case, with a space before and after each word in place of signs.
 fn in_words(text: &str) -> String {
-    format!(" {} ", text.to_lowercase().replace(|c: char| !c.is_alphanumeric(), " "))
+    format!(
+        " {} ",
+        text.to_lowercase().replace("c++", "cpp").replace(|c: char| !c.is_alphanumeric(), " ")
+    )
 }
 
 /// The quality of a typed word that is a word of the title.
@@ -92,6 +104,12 @@ mod tests {
             ("ball", "Objects: + Sphere"),
             ("add wall", "Objects: + Plane"),
             ("gimbal", "Scene: almost-parallel-up"),
+            ("6.2", "Contents: Lesson 6: 45 degrees, by hand, 2. What a camera's basis must be"),
+            ("contents", "Contents: Lesson 1: The canonical camera, 1. The camera in its world"),
+            ("svg", "File: Export a figure…"),
+            ("three", "File: Save the camera for another program…"),
+            ("c++", "File: Save the camera for another program…"),
+            ("gltf", "File: Save the camera for another program…"),
         ] {
             assert_eq!(titles(typed).first().map(String::as_str), Some(first), "{typed}");
         }

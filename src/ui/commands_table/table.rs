@@ -82,7 +82,7 @@ fn files() -> Vec<UiCommand> {
         File, "Save as a page…", "Asks where to save a page that opens the scene or step in any browser.",
             FileUse::SavePage;
         File, "Check answers…", "Asks which file of a student's answers to grade.", FileUse::CheckAnswers;
-        File, "Export a figure…", "Asks which figure to export, and where.",
+        File, "Export a figure…", "Asks which figure to export, as SVG, PDF or PNG, and where.",
             FigureAction::Ask => key(Anywhere, CTRL, Key::E);
         File, "Copy the figure", "Copies a picture of what is shown to the clipboard.", FigureAction::Copy;
         File, "Copy the derivation as LaTeX", "Copies the derivation to the clipboard as LaTeX.",
@@ -91,7 +91,7 @@ fn files() -> Vec<UiCommand> {
             FigureAction::CopyDerivation(Markup::Markdown);
         File, "Share…", "Shows the link to what is shown, with its QR code; while presenting, the code fills the figure until Q or Escape.",
             ShareAction::Show => plain(Untyped, Key::Q);
-        File, "Save the camera for another program…", "Asks where to save the camera in another program's terms.",
+        File, "Save the camera for another program…", "Asks where to save the camera as glTF, or for three.js, OpenGL, C++, NumPy and others.",
             FileUse::SaveCamera;
         File, "Quit", "Closes the window.", Leave::Quit => key(Anywhere, CTRL, Key::Q);
     ]

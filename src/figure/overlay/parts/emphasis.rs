@@ -24,6 +24,8 @@ pub struct Highlighted {
     pub dims: bool,
     /// The concepts that are not faded, since the lines of the derivation have spoken of them.
     pub spoken: Concepts,
+    /// The share of its lines and arrows that is drawn, from their starts: below 1 while they grow.
+    pub growth: f64,
 }
 
 impl Highlighted {
@@ -97,10 +99,14 @@ impl Part {
         }
     }
 
-    /// Returns the part restyled by its emphasis.
-    pub(super) fn emphasized(mut self, emphasis: Emphasis) -> Part {
+    /// Returns the part restyled by its emphasis. A highlighted one is drawn up to this share of its length.
+    pub(super) fn emphasized(mut self, emphasis: Emphasis, growth: f64) -> Part {
         match emphasis {
             Emphasis::Strong => {
+                if let (Form::Line | Form::Arrow(_), [start, ..]) = (self.form, &self.places[..]) {
+                    let start = *start;
+                    self.places.iter_mut().for_each(|place| *place = start.toward(place, growth));
+                }
                 self.pen = self.pen.on_top();
                 self.pen.width = self.strong;
                 if let Form::Point(radius) = &mut self.form {

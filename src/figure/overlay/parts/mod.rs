@@ -249,7 +249,9 @@ impl Figure {
         parts.object();
         let drawn = |(k, part): (usize, Part)| {
             let emphasis = part.emphasis(self.items, self.highlighted)?;
-            Some(DrawnPart { part: part.emphasized(emphasis), emphasis, is_behind: k < behind })
+            let growth = self.highlighted.map_or(1.0, |lit| lit.growth);
+            let part = part.emphasized(emphasis, growth);
+            Some(DrawnPart { part, emphasis, is_behind: k < behind })
         };
         parts.list.into_iter().enumerate().filter_map(drawn).collect()
     }

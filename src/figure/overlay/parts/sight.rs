@@ -53,12 +53,8 @@ pub fn subject<'a>(
         drawn.emphasis.is_on_top() || drawn.part.pen.concept.is_some_and(is_spoken)
     };
     let places = parts.iter().filter(is_subject).flat_map(|drawn| drawn.part.in_sight(camera));
-    let sphere = match lit {
-        Concept::Object(index) | Concept::Root { object: index, .. } => {
-            scene.spheres().get(index as usize)
-        }
-        _ => None,
-    };
+    let object = lit.object().or(directed.object);
+    let sphere = object.and_then(|index| scene.spheres().get(index as usize));
     // A planet need not be in sight.
     let in_scale = Surroundings::new(camera, scene).spheres;
     let is_in_scale = |sphere: &&Sphere| in_scale.iter().any(|ball| ball.center == sphere.center);
@@ -67,7 +63,12 @@ pub fn subject<'a>(
         let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| sphere.radius * axis);
         axes.into_iter().flat_map(|axis| [sphere.center - axis, sphere.center + axis])
     });
-    let places = places.chain(sides.map(|side| (Place::from(side), false))).collect();
+    // A plane has no end: where the ray's line meets it is in sight.
+    let inspection = figure.inspection.as_ref().filter(|_| sphere.is_none());
+    let roots = inspection.into_iter().flat_map(|inspection| &inspection.0.roots);
+    let roots = roots.filter(|root| Some(root.object) == object).map(|root| root.point);
+    let ends = sides.chain(roots.filter(|point| point.is_finite()));
+    let places = places.chain(ends.map(|end| (Place::from(end), false))).collect();
     Drawn { camera, scene, has_frustum: false, places }
 }
 
@@ -90,6 +91,7 @@ fn figure(
         digits: LABEL_DIGITS,
         dims: false,
         spoken: Concepts::default(),
+        growth: 1.0,
     });
     let near = resolved.map_or(1.0, |resolved| {
         let viewport = resolved.viewport();

@@ -37,6 +37,7 @@ fn highlighted(stage: &Stage, concept: Concept) -> Option<Highlighted> {
         digits: 5,
         dims: true,
         spoken: Concepts::default(),
+        growth: 1.0,
     })
 }
 
