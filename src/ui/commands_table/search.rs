@@ -107,7 +107,7 @@ mod tests {
             ("6.2", "Contents: Lesson 6: 45 degrees, by hand, 2. What a camera's basis must be"),
             ("contents", "Contents: Lesson 1: The canonical camera, 1. The camera in its world"),
             ("svg", "File: Export a figure…"),
-            ("three", "File: Save the camera for another program…"),
+            ("three.js", "File: Save the camera for another program…"),
             ("c++", "File: Save the camera for another program…"),
             ("gltf", "File: Save the camera for another program…"),
         ] {

@@ -265,8 +265,10 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             ("t₂", "−4"),
         ],
     ),
+    (12, 10, &[("D", "1"), ("t₁", "4"), ("hit", "(0, 0, −4)")]),
     // Half a pixel off the middle; the ball's surface is √682 - 3 away, as in 8.3.
     (13, 3, &[("(u, v)", "(0.00125, −0.00125)"), ("t", "23.115")]),
+    (13, 4, &[("(u, v)", "(0.00125, −0.00125)"), ("t", "23.115")]),
 ];
 
 /// What a text says of what: `𝐮 = normalize(…) = (1, 0, 0)/1 = (1, 0, 0); a remark` reads

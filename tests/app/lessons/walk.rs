@@ -102,7 +102,7 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
         }
     }
     press(&mut window, "Previous");
-    assert_eq!(shown_step(&window), (13, 2));
+    assert_eq!(shown_step(&window), (13, 3));
 }
 
 /// Another layout, which has the camera's fields; another eye, and another observer.
