@@ -109,7 +109,6 @@ mod tests {
             ("svg", "File: Export a figure…"),
             ("three.js", "File: Save the camera for another program…"),
             ("c++", "File: Save the camera for another program…"),
-            ("gltf", "File: Save the camera for another program…"),
         ] {
             assert_eq!(titles(typed).first().map(String::as_str), Some(first), "{typed}");
         }
