@@ -97,10 +97,6 @@ impl DerivedLine {
         DerivedLine { also, ..self }
     }
 
-    fn directing_to(self, concept: Concept) -> DerivedLine {
-        DerivedLine { directs_to: Some(concept), ..self }
-    }
-
     fn given(self) -> DerivedLine {
         DerivedLine { is_given: true, ..self }
     }

@@ -79,8 +79,8 @@ impl ObjectLines<'_> {
 
     /// Lets the line that was added last direct the figure to this concept in place of the object.
     fn directs_to(&mut self, concept: Concept) {
-        if let Some(line) = self.lines.pop() {
-            self.lines.push(line.directing_to(concept));
+        if let Some(line) = self.lines.last_mut() {
+            line.directs_to = Some(concept);
         }
     }
 

@@ -61,9 +61,7 @@ impl Glide {
         };
         self.shown
     }
-}
 
-impl Glide {
     /// Returns the share of the newest line's concept that is drawn while it grows; `None` once it is whole. A press of
     /// the mouse ends the growth; with `is_still` there is none.
     pub(super) fn growth(

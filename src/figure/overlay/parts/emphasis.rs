@@ -103,7 +103,10 @@ impl Part {
     pub(super) fn emphasized(mut self, emphasis: Emphasis, growth: f64) -> Part {
         match emphasis {
             Emphasis::Strong => {
-                if let (Form::Line | Form::Arrow(_), [start, ..]) = (self.form, &self.places[..]) {
+                if growth < 1.0
+                    && let (Form::Line | Form::Arrow(_), [start, ..]) =
+                        (self.form, &self.places[..])
+                {
                     let start = *start;
                     self.places.iter_mut().for_each(|place| *place = start.toward(place, growth));
                 }
