@@ -257,9 +257,11 @@ pub enum LookAction {
     Fill(ViewLayout),
 }
 
-/// Takes part in the open vote.
+/// Opens a vote on a step's question, or takes part in the open one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VoteAction {
+    /// Open a vote on the question of the lesson's step.
+    Ask,
     /// Choose the option with this index.
     Choose(usize),
     /// Type the numbers of raised hands.
@@ -403,6 +405,7 @@ impl Action {
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway)
             | Action::Look(LookAction::Layout(ViewLayout::Answers)) => session.answers.is_some(),
+            Action::Vote(VoteAction::Ask) => session.shown.is_asking && !session.is_voting(),
             Action::Vote(_) => session.is_voting(),
             Action::Look(
                 LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,

@@ -11,6 +11,7 @@ mod ray_pictures;
 mod saving;
 mod stage;
 mod strip;
+mod votes;
 mod walk;
 
 use egui::Key;

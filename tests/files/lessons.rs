@@ -429,6 +429,18 @@ const STEPS: Cases = &[
         "9:9: step 1.hide[0] is \"bases\": did you mean \"basis\"?",
     ),
     (
+        "scene = \"canonical\"\nchoices = [\"1\", \"2\"]\n",
+        "7:11: step 1.choices is there without ask and answer: a vote is on a question",
+    ),
+    (
+        "scene = \"canonical\"\nask = \"Why?\"\nanswer = \"So.\"\nchoices = [\"So\"]\n",
+        "9:11: step 1.choices is [\"So\"]: it must be 2 to 4 answers, the right one first",
+    ),
+    (
+        "scene = \"canonical\"\nask = \"Why?\"\nanswer = \"So.\"\nchoices = [\"So\", \" So\"]\n",
+        "9:18: step 1.choices[1] is \" So\": it is there twice: each answer must be another one",
+    ),
+    (
         "scene = \"canonical\"\nseed = 3\n",
         "7:8: step 1.seed is there without exercise: say which, or leave the seed out",
     ),

@@ -3,7 +3,7 @@
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::{Mistake, Vote, next_seed};
 
-use crate::features::vote::OpenVote;
+use crate::features::vote::{OpenVote, VoteOption};
 use crate::model::with_defaults;
 
 with_defaults! {
@@ -31,7 +31,10 @@ with_defaults! {
 impl MistakesView {
     /// Returns the mistake whose picture is shown.
     pub fn shown(&self) -> Mistake {
-        self.open_vote.as_ref().map_or(self.chosen, |open| open.vote.mistake())
+        match self.open_vote.as_ref().map(|open| &open.options[open.right]) {
+            Some(VoteOption::Mistake(mistake)) => *mistake,
+            _ => self.chosen,
+        }
     }
 
     /// Returns true if the name of the shown mistake may be revealed.
@@ -50,14 +53,7 @@ impl MistakesView {
         self.nothing_shows = vote.is_none();
         self.wants_vote = false;
         self.wants_differences = false;
-        self.open_vote = vote.map(OpenVote::new);
-    }
-
-    /// Reveals which option is right.
-    pub fn reveal(&mut self) {
-        if let Some(open) = &mut self.open_vote {
-            open.is_revealed = true;
-        }
+        self.open_vote = vote.as_ref().map(OpenVote::on_mistake);
     }
 
     /// Closes the vote and returns to the list of mistakes. If the vote's mistake was revealed, that
@@ -88,7 +84,7 @@ mod tests {
         view.close_vote();
         assert_eq!(view.chosen, MistakesView::default().chosen, "it was not revealed");
         view.ask(&camera, &resolved, &scene);
-        view.reveal();
+        view.open_vote.as_mut().expect("it was asked").is_revealed = true;
         let mistake = view.shown();
         view.close_vote();
         assert_eq!(view.chosen, mistake);

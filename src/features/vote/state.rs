@@ -1,6 +1,8 @@
-//! A vote: a picture made with a mistake, which the class names, in two rounds, by raising hands.
+//! A vote: the class chooses one of several options, in two rounds, by raising hands. They are mistakes, one of which
+//! made a picture, or the answers to a step's question.
 
-use pinhole_lecture::Vote;
+use pinhole_figure::typesetting::notation::without_marks;
+use pinhole_lecture::{Mistake, Vote};
 
 /// Number of rounds: before and after neighbours have talked about their answers.
 pub const ROUNDS: usize = 2;
@@ -14,11 +16,32 @@ const EXAMPLE: [&str; Vote::OPTIONS] = ["12", "40", "9", "3"];
 /// The hands raised in one round, for each option.
 pub type Hands = [u32; Vote::OPTIONS];
 
+/// An option of a vote.
+#[derive(Clone, Debug, PartialEq)]
+pub enum VoteOption {
+    /// This mistake made the picture.
+    Mistake(Mistake),
+    /// This answers the question. Symbols are marked as in a step's text.
+    Choice(String),
+}
+
+impl VoteOption {
+    /// Returns the mistake's name, or the answer.
+    pub fn text(&self) -> &str {
+        match self {
+            VoteOption::Mistake(mistake) => mistake.name(),
+            VoteOption::Choice(text) => text,
+        }
+    }
+}
+
 /// An open vote.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenVote {
-    /// The options, and which one is right.
-    pub vote: Vote,
+    /// The options: at least two.
+    pub options: Vec<VoteOption>,
+    /// Index of the option that is right.
+    pub right: usize,
     /// Index of the option that was chosen in the current round.
     pub answer: Option<usize>,
     /// True once the right option is shown.
@@ -32,10 +55,25 @@ pub struct OpenVote {
 }
 
 impl OpenVote {
-    /// Opens a vote.
-    pub fn new(vote: Vote) -> OpenVote {
+    /// Opens a vote on the mistake that made a picture.
+    pub fn on_mistake(vote: &Vote) -> OpenVote {
+        let options = vote.options.iter().map(|mistake| VoteOption::Mistake(*mistake)).collect();
+        OpenVote::new(options, vote.right)
+    }
+
+    /// Opens a vote on the answers to a question, of which the first is right. They are shown in alphabetical order.
+    pub fn on_choices(choices: &[String]) -> OpenVote {
+        let mut sorted: Vec<&String> = choices.iter().collect();
+        sorted.sort();
+        let right = sorted.iter().position(|text| Some(*text) == choices.first());
+        let options = sorted.into_iter().map(|text| VoteOption::Choice(text.clone())).collect();
+        OpenVote::new(options, right.unwrap_or(0))
+    }
+
+    fn new(options: Vec<VoteOption>, right: usize) -> OpenVote {
         OpenVote {
-            vote,
+            options,
+            right,
             answer: None,
             is_revealed: false,
             round: 0,
@@ -46,9 +84,14 @@ impl OpenVote {
 
     /// Chooses an option, unless the right one is shown already.
     pub fn choose(&mut self, option: usize) {
-        if !self.is_revealed && option < self.vote.options.len() {
+        if !self.is_revealed && option < self.options.len() {
             self.answer = Some(option);
         }
+    }
+
+    /// Returns the letter of an option and its text, without the marks of symbols.
+    pub fn named(&self, index: usize) -> String {
+        format!("{}: {}", Vote::LETTERS[index], without_marks(self.options[index].text()))
     }
 
     /// Returns true if another round can begin.
@@ -80,7 +123,7 @@ impl OpenVote {
     /// # Errors
     /// Returns a sentence that says what is wrong with the text.
     pub fn read_typed(&self) -> Result<Hands, String> {
-        let count = self.vote.options.len();
+        let count = self.options.len();
         let example = EXAMPLE[..count].join(" ");
         let mut hands = [0; Vote::OPTIONS];
         let words = self.typed.split(|c: char| c.is_whitespace() || c == ',' || c == ';');
@@ -106,13 +149,11 @@ impl OpenVote {
 
 #[cfg(test)]
 mod tests {
-    use pinhole_lecture::Mistake;
-
     use super::*;
 
     fn typed(text: &str) -> OpenVote {
         let vote = Vote { options: Mistake::GALLERY[..Vote::OPTIONS].to_vec(), right: 1 };
-        OpenVote { typed: text.to_owned(), ..OpenVote::new(vote) }
+        OpenVote { typed: text.to_owned(), ..OpenVote::on_mistake(&vote) }
     }
 
     #[test]

@@ -1,6 +1,5 @@
-//! A classroom vote on which mistake made the wrong picture, with four large options, a bar for the hands
-//! that were raised for each, and two rounds. Once the answer is revealed, the page shows the right option
-//! and its explanation.
+//! A classroom vote with large options, a bar for the hands that were raised for each, and two rounds: a page of its
+//! own that asks which mistake made the wrong picture and says why, or the place below a step's question.
 
 use egui::accesskit::Role;
 use egui::{
@@ -8,10 +7,10 @@ use egui::{
     Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 use pinhole_figure::typesetting::theme::{WRITTEN, error_color};
-use pinhole_lecture::mistakes::{ComparedCamera, Mistake, Vote};
+use pinhole_lecture::mistakes::{ComparedCamera, Vote};
 
 use crate::features::mistakes::MistakesView;
-use crate::features::vote::state::OpenVote;
+use crate::features::vote::state::{OpenVote, VoteOption};
 use crate::model::session::Session;
 use crate::ui::PageContext;
 use crate::ui::action::{LookAction, VoteAction};
@@ -69,12 +68,16 @@ const COUNT: f32 = 26.0;
 
 /// Applies a key of the open vote.
 pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
-    let view = &mut session.shown.mistakes_view;
-    let Some(open) = &mut view.open_vote else { return };
+    let (view, of_step) = (&mut session.shown.mistakes_view, &mut session.live.vote);
+    let is_of_step = of_step.is_some();
+    let Some(open) = of_step.as_mut().or(view.open_vote.as_mut()) else { return };
     match action {
+        // The open step knows its question.
+        VoteAction::Ask => {}
         VoteAction::Choose(option) => open.choose(option),
         VoteAction::NextRound => open.begin_round(),
-        VoteAction::Reveal => view.reveal(),
+        VoteAction::Reveal => open.is_revealed = true,
+        VoteAction::End if is_of_step => *of_step = None,
         VoteAction::End => view.close_vote(),
         VoteAction::Another => {
             view.close_vote();
@@ -118,12 +121,12 @@ pub(crate) fn ui(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageCon
     let bar = ui.spacing().interact_size.y + AROUND_BUTTONS;
     let (above, bar) =
         rest.split_top_bottom_at_y(rest.bottom() - if is_wide { 1.0 } else { 2.0 } * bar);
-    let rows = if is_wide { 2 } else { open.vote.options.len() };
+    let rows = if is_wide { 2 } else { open.options.len() };
     let room = (above.height() - WHY[usize::from(is_wide)]) / rows as f32 - GAP;
     let option = room.clamp(OPTION[0], OPTION[1]) + GAP;
     let (tiles, why) = above.split_top_bottom_at_y(above.top() + option * rows as f32);
     question(ui, head);
-    options(ui, tiles, rows, open);
+    options(ui, tiles, rows, open, NAME);
     clipped(ui, why, |ui| {
         // In a low window the reason scrolls, so that the options stay legible.
         let area = ScrollArea::vertical().id_salt("why").auto_shrink(false);
@@ -143,9 +146,30 @@ fn question(ui: &mut Ui, rect: Rect) {
 /// Minimum height of an option, in points.
 const LEAST_HEIGHT: f32 = 8.0;
 
-/// Shows the options in this many rows.
-fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
-    let count = open.vote.options.len();
+/// Shows the vote on a step's question below it, with texts of this size.
+pub(crate) fn below_question(ui: &mut Ui, area: Rect, open: &mut OpenVote, size: f32) {
+    let bar = ui.spacing().interact_size.y + AROUND_BUTTONS;
+    let tiles = area.with_max_y(area.bottom() - bar);
+    let count = open.options.len();
+    let height = |rows: usize| tiles.height() / rows as f32 - GAP;
+    let rows = if height(count) >= OPTION[0] { count } else { count.div_ceil(2) };
+    let height = (height(rows).min(OPTION[1]) + GAP) * rows as f32;
+    let (tiles, below) = area.split_top_bottom_at_y(tiles.top() + height);
+    options(ui, tiles, rows, open, size);
+    inside(ui, below.with_max_y(below.top() + bar), |ui| {
+        ui.spacing_mut().item_spacing.x = BETWEEN;
+        ui.horizontal(|ui| {
+            hands(ui, open);
+            reveal(ui, open.is_revealed);
+            let close = ui.button("×").on_hover_text("Ends the vote");
+            close.named("End the vote").asks(VoteAction::End);
+        });
+    });
+}
+
+/// Shows the options in this many rows, with texts of this size.
+fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote, size: f32) {
+    let count = open.options.len();
     let columns = count.div_ceil(rows);
     let cells = vec2(columns as f32, rows as f32);
     let cell = (area.size() + vec2(GAP, 0.0)) / cells;
@@ -154,24 +178,18 @@ fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote) {
         let rect = Rect::from_min_size(area.min + place * cell, cell - vec2(GAP, GAP));
         // In the pass in which the vote opens, its area may still be too small.
         let has_room = rect.width() > LETTER_WIDTH + SIGN_WIDTH && rect.height() > LEAST_HEIGHT;
-        if has_room && option(ui, rect, index, open) {
+        if has_room && option(ui, rect, index, open, size) {
             open.choose(index);
         }
     }
 }
 
-/// Returns an option's letter and the mistake's name.
-pub(crate) fn named(open: &OpenVote, index: usize) -> String {
-    format!("{}: {}", Vote::LETTERS[index], open.vote.options[index].name())
-}
-
 /// Shows an option. Returns true if the user votes for it.
-fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
-    let mistake = open.vote.options[index];
+fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, size: f32) -> bool {
     let id = ui.scope_id().with(("option", index));
     let response = ui.interact(rect, id, Sense::click());
-    let response = response.with_role(Role::Button).named(named(open, index));
-    let is_right = index == open.vote.right;
+    let response = response.with_role(Role::Button).named(open.named(index));
+    let is_right = index == open.right;
     let is_chosen = open.answer == Some(index);
     let visuals = ui.visuals();
     let strong = visuals.strong_text_color();
@@ -195,7 +213,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote) -> bool {
     let right = rect.right() - SIGN_WIDTH;
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
     let (named, drawn) = parts(text, open.counted().next().is_some());
-    names(ui, named, mistake, ink);
+    texts(ui, named, &open.options[index], size, ink);
     bars(ui, drawn, index, open, ink);
     if open.is_revealed && (is_right || is_chosen) {
         let center = rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0);
@@ -218,23 +236,32 @@ fn parts(text: Rect, has_bars: bool) -> (Rect, Rect) {
     (named, drawn.shrink2(vec2(0.0, BETWEEN)))
 }
 
-/// Writes the mistake's name, and the wrong formula below it if it fits.
-fn names(ui: &Ui, rect: Rect, mistake: Mistake, ink: Color32) {
+/// Writes an option's text and, if it fits, the formula of a mistake below it.
+fn texts(ui: &Ui, rect: Rect, option: &VoteOption, size: f32, ink: Color32) {
     let line = |text: &str, size: f32| {
-        let width = text_width(ui, text, FontId::proportional(size));
+        let width = marked_text::galley(ui, text, size).size().x;
         let scale = (rect.width() / width.max(1.0)).min(1.0);
-        let font = FontId::proportional(size * scale.max(0.6));
-        ui.painter().layout_no_wrap(text.to_owned(), font, ink)
+        marked_text::galley(ui, text, size * scale.max(0.6))
     };
-    let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
-    let lines = [line(mistake.name(), NAME), line(formula, FORMULA)];
-    let shown = if rect.height() >= WITH_FORMULA { &lines[..] } else { &lines[..1] };
+    let mut shown = vec![line(option.text(), size)];
+    if let VoteOption::Mistake(mistake) = option
+        && rect.height() >= WITH_FORMULA
+    {
+        let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
+        shown.push(line(formula, FORMULA));
+    }
     let height = shown.iter().map(|galley| galley.size().y).sum::<f32>();
     let mut at = pos2(rect.left(), rect.center().y - 0.5 * height);
     let painter = ui.painter_at(rect);
     for galley in shown {
-        painter.galley(at, galley.clone(), ink);
-        at.y += galley.size().y;
+        let below = galley.size().y;
+        // What fades has no colours of its own.
+        if ink == ui.visuals().strong_text_color() {
+            painter.galley(at, galley, ink);
+        } else {
+            painter.galley_with_override_text_color(at, galley, ink);
+        }
+        at.y += below;
     }
 }
 
@@ -310,8 +337,8 @@ fn letters(last: &str) -> String {
 
 /// Returns the verdict, the formula, and the checks that catch the mistake.
 fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
-    let mistake = open.vote.mistake();
-    let verdict = format!("{}. {}", named(open, open.vote.right), mistake.shows());
+    let VoteOption::Mistake(mistake) = open.options[open.right] else { return Vec::new() };
+    let verdict = format!("{}. {}", open.named(open.right), mistake.shows());
     let failing = wrong.into_iter().flat_map(ComparedCamera::failing);
     let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();
     let checks = match &catching[..] {
@@ -351,11 +378,16 @@ fn hands(ui: &mut Ui, open: &mut OpenVote) {
     next.on_hover_text(hint(VoteAction::NextRound)).asks(VoteAction::NextRound);
 }
 
+/// Shows the button that reveals the right option.
+fn reveal(ui: &mut Ui, is_revealed: bool) {
+    let reveal = egui::Button::new(RichText::new("Reveal").strong());
+    let response = ui.add_enabled(!is_revealed, reveal);
+    response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
+}
+
 /// Shows the buttons that reveal the right option, ask again or end the vote.
 fn ways_on(ui: &mut Ui, view: &MistakesView, can_ask: bool) {
-    let reveal = egui::Button::new(RichText::new("Reveal").strong());
-    let response = ui.add_enabled(!view.is_revealed(), reveal);
-    response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
+    reveal(ui, view.is_revealed());
     ui.add_enabled(can_ask, egui::Button::new("Another one")).asks(VoteAction::Another);
     ui.button("All mistakes").on_hover_text("Ends the vote").asks(VoteAction::End);
 }

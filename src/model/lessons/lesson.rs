@@ -69,6 +69,8 @@ pub struct StepQuestion {
     pub ask: String,
     /// The answer, which replaces the question on the screen.
     pub answer: String,
+    /// The answers among which the class votes, the right one first; none if there is no vote on it.
+    pub choices: Vec<String>,
     /// The overlay items that would reveal the answer, and are hidden while the question is open.
     pub hidden: OverlayItems,
 }

@@ -8,7 +8,7 @@ use pinhole_exchange::fields::{Section, TomlField, TomlSource};
 use pinhole_exchange::scene_file::{TABLES, tables, toml};
 use pinhole_exchange::{BuiltinScene, Document, FileError, SceneSource, limits};
 use pinhole_figure::{Concept, Observer, OverlayItems};
-use pinhole_lecture::{Exercise, LARGEST_SEED};
+use pinhole_lecture::{Exercise, LARGEST_SEED, Vote};
 
 use super::keys::{KEYS, choice, is_in_scene, items};
 use super::lesson::{AskedExercise, Lesson, Step, StepQuestion};
@@ -23,7 +23,7 @@ const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// The keys that a step may have in addition to those of [`KEYS`] and the tables of a scene.
 const STEP: &str =
-    "title text ask answer hide scene pixel uv keep_observer play ghost exercise seed";
+    "title text ask answer choices hide scene pixel uv keep_observer play ghost exercise seed";
 
 /// Reads a lesson file.
 ///
@@ -66,11 +66,12 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     Ok(Lesson { title, steps, file: None })
 }
 
-/// Maximum numbers of characters: of a title, of a step's text, and of a question or an answer. They must
-/// fit into the strip above the views.
+/// Maximum numbers of characters: of a title, of a step's text, of a question or an answer, and of a choice. They
+/// must fit beside the figure.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
 const LONGEST_ANSWER: usize = 300;
+const LONGEST_CHOICE: usize = 60;
 
 /// Reads a text field and joins its lines. The text must not be empty or longer than `longest` characters.
 fn line(field: &TomlField, longest: usize) -> Result<String, FileError> {
@@ -187,20 +188,45 @@ fn spoken_of(title: &str, text: &str) -> Vec<Concept> {
 
 /// Reads the question to the class. Unlike other fields, it is not inherited by the next step.
 fn question(section: &Section) -> Result<Option<StepQuestion>, FileError> {
-    let [ask, answer, hide] = ["ask", "answer", "hide"].map(|key| section.get(key));
+    let [ask, answer, choices, hide] =
+        ["ask", "answer", "choices", "hide"].map(|key| section.get(key));
     match (ask, answer) {
         (Some(ask), Some(answer)) => Ok(Some(StepQuestion {
             ask: line(&ask, LONGEST_ANSWER)?,
             answer: line(&answer, LONGEST_ANSWER)?,
+            choices: choices.map_or(Ok(Vec::new()), |choices| choices_of(&choices))?,
             hidden: hide.map_or(Ok(OverlayItems::NONE), |hide| items(&hide))?,
         })),
         (Some(ask), None) => Err(ask.refuse("without answer: say what comes after the question")),
         (None, Some(answer)) => Err(answer.refuse("without ask: say the question, or write text")),
-        (None, None) => match hide {
-            Some(hide) => Err(hide.refuse("without ask and answer: what is shown stands in show")),
-            None => Ok(None),
+        (None, None) => match (hide, choices) {
+            (Some(hide), _) => {
+                Err(hide.refuse("without ask and answer: what is shown stands in show"))
+            }
+            (None, Some(choices)) => {
+                Err(choices.refuse("without ask and answer: a vote is on a question"))
+            }
+            (None, None) => Ok(None),
         },
     }
+}
+
+/// Reads the answers to vote on.
+fn choices_of(field: &TomlField) -> Result<Vec<String>, FileError> {
+    let right = || field.error("it must be 2 to 4 answers, the right one first");
+    let texts = field.elements().ok_or_else(right)?;
+    if !(2..=Vote::OPTIONS).contains(&texts.len()) {
+        return Err(right());
+    }
+    let mut choices: Vec<String> = Vec::new();
+    for text in &texts {
+        let choice = line(text, LONGEST_CHOICE)?;
+        if choices.contains(&choice) {
+            return Err(text.error("it is there twice: each answer must be another one"));
+        }
+        choices.push(choice);
+    }
+    Ok(choices)
 }
 
 /// Reads the scene that a field names, unless it is in `known`. Its table is checked, and kept only while a step with

@@ -13,6 +13,7 @@ use crate::features::class::state::ClassCodes;
 use crate::features::exercises::{Exercises, Progress};
 use crate::features::handles::HandleState;
 use crate::features::translator::Translator;
+use crate::features::vote::OpenVote;
 use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
 
 pub use shown::{Setup, Shown};
@@ -68,6 +69,8 @@ pub struct Live {
     pub alt_dims: bool,
     /// The pen for drawing over the views while presenting; `None` while it is not in use.
     pub pen: Option<Pen>,
+    /// The vote on the step's question while it is asked; `None` if there is none.
+    pub vote: Option<OpenVote>,
     /// The state of the handles.
     pub handles: HandleState,
 }
@@ -229,7 +232,8 @@ impl Session {
 
     /// Returns true if a vote is open whose right option is not shown yet.
     pub fn is_voting(&self) -> bool {
-        self.shows_vote() && !self.shown.mistakes_view.is_revealed()
+        let is_open = self.live.vote.as_ref().is_some_and(|open| !open.is_revealed);
+        is_open || (self.shows_vote() && !self.shown.mistakes_view.is_revealed())
     }
 
     /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.

@@ -17,6 +17,7 @@ use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_T
 use crate::model::session::{Preferences, Session, Settings, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::{
     Action, FileAction, FileUse, Leave, LessonAction, LookAction, Observe, PlayAction, ShareAction,
+    VoteAction,
 };
 use crate::ui::app::App;
 use crate::ui::app::scene::Opened;
@@ -110,6 +111,14 @@ impl App {
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Vote(VoteAction::Ask) => {
+                if !self.scene.open_vote() {
+                    let how =
+                        "A lesson's file has them beside ask: choices = [\"right\", \"wrong\"].";
+                    let title = "This question has no answers to vote on";
+                    self.say(title.to_owned(), vec![how.to_owned()]);
+                }
+            }
             Action::Vote(action) => vote::ui::apply(ctx, &mut self.scene.session, action),
             Action::OpenPalette => self.over.palette = Some(CommandPalette::default()),
             Action::ShowKeys => self.over.shows_keys = true,

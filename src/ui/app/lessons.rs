@@ -10,6 +10,7 @@ use pinhole_figure::Observer;
 use pinhole_figure::derivation::Derivation;
 
 use super::scene::{OpenScene, Opened};
+use crate::features::vote::OpenVote;
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
 use crate::model::session::presenting::Pen;
@@ -102,7 +103,8 @@ impl OpenScene {
         if next.step().shown.observer.is_some() {
             self.framed = None;
         }
-        // The pen's strokes belong to the previous step.
+        // A vote and the pen's strokes belong to the previous step.
+        self.session.live.vote = None;
         if let Some(pen) = &mut self.session.live.pen {
             *pen = Pen::default();
         }
@@ -158,8 +160,18 @@ impl OpenScene {
         self.session.shown.revealed_lines = None;
     }
 
+    /// Opens a vote on the step's question while it is asked. Returns false if the step has no answers to vote on.
+    pub(super) fn open_vote(&mut self) -> bool {
+        let question = self.lessons.open.as_ref().and_then(|open| open.step().question.as_ref());
+        let Some(question) = question.filter(|_| self.session.shown.is_asking) else { return true };
+        let has_choices = !question.choices.is_empty();
+        self.session.live.vote = has_choices.then(|| OpenVote::on_choices(&question.choices));
+        has_choices
+    }
+
     /// Shows the answer to the step's question.
     pub(super) fn answer(&mut self) {
+        self.session.live.vote = None;
         if let Some(open) = &self.lessons.open {
             apply::answer(open.step(), &mut self.session.shown);
         }

@@ -9,7 +9,8 @@ use pinhole_lecture::exercises;
 
 use crate::features::exercises::Exercises;
 use crate::features::mistakes::{self, MistakesView};
-use crate::features::{answers, class, vote};
+use crate::features::vote::{self, OpenVote};
+use crate::features::{answers, class};
 use crate::model::files::title_of;
 use crate::model::{Settings, ViewLayout, Workspace};
 use crate::ui::app::App;
@@ -65,6 +66,7 @@ impl App {
                 let said = if session.shown.is_asking { &question.ask } else { &question.answer };
                 lines.push(without_marks(said));
             }
+            lines.extend(session.live.vote.iter().flat_map(options));
         }
         if !session.shown.is_asking {
             match session.shown.setup.layout {
@@ -107,11 +109,16 @@ impl App {
     fn mistake(&self, view: &MistakesView, lines: &mut Vec<String>) {
         if let Some(open) = &view.open_vote {
             lines.push(vote::ui::ASKED.to_owned());
-            lines.extend((0..open.vote.options.len()).map(|index| vote::ui::named(open, index)));
+            lines.extend(options(open));
         }
         let wrong = self.views.derived.wrong_camera.as_deref();
         lines.extend(wrong.map(|wrong| mistakes::ui::words(wrong, view, false).0));
     }
+}
+
+/// Tells the options of a vote.
+fn options(open: &OpenVote) -> impl Iterator<Item = String> {
+    (0..open.options.len()).map(|index| open.named(index))
 }
 
 /// Tells an exercise, what was typed and what was said about it.

@@ -173,13 +173,15 @@ fn presenting() -> Vec<UiCommand> {
 
 #[rustfmt::skip]
 fn voting() -> Vec<UiCommand> {
-    use When::{Vote, VoteUnfocused, VoteUntyped};
+    use When::{LessonUntyped, Vote, VoteUnfocused, VoteUntyped};
     let letters = pinhole_lecture::Vote::LETTERS.into_iter().filter_map(Key::from_name).enumerate();
     let mut commands: Vec<UiCommand> = letters.map(|(option, letter)| UiCommand {
         keys: vec![plain(VoteUntyped, letter)],
         ..command(Group::Vote, letter.name(), "Chooses this option of the vote.", VoteAction::Choose(option))
     }).collect();
     commands.extend(commands![
+        Vote, "Vote on the question", "Shows answers to the question of the lesson's step, among which the class votes.",
+            VoteAction::Ask => plain(LessonUntyped, Key::V);
         Vote, "Count hands", "Asks for the numbers of raised hands, which are drawn as bars.",
             VoteAction::CountHands => plain(VoteUntyped, Key::H);
         Vote, "Second round", "Lets the class vote again; the first round's bars stay.",

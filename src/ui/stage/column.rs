@@ -10,7 +10,7 @@ use pinhole_figure::typesetting::theme::{self, WRITTEN};
 
 use super::{Stage, navigation};
 use crate::features::lines::view::substitution;
-use crate::features::{exercises, mistakes};
+use crate::features::{exercises, mistakes, vote};
 use crate::model::ViewLayout;
 use crate::model::lessons::OpenLesson;
 use crate::ui::widgets::{SIZES, inside, marked_text};
@@ -63,7 +63,10 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
     inside(ui, card, |ui| {
         ui.set_clip_rect(card.intersect(ui.clip_rect()));
-        formulas(ui, context, size);
+        match &mut context.session.live.vote {
+            Some(open) => vote::ui::below_question(ui, card, open, size),
+            None => formulas(ui, context, size),
+        }
     });
     inside(ui, foot, |ui| bottom(ui, context));
 }
@@ -151,7 +154,9 @@ fn words(ui: &mut Ui, context: &PageContext<'_>, size: f32) {
     for text in paragraphs(context) {
         marked_text::label(ui, &text, size);
     }
-    let Some(answer) = open.and_then(answer) else { return };
+    // A vote takes the answer's room.
+    let is_voting = context.session.live.vote.is_some();
+    let Some(answer) = open.and_then(answer).filter(|_| !is_voting) else { return };
     let fill = if is_asking { Color32::TRANSPARENT } else { ui.visuals().faint_bg_color };
     Frame::NONE.fill(fill).corner_radius(6.0).inner_margin(Margin::same(PADDING as i8)).show(
         ui,
@@ -225,6 +230,7 @@ fn bottom(ui: &mut Ui, context: &mut PageContext<'_>) {
                 let rect = ui.label(text).rect;
                 if context.session.shown.is_asking {
                     dot(ui, rect);
+                    navigation::vote(ui, context);
                 }
             }
             if context.session.shows_exercise() {
@@ -237,6 +243,7 @@ fn bottom(ui: &mut Ui, context: &mut PageContext<'_>) {
     let Some(step) = &context.step else { return };
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         navigation::buttons(ui, step, context.session.shown.is_asking);
+        navigation::vote(ui, context);
     });
 }
 

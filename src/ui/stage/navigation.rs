@@ -8,10 +8,10 @@ use egui::{
 use pinhole_figure::typesetting::theme;
 
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
-use crate::ui::OpenStep;
-use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
+use crate::ui::action::{Action, Leave, LessonAction, LookAction, VoteAction, request};
 use crate::ui::commands_table::{hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, column_of};
+use crate::ui::{OpenStep, PageContext};
 
 /// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
@@ -48,6 +48,17 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
     // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file));
+}
+
+/// Shows the button that opens a vote on the step's question, if it is asked and has answers to vote on.
+pub(super) fn vote(ui: &mut Ui, context: &PageContext<'_>) {
+    let question = context.step.and_then(|step| step.open.step().question.as_ref());
+    let session = &context.session;
+    let can = session.shown.is_asking && session.live.vote.is_none();
+    if can && question.is_some_and(|question| !question.choices.is_empty()) {
+        let button = Button::new(RichText::new("Vote").size(BUTTON));
+        ui.add(button).on_hover_text(hint(VoteAction::Ask)).asks(VoteAction::Ask);
+    }
 }
 
 /// Distance of the buttons for a finger from the window's edges, in points.

@@ -2,8 +2,10 @@
 //! scalar, shown in italics. The words view, up and at need no marks where they are vectors: in a formula, and
 //! where the words around them say so.
 
+use std::sync::Arc;
+
 use egui::text::LayoutJob;
-use egui::{FontFamily, FontId, Label, TextFormat, Ui};
+use egui::{FontFamily, FontId, Galley, Label, TextFormat, Ui};
 use pinhole_figure::symbols;
 use pinhole_figure::typesetting::notation::{unbroken, without_marks};
 use pinhole_figure::typesetting::theme;
@@ -17,6 +19,11 @@ use crate::ui::commands_table::instruction;
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     let job = laid_out(ui, text, size);
     ui.add(Label::new(job).wrap()).spoken(without_marks(&instruction(ui.ctx(), text)));
+}
+
+/// Lays the text out in one line.
+pub(crate) fn galley(ui: &Ui, text: &str, size: f32) -> Arc<Galley> {
+    ui.painter().layout_job(laid_out(ui, text, size))
 }
 
 /// Returns the height of the text when it is wrapped to this width.

@@ -13,7 +13,7 @@ use super::{Window, at_step, go_to, key, press};
 use crate::harness::{assert_says, says, show, texts_with, type_into, window};
 
 /// A window on a lesson of two steps, of which the first one asks.
-fn asking(folder: &std::path::Path) -> Window {
+pub(super) fn asking(folder: &std::path::Path) -> Window {
     let path = folder.join("mine.toml");
     let text = "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"One\"\ntext = \"Look.\"\n\
                 scene = \"canonical\"\nlayout = \"both\"\nshow = [\"eye\", \"basis\"]\n\

@@ -4,7 +4,7 @@ use egui::accesskit::{Role, Toggled};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::features::vote::state::OpenVote;
+use pinhole::features::vote::{OpenVote, VoteOption};
 use pinhole::model::session::ViewLayout;
 use pinhole::model::session::presenting::{self, SMALLEST_TEXT};
 use pinhole::ui::app::App;
@@ -296,8 +296,14 @@ fn open_vote(window: &Harness<'_, App>) -> OpenVote {
     window.state().session().shown.mistakes_view.open_vote.clone().unwrap()
 }
 
+fn mistake_of(open: &OpenVote) -> Mistake {
+    let options = open.options[open.right].clone();
+    let VoteOption::Mistake(mistake) = options else { panic!("a vote on a picture") };
+    mistake
+}
+
 fn option(open: &OpenVote, index: usize) -> String {
-    format!("{}: {}", ["A", "B", "C", "D"][index], open.vote.options[index].name())
+    format!("{}: {}", ["A", "B", "C", "D"][index], open.options[index].text())
 }
 
 #[test]
@@ -305,8 +311,8 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     let mut window = open("look-at");
     click(&mut window, "Guess which");
     let open = open_vote(&window);
-    assert_eq!(open.vote.options.len(), 4);
-    let mistake = open.vote.mistake();
+    assert_eq!(open.options.len(), 4);
+    let mistake = mistake_of(&open);
     let is_secret = |window: &Harness<'_, App>| {
         let checks = values(window, " catches it").is_empty();
         let told = texts_with(window, mistake.shows()).is_empty()
@@ -324,24 +330,24 @@ fn a_vote_tells_nothing_before_it_is_revealed_and_goes_on() {
     };
     let before = buttons(&window);
     // Wrong first.
-    let wrong = (open.vote.right + 1) % 4;
+    let wrong = (open.right + 1) % 4;
     click(&mut window, &option(&open, wrong));
     assert_eq!(open_vote(&window).answer, Some(wrong));
     assert!(is_secret(&window), "a vote is no answer yet");
     click(&mut window, "Reveal");
-    let letter = ["A", "B", "C", "D"][open.vote.right];
+    let letter = ["A", "B", "C", "D"][open.right];
     assert_says(&window, &format!("{letter}: {}. {}", mistake.name(), mistake.shows()));
     assert_says(&window, mistake.formula());
     assert!(wrong_says(&window).starts_with(mistake.name()));
     assert_eq!(buttons(&window), before, "nothing moves");
     click(&mut window, "Another one");
     let next = open_vote(&window);
-    assert_ne!(next.vote.mistake(), mistake);
+    assert_ne!(mistake_of(&next), mistake);
     assert!(next.answer.is_none() && !next.is_revealed);
     click(&mut window, "Reveal");
     click(&mut window, "All mistakes");
     assert_eq!(window.state().session().shown.mistakes_view.open_vote, None);
-    assert_says(&window, &format!("Wrong camera: {}", next.vote.mistake().name()));
+    assert_says(&window, &format!("Wrong camera: {}", mistake_of(&next).name()));
 }
 
 #[test]
@@ -428,7 +434,7 @@ fn a_vote_has_room_beside_a_lesson() {
             let rect = window.get_by_role_and_label(Role::Button, &name).rect();
             assert!(whole.contains_rect(rect), "{name}: {rect} in {whole}, {step}");
             assert!(rect.height() >= 36.0, "{name}: {rect}, {step}");
-            let texts = painted(&window, open.vote.options[index].name());
+            let texts = painted(&window, open.options[index].text());
             let is_whole = |(text, clip): &(egui::Rect, egui::Rect)| {
                 rect.contains_rect(*text) && clip.expand(1.0).contains_rect(*text)
             };
@@ -477,7 +483,7 @@ fn the_palette_opens_a_vote_from_any_window() {
         window.run();
         command(&mut window, "Guess which");
         assert_eq!(window.state().session().shown.setup.layout, ViewLayout::Mistakes);
-        assert_eq!(open_vote(&window).vote.options.len(), 4);
+        assert_eq!(open_vote(&window).options.len(), 4);
         assert_says(&window, "Which mistake made the wrong picture?");
     }
 }
@@ -488,8 +494,8 @@ fn a_vote_that_is_revealed_stays_as_it_was_given() {
     click(&mut window, "Guess which");
     let names: Vec<String> = {
         let open = open_vote(&window);
-        let named = open.vote.options.iter().zip(["A", "B", "C", "D"]);
-        named.map(|(mistake, letter)| format!("{letter}: {}", mistake.name())).collect()
+        let named = open.options.iter().zip(["A", "B", "C", "D"]);
+        named.map(|(mistake, letter)| format!("{letter}: {}", mistake.text())).collect()
     };
     click(&mut window, &names[0]);
     assert_eq!(open_vote(&window).answer, Some(0));
