@@ -300,6 +300,8 @@ macro_rules! actions {
             DropGhost,
             /// Open the command palette.
             OpenPalette,
+            /// Open the command palette with the steps of all lessons.
+            OpenContents,
             /// Show the list of all keys.
             ShowKeys,
             /// Show the lecture's conventions.

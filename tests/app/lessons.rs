@@ -4,6 +4,7 @@ mod asking;
 mod back;
 mod directed;
 mod files;
+mod hand;
 mod leaving;
 mod numbers;
 mod questions;

@@ -13,6 +13,7 @@ use crate::features::mistakes::MistakesView;
 use crate::features::translator::state::{Notice, Taken, pasted};
 use crate::features::vote;
 use crate::model::files::{OpenDocument, title_of};
+use crate::model::lessons::OpenLesson;
 use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_TEXT};
 use crate::model::session::{Preferences, Session, Settings, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::{
@@ -110,7 +111,18 @@ impl App {
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(action) => change_look(&mut self.scene.session, action),
+            Action::Look(LookAction::Fill(ViewLayout::DerivationAlone))
+                if self.scene.why_no_derivation().is_some() =>
+            {
+                let why = self.scene.why_no_derivation().unwrap_or_default();
+                self.say("Nothing to enlarge".to_owned(), vec![why.to_owned()]);
+            }
+            Action::Look(action) => {
+                change_look(&mut self.scene.session, action);
+                if action == LookAction::Present {
+                    self.scene.keep_lines_back();
+                }
+            }
             Action::Vote(VoteAction::Ask) => {
                 if !self.scene.open_vote() {
                     let how =
@@ -120,6 +132,11 @@ impl App {
                 }
             }
             Action::Vote(action) => vote::ui::apply(ctx, &mut self.scene.session, action),
+            Action::OpenContents => {
+                let now = self.lesson().and_then(OpenLesson::number_of_all);
+                let chosen = now.map_or(0, |[number, _]| number - 1);
+                self.over.palette = Some(CommandPalette::contents(chosen));
+            }
             Action::OpenPalette => self.over.palette = Some(CommandPalette::default()),
             Action::ShowKeys => self.over.shows_keys = true,
             Action::ShowConventions => self.over.open(help::conventions()),

@@ -13,10 +13,10 @@ use super::scene::{OpenScene, Opened};
 use crate::features::vote::OpenVote;
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
-use crate::model::session::presenting::Pen;
 use crate::model::{Session, Shown, ViewLayout};
 use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
+use crate::ui::stage::column;
 
 /// The open lesson, and the state to restore when it closes.
 #[derive(Clone, Debug, Default)]
@@ -103,11 +103,10 @@ impl OpenScene {
         if next.step().shown.observer.is_some() {
             self.framed = None;
         }
-        // A vote and the pen's strokes belong to the previous step.
+        // The vote was on the previous step's question.
         self.session.live.vote = None;
-        if let Some(pen) = &mut self.session.live.pen {
-            *pen = Pen::default();
-        }
+        let before = lessons.open.as_ref().map(OpenLesson::id);
+        self.session.live.pen.iter_mut().for_each(|pen| pen.turn(before, next.id()));
         let play = next.step().play;
         lessons.open = Some(next);
         Ok(Opened { is_another: !same_scene, play })
@@ -152,6 +151,26 @@ impl OpenScene {
             && (!step.says("derivation") || step.shown.sections == shown.sections);
         let was_derived = shown.setup.layout.reveals_lines();
         if is_same && was_derived && !shown.is_asking { shown.revealed_lines } else { Some(0) }
+    }
+
+    /// Keeps back the lines of a step without a question when presenting begins, so that they come one by one there, too.
+    pub(super) fn keep_lines_back(&mut self) {
+        let step = self.lessons.open.as_ref().map(OpenLesson::step);
+        let asks_nothing = step.is_some_and(|step| step.question.is_none());
+        let (shown, presenting) = (&mut self.session.shown, self.session.presenting.is_some());
+        if presenting && asks_nothing && shown.setup.layout.reveals_lines() {
+            shown.revealed_lines = Some(0);
+        }
+    }
+
+    /// Returns why the step has no derivation that could fill the window; `None` if it has one or no lesson is open.
+    pub(super) fn why_no_derivation(&self) -> Option<&'static str> {
+        let (shown, presenting) = (&self.session.shown, self.session.presenting?);
+        self.lessons.open.as_ref()?;
+        if !column::has_card(presenting.before(shown.setup.layout)) {
+            return Some("This step has no derivation.");
+        }
+        shown.is_asking.then_some("The derivation comes with the answer.")
     }
 
     /// Shows the step's answer and all lines of its derivation.

@@ -117,6 +117,8 @@ fn program() -> Vec<UiCommand> {
         Lesson, "Back to the step", "Resets everything to the lesson's step.",
             Leave::BackToStep => plain(LessonUntyped, Key::R);
         Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", LessonAction::Close;
+        Lesson, "All steps", "Lists the steps of all lessons; a few letters or a number such as 7.4 find one.",
+            Action::OpenContents => plain(Untyped, Key::O);
         Views, "Frame all", "Moves the observer until everything is in view.",
             Observe::FrameAll => plain(View, Key::F), plain(View, Key::Home);
         Views, "Keep this view in the scene", "Lets the scene open with the world view as it is now.",

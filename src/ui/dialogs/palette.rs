@@ -14,11 +14,19 @@ const TEXT: f32 = 17.0;
 /// Number of commands that are visible at once.
 const ROWS: f32 = 10.0;
 
-/// The typed text, and the index of the selected command among those that match it.
+/// The typed text, the index of the selected command among those that match it, and whether it was in sight.
 #[derive(Default)]
 pub(crate) struct CommandPalette {
     typed: String,
     chosen: usize,
+    is_shown: bool,
+}
+
+impl CommandPalette {
+    /// A palette with the steps of all lessons, at the step with this index.
+    pub(crate) fn contents(chosen: usize) -> CommandPalette {
+        CommandPalette { typed: "contents ".to_owned(), chosen, is_shown: false }
+    }
 }
 
 /// Shows the palette with these commands, and requests the chosen one. Returns true if the palette stays
@@ -41,7 +49,8 @@ pub(crate) fn ui(
         let is_same = palette.typed == before;
         let next = palette.chosen.saturating_add_signed(steps).min(last);
         palette.chosen = if is_same { next } else { 0 };
-        let is_new = steps != 0 || !is_same;
+        let is_new = steps != 0 || !is_same || !palette.is_shown;
+        palette.is_shown = true;
         let chosen = list(ui, &fitting, palette.chosen, is_new, session);
         let entered = ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
         let chosen = chosen.or(entered.then_some(palette.chosen));

@@ -351,7 +351,8 @@ const FROM_POINTER: f32 = 14.0;
 
 /// Shows a tooltip with the numbers of the ray under the mouse, or else the name of the hovered concept.
 pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document: &Document) {
-    if !may_explain(ui.ctx()) {
+    // The class watches a scan.
+    if !may_explain(ui.ctx()) || session.live.scanned_pixels.is_some() {
         return;
     }
     let style = session.shown.setup.number_style();
@@ -516,11 +517,18 @@ const PEN_LINE: f32 = 3.0;
 const PEN_CASING: f32 = 5.0;
 /// Radius of the pen's pointer, in points.
 const PEN_POINTER: f32 = 5.0;
-/// Colours of the pen, which occur nowhere else in the views.
-const PEN_INKS: [Color32; PEN_COLORS] = [
-    Color32::from_rgb(0xff, 0xe6, 0x00),
-    Color32::from_rgb(0xff, 0x3b, 0x30),
-    Color32::from_rgb(0x00, 0xe5, 0xff),
+/// Colours of the pen on dark and on light ground, which occur nowhere else in the views.
+const PEN_INKS: [[Color32; PEN_COLORS]; 2] = [
+    [
+        Color32::from_rgb(0xff, 0xe6, 0x00),
+        Color32::from_rgb(0xff, 0x3b, 0x30),
+        Color32::from_rgb(0x00, 0xe5, 0xff),
+    ],
+    [
+        Color32::from_rgb(0x10, 0x10, 0x18),
+        Color32::from_rgb(0xb0, 0x00, 0x10),
+        Color32::from_rgb(0x00, 0x38, 0xa8),
+    ],
 ];
 
 /// Draws with presenter mode's pen on `area`, everything below the lesson's text. The pen's pointer is large
@@ -528,6 +536,10 @@ const PEN_INKS: [Color32; PEN_COLORS] = [
 pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
     let id = ui.scope_id().with(PEN);
     let layer = Area::new(id).order(Order::Foreground).fixed_pos(area.min).constrain(false);
+    let (inks, casing) = match ui.visuals().dark_mode {
+        true => (PEN_INKS[0], Color32::BLACK),
+        false => (PEN_INKS[1], Color32::WHITE),
+    };
     layer.show(ui.ctx(), |ui| {
         let (_, response) = ui.allocate_exact_size(area.size(), Sense::drag());
         let response = response.named(PEN).on_hover_cursor(CursorIcon::Crosshair);
@@ -544,14 +556,14 @@ pub(crate) fn pen(ui: &Ui, area: Rect, pen: &mut Pen) {
         for stroke in &pen.strokes {
             let at = |&[x, y]: &[f32; 2]| area.min + vec2(x, y) * area.size();
             let points: Vec<Pos2> = stroke.points.iter().map(at).collect();
-            let ink = PEN_INKS[stroke.color % PEN_COLORS];
-            for (width, color) in [(PEN_CASING, Color32::BLACK), (PEN_LINE, ink)] {
+            let ink = inks[stroke.color % PEN_COLORS];
+            for (width, color) in [(PEN_CASING, casing), (PEN_LINE, ink)] {
                 ui.painter().line(points.clone(), PathStroke::new(width, color));
             }
         }
         if let Some(at) = at.or(response.hover_pos()) {
-            let edge = (PEN_CASING - PEN_LINE, Color32::BLACK);
-            ui.painter().circle(at, PEN_POINTER, PEN_INKS[pen.color % PEN_COLORS], edge);
+            let edge = (PEN_CASING - PEN_LINE, casing);
+            ui.painter().circle(at, PEN_POINTER, inks[pen.color % PEN_COLORS], edge);
         }
     });
 }

@@ -125,8 +125,8 @@ pub(crate) fn arrows(ctx: &Context) -> Vec2 {
 /// Time after a click in which tooltips appear while presenting, in seconds.
 const EXPLAINS: f32 = 4.0;
 
-/// Returns true if a tooltip may appear. While presenting, it waits for a click, since it covers what the class
-/// looks at.
+/// Returns true if a tooltip may appear. While presenting, it waits for a click and the end of a drag, since it covers
+/// what the class looks at.
 pub(crate) fn may_explain(ctx: &Context) -> bool {
     if !theme::installed(ctx).presenting {
         return true;
@@ -135,7 +135,7 @@ pub(crate) fn may_explain(ctx: &Context) -> bool {
     if left > 0.0 {
         ctx.request_repaint_after(Duration::from_secs_f32(left));
     }
-    left > 0.0
+    left > 0.0 && !ctx.input(|input| input.pointer.any_down())
 }
 
 /// Shows content in a rectangle of the window.
