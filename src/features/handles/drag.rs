@@ -53,6 +53,14 @@ pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Result<f64, 
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at)?)
 }
 
+/// Minimum cosine between the line of sight to the tip of up and u, at which the plane of up and view is seen well enough
+/// to drag in it.
+const LEAST_FACING: f64 = 0.25;
+
+/// The tangent of 20 degrees, the greatest angle on the screen between a movement and a direction of the plane of up and
+/// view at which it counts as one within.
+const SIDEWAYS: f64 = 0.364;
+
 impl HandleDrag<'_> {
     /// Returns the result of dragging the handle to the point `uv` of the observer's viewport.
     ///
@@ -126,8 +134,34 @@ impl HandleDrag<'_> {
                 let Basis { u, v, .. } = camera.basis()?;
                 DragAlong::Plane(u.cross(v))
             }
+            Handle::Up if self.drag.is_beside_view == Some(true) => {
+                DragAlong::Plane(camera.basis()?.u)
+            }
             _ => DragAlong::ViewPlane,
         })
+    }
+
+    /// Returns true if the pointer, now at `uv`, began to move the tip of up within the plane of up and view: on the screen
+    /// along one of them, or the way in which up turns towards view, rather than along u.
+    pub fn begins_beside_view(&self, uv: DVec2) -> bool {
+        let Drag { at: tip, begun_at, before, .. } = *self.drag;
+        let Ok(Basis { u, .. }) = before.camera.basis() else { return false };
+        let observer = self.observer;
+        let start = observer.project(tip).uv;
+        let sight = observer.ray(start).direction.normalize();
+        if self.handle != Handle::Up || sight.dot(u).abs() < LEAST_FACING {
+            return false;
+        }
+        let up = (tip - before.camera.eye).normalize();
+        let small = 1e-3 * observer.eye().distance(tip);
+        let way = uv - begun_at;
+        let tangent = |of: DVec3| {
+            let seen = observer.project(tip + small * of).uv - start;
+            (seen.perp_dot(way) / seen.dot(way)).abs()
+        };
+        let within = [up, before.camera.view().normalize(), u.cross(up)].map(tangent);
+        let nearest = within.into_iter().fold(SIDEWAYS, f64::min);
+        nearest < SIDEWAYS && nearest < tangent(u)
     }
 
     /// Rounds a number to the precision of the pointer or, if snapping is on, to a multiple of a round
@@ -301,7 +335,8 @@ mod tests {
         let object = Some((0, Object::Sphere(sphere)));
         let before = HandleValues { camera, selection: Selection::Uv(DVec2::ZERO), object };
         let (grabbed, begun_at) = (Grabbed::Handle(handle), DVec2::ZERO);
-        let drag = Drag { grabbed, before, begun_at, at, length: 1.0, toward: DVec3::X };
+        let (length, toward, is_beside_view) = (1.0, DVec3::X, None);
+        let drag = Drag { grabbed, before, begun_at, at, length, toward, is_beside_view };
         let [keep_pixel_shape, keep_picture] = keeps;
         let drag = HandleDrag {
             handle,

@@ -67,7 +67,15 @@ impl PlacedHandle {
     pub fn taken(&self, document: &Document, selection: Selection, begun_at: DVec2) -> Drag {
         let PlacedHandle { handle, at, length, toward, .. } = *self;
         let before = HandleValues::read(document, selection, handle.object());
-        Drag { grabbed: Grabbed::Handle(handle), before, begun_at, at, length, toward }
+        Drag {
+            grabbed: Grabbed::Handle(handle),
+            before,
+            begun_at,
+            at,
+            length,
+            toward,
+            is_beside_view: None,
+        }
     }
 }
 

@@ -129,6 +129,9 @@ pub struct Drag {
     /// Unit vector from a sphere's centre to the point of its surface that is dragged and follows the
     /// pointer.
     pub toward: DVec3,
+    /// True if the tip of up began to move within the plane of up and view, in which it then stays; `None` until it has
+    /// moved.
+    pub is_beside_view: Option<bool>,
 }
 
 impl Drag {

@@ -264,7 +264,9 @@ impl Dragging {
         let before = HandleValues::read(document, session.shown.selection, None);
         let begun_at = self.camera_uv(&before.camera, at);
         let (at, length, toward) = (before.camera.eye, 1.0, DVec3::X);
-        session.live.handles.drag = Some(Drag { grabbed, before, begun_at, at, length, toward });
+        let is_beside_view = None;
+        session.live.handles.drag =
+            Some(Drag { grabbed, before, begun_at, at, length, toward, is_beside_view });
         session.live.handles.is_busy = true;
         (self.recent, self.refused) = (None, None);
     }
@@ -298,6 +300,10 @@ impl Dragging {
                 let outcome = match (drag.grabbed, world) {
                     (Grabbed::Handle(handle), Some(view)) => {
                         let settings = session.settings();
+                        let begun = view.handle_drag(ctx, handle, &drag, &settings);
+                        let is_beside = drag.is_beside_view;
+                        drag.is_beside_view =
+                            is_beside.or(Some(begun.begins_beside_view(view.uv(at))));
                         let dragged = view.handle_drag(ctx, handle, &drag, &settings);
                         dragged.to(view.uv(at)).map(|dragged| {
                             dragged.values.put(document, &mut session.shown.selection);

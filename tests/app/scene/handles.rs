@@ -7,12 +7,14 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::model::lessons::{StepId, Which};
 use pinhole::model::session::{Preferences, Settings, Setup};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{BasisError, Camera, CameraError, DVec3, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_figure::Fault;
+use pinhole_figure::overlay::world_position_of;
 use pinhole_figure::overlay_items::Item;
 
 use super::{at_of, camera};
@@ -575,4 +577,36 @@ fn near_up_the_camera_takes_up_along_unless_up_is_kept() {
     assert!(!said);
     assert_eq!(up, before.camera.up());
     assert_ne!(camera(&harness), before.camera, "the eye has moved");
+}
+
+/// Opens step 7.5, drags the tip of up by 60 pixels the way the point `way` from it goes on the screen, and returns the
+/// camera before and after.
+fn up_dragged(way: impl Fn(&Camera) -> DVec3) -> [Camera; 2] {
+    let mut harness = window("canonical");
+    let id = StepId { lesson: Which::Builtin(6), step: 4 };
+    harness.state_mut().open_lesson(id, None);
+    harness.run();
+    let before = camera(&harness);
+    let by = {
+        let frame = harness.state().derived().world_frame.clone().unwrap();
+        let at = |point| world_position_of(frame.camera(), point).unwrap();
+        let tip = before.eye + before.up();
+        let by = at(tip + 0.1 * way(&before)) - at(tip);
+        60.0 * by.normalize()
+    };
+    drag(&mut harness, "up handle", vec2(by.x as f32, by.y as f32));
+    [before, camera(&harness)]
+}
+
+#[test]
+fn up_stays_in_the_plane_with_view_if_its_drag_begins_there() {
+    let u = |camera: &Camera| camera.basis().unwrap().u;
+    let toward_view = |camera: &Camera| camera.view().normalize();
+    for way in [toward_view, |camera: &Camera| -camera.view().normalize(), Camera::up] {
+        let [before, after] = up_dragged(way);
+        assert_ne!(before.up(), after.up());
+        assert_eq!(u(&before), u(&after), "{:?}", after.up());
+    }
+    let [before, after] = up_dragged(u);
+    assert!(u(&before).distance(u(&after)) > 0.05, "{:?}", after.up());
 }
