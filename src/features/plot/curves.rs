@@ -133,7 +133,7 @@ impl Plot {
     }
 
     /// Returns the value of f at height 1 where the heights are numbered by f itself: if there is a single curve.
-    pub(crate) fn unit(&self) -> Option<f64> {
+    pub fn unit(&self) -> Option<f64> {
         match self.curves.as_slice() {
             [only] => Some(only.unit.value),
             _ => None,

@@ -4,8 +4,9 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::lessons::{StepId, Which};
-use pinhole_core::DVec3;
+use pinhole::model::lessons::{StepId, Which, builtin};
+use pinhole_core::{DVec3, SphereQuadratic};
+use pinhole_lecture::ObjectDerivation;
 
 use super::{Window, at_step, key};
 use crate::app::painted_texts::texts;
@@ -108,4 +109,36 @@ fn both_axes_of_the_plane_have_their_names_in_every_step() {
             assert!(texts(&window).iter().any(|run| run.text == name), "11.{step}: {name}");
         }
     }
+}
+
+/// The value at t of the function on the card.
+fn value_on_card(derivation: &ObjectDerivation, [p, d]: [DVec3; 2], t: f64) -> f64 {
+    match derivation {
+        ObjectDerivation::Sphere(ball) => {
+            let SphereQuadratic { a, b, c, .. } = ball.quadratic;
+            a * t * t + 2.0 * b * t + c
+        }
+        ObjectDerivation::Plane(wall) => wall.plane.normal.dot(p + t * d - wall.plane.point),
+    }
+}
+
+#[test]
+fn a_single_curve_is_the_function_on_the_card_at_20_values_of_t() {
+    let mut count = 0;
+    for step in 1..=builtin::all()[11].steps.len() {
+        let window = at_step(12, step);
+        let derived = window.state().derived();
+        let Some(plot) = &derived.plot else { continue };
+        let (Some(unit), [curve]) = (plot.unit(), &plot.curves[..]) else { continue };
+        let ray = derived.inspection.as_deref().unwrap().ray;
+        let samples = curve.samples.iter().step_by(curve.samples.len() / 20).take(20);
+        for (t, height) in samples {
+            let wanted = value_on_card(&curve.derivation, [ray.origin, ray.direction], *t);
+            let drawn = height * unit;
+            let near = (drawn - wanted).abs() <= 1e-9 * wanted.abs().max(1.0);
+            assert!(near, "12.{step}: {drawn} is not {wanted} at {t}");
+            count += 1;
+        }
+    }
+    assert!(count >= 100, "{count}");
 }
