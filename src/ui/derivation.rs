@@ -258,7 +258,7 @@ fn head(ui: &mut Ui, derivation: &Derivation, session: &mut Session) {
 
 /// Paints the background of a highlighted line.
 fn band(ui: &Ui, rect: Rect) {
-    let color = ui.visuals().selection.bg_fill.gamma_multiply(0.55);
+    let color = ui.visuals().selection.bg_fill.gamma_multiply(0.3);
     let edge = Rect::from_min_max(rect.min, pos2(rect.left() + 4.0, rect.bottom()));
     ui.painter().rect_filled(rect, CornerRadius::same(3), color);
     ui.painter().rect_filled(edge, CornerRadius::same(2), ui.visuals().selection.stroke.color);

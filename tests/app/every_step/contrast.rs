@@ -20,12 +20,24 @@ pub(super) fn small_texts(seen: &Seen<'_>) -> Vec<String> {
     small.map(|run| format!("“{}” has {}", run.text, run.size)).collect()
 }
 
+/// The least contrast of the text of the lit line, which is large: of that, WCAG demands 3.
+const LEAST_LIT: f64 = 4.0;
+
 /// The texts that have too little contrast, or have no halo on a picture.
 pub(super) fn faint_texts(seen: &Seen<'_>) -> Vec<String> {
+    texts_fainter_than(LEAST[0], seen)
+}
+
+/// The same while a line of the card is lit.
+pub(super) fn faint_lit_texts(seen: &Seen<'_>) -> Vec<String> {
+    texts_fainter_than(LEAST_LIT, seen)
+}
+
+fn texts_fainter_than(least: f64, seen: &Seen<'_>) -> Vec<String> {
     let faint = |Run { text, color, ground, .. }: Run| {
         let Some(ground) = ground else { return Some(format!("“{text}” on a picture")) };
         let ratio = contrast_ratio(over(ground, color), ground);
-        (ratio < LEAST[0]).then(|| format!("“{text}”: {ratio:.2}, {color:?} on {ground:?}"))
+        (ratio < least).then(|| format!("“{text}”: {ratio:.2}, {color:?} on {ground:?}"))
     };
     texts(seen.window).into_iter().filter_map(faint).collect()
 }

@@ -9,7 +9,7 @@ use egui::accesskit::Role;
 use egui::{Key, Rect, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::lessons::{StepId, Which, builtin};
+use pinhole::model::lessons::{OpenLesson, StepId, Which, builtin};
 use pinhole::model::session::{Preferences, Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
@@ -58,6 +58,18 @@ const ON_STAGE: &[(&str, Check)] = &[
     }),
     ("nothing covers anything else", |seen| overlaps::offences(seen.window)),
 ];
+
+/// What is looked at after each line, which directs the figure to a part of it.
+const IN_EACH_LINE: &[(&str, Check)] = &[
+    ("every field and button is whole", figure::cut_widgets),
+    ("text is large", contrast::small_texts),
+    ("no label covers another, a handle or a tip", in_sight::covered),
+    ("nothing covers anything else", |seen| overlaps::offences(seen.window)),
+];
+
+/// What is looked at there in both schemes. What is not spoken of is faint.
+const IN_EACH_LINE_IN_BOTH_SCHEMES: &[(&str, Check)] =
+    &[("texts stand out", contrast::faint_lit_texts)];
 
 /// What is looked at in a window that does not present.
 const IN_WINDOW: &[(&str, Check)] = &[
@@ -117,29 +129,39 @@ impl Walk {
         assert!(self.found.is_empty(), "at {size}:\n{}", self.found.join("\n"));
     }
 
+    /// Looks at what is shown, in a state of this name.
+    fn look(
+        &mut self,
+        state: &str,
+        (layout, is_answered, opened): (ViewLayout, bool, &[Option<Rect>]),
+        [checks, in_both_schemes]: [&[(&str, Check)]; 2],
+    ) {
+        let mut look = |window: &Harness<'static, App>, checks: &[(&str, Check)]| {
+            let seen = Seen { window, layout, is_answered, opened };
+            let state = format!("{state}, {:?}", window.ctx.theme());
+            for (check, wrong_in) in checks {
+                let wrong = wrong_in(&seen).into_iter();
+                self.found.extend(wrong.map(|it| format!("{state}: {check}: {it}")));
+            }
+        };
+        look(&self.window, checks);
+        if !in_both_schemes.is_empty() {
+            look(&self.window, in_both_schemes);
+            other_scheme(&mut self.window);
+            look(&self.window, in_both_schemes);
+        }
+    }
+
     fn step(&mut self, name: &str, layout: ViewLayout) {
         let opened = figure::pictures(&self.window, layout);
-        for is_answered in [false, true] {
-            if is_answered {
-                self.window.key_press(Key::End);
-                self.window.run();
-            }
-            let mut look = |window: &Harness<'static, App>, checks: &[(&str, Check)]| {
-                let seen = Seen { window, layout, is_answered, opened: &opened };
-                let state = if is_answered { "answered" } else { "opened" };
-                let state = format!("{name} {state}, {:?}", window.ctx.theme());
-                for (check, wrong_in) in checks {
-                    let wrong = wrong_in(&seen).into_iter();
-                    self.found.extend(wrong.map(|it| format!("{state}: {check}: {it}")));
-                }
-            };
-            look(&self.window, self.checks);
-            if !self.in_both_schemes.is_empty() {
-                look(&self.window, self.in_both_schemes);
-                other_scheme(&mut self.window);
-                look(&self.window, self.in_both_schemes);
-            }
+        let checks = [self.checks, self.in_both_schemes];
+        self.look(&format!("{name} opened"), (layout, false, &opened), checks);
+        if self.window.state().session().presenting.is_some() {
+            self.line_by_line(name, layout, &opened);
         }
+        self.window.key_press(Key::End);
+        self.window.run();
+        self.look(&format!("{name} answered"), (layout, true, &opened), checks);
         if !self.in_both_schemes.is_empty() {
             let share = figure::ground(&mut self.window);
             if share > 0.45 {
@@ -147,7 +169,30 @@ impl Walk {
             }
         }
     }
+
+    /// Reveals the step's answer and lines one by one until the next step comes, and opens the step again.
+    fn line_by_line(&mut self, name: &str, layout: ViewLayout, opened: &[Option<Rect>]) {
+        let id = |walk: &Walk| walk.window.state().lesson().map(OpenLesson::id);
+        let own = id(self);
+        for line in 1.. {
+            self.window.key_press(Key::PageDown);
+            self.window.run();
+            // After the last step nothing comes.
+            if id(self) != own || line > MOST_LINES {
+                break;
+            }
+            let state = format!("{name} after {line} presses");
+            let checks = [IN_EACH_LINE, IN_EACH_LINE_IN_BOTH_SCHEMES];
+            self.look(&state, (layout, true, opened), checks);
+        }
+        let own = own.expect("a lesson is open");
+        self.window.state_mut().open_lesson(own, None);
+        self.window.run();
+    }
 }
+
+/// Maximum number of presses of a key in a step.
+const MOST_LINES: usize = 12;
 
 /// Changes from light to dark or back.
 fn other_scheme(window: &mut Harness<'_, App>) {
