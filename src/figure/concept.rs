@@ -129,6 +129,18 @@ pub struct Directed {
     pub object: Option<u32>,
     /// The concepts of all lines so far.
     pub spoken: Concepts,
+    /// True if a lesson's step names them, and no line is revealed yet: then none of them is more than the others.
+    pub is_of_step: bool,
+}
+
+impl Directed {
+    /// Returns what a step directs to that names these concepts; `None` if it names none.
+    pub fn to(subject: &[Concept]) -> Option<Directed> {
+        let concept = *subject.last()?;
+        let object = subject.iter().find_map(|concept| concept.object());
+        let spoken = subject.iter().copied().fold(Concepts::default(), Concepts::with);
+        Some(Directed { concept, object, spoken, is_of_step: true })
+    }
 }
 
 /// The concepts that need no object's index, each with its name in files and its description.

@@ -55,7 +55,7 @@ pinhole_core::texts! {
     Floor: "floor and drop lines", "floor";
     /// The arcs from u to v, from v to w and from w to u.
     Ring: "order of u, v, w", "ring";
-    /// The right angles between u, v and w.
+    /// The right angles between u, v and w, and the angles by which they have turned from the ghost's.
     RightAngles: "right angles of u, v, w", "right-angles";
     /// The parallelogram of up and w, with its area.
     UpCrossW: "area of up × w", "up-cross-w";
@@ -80,6 +80,11 @@ pinhole_core::texts! {
 }
 
 impl Item {
+    /// Returns true for a figure of the whiteboard, which belongs to one topic.
+    pub(crate) fn is_of_one_topic(self) -> bool {
+        self as u8 >= Item::SphereFigure as u8 && self != Item::Floor
+    }
+
     const fn bit(self) -> u64 {
         1 << self as u8
     }

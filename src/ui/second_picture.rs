@@ -49,7 +49,10 @@ pub(crate) fn show(
             wrong.map(|wrong| mistakes::ui::words(wrong, mistakes_view, is_asking))
         }
         SecondPicture::Ghost => {
-            compare::strip(ui, area, &mut session.shown.ghost);
+            match on_stage {
+                Some(camera) => compare::headings(ui, [camera, area]),
+                None => compare::strip(ui, area, &mut session.shown.ghost),
+            }
             let ghost = session.shown.ghost.as_ref();
             Some(compare::words(derived.against_ghost.as_deref(), ghost))
         }

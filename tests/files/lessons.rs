@@ -477,6 +477,18 @@ const STEPS: Cases = &[
         "7:1: step 1.camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
     ),
     (
+        "scene = \"canonical\"\nsubject = [\"up\", \"object 99\"]\n",
+        "7:18: step 1.subject[1] is \"object 99\": the scene's objects are 0 to 2",
+    ),
+    (
+        "scene = \"canonical\"\nsubject = \"up\"\n",
+        "7:11: step 1.subject is \"up\": it must be a list, such as [\"up\", \"w\"]",
+    ),
+    (
+        "scene = \"canonical\"\nsubject = [\"upp\"]\n",
+        "7:12: step 1.subject[0] is \"upp\": did you mean \"up\"?",
+    ),
+    (
         "scene = \"canonical\"\nhighlight = \"object 99\"\n",
         "7:13: step 1.highlight is \"object 99\": the scene's objects are 0 to 2",
     ),

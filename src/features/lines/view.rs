@@ -106,7 +106,9 @@ fn show_steps(ui: &mut Ui, steps: &[(&str, String)]) {
     for (what, formula) in steps {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
-            ui.weak(format!("{what}:"));
+            // On the formula's baseline.
+            let weak = ui.visuals().weak_text_color();
+            notation::label(ui, &format!("{what}:"), text_size(ui), weak);
             // A formula that does not fit into a row is broken between its parts.
             formula.split("  ").for_each(|part| text(ui, part));
         });
@@ -265,10 +267,13 @@ pub(crate) fn draw_exercise(
     } else {
         plane.grid();
         plane.implicit(&lab.line());
+        plane.direction(&lab.ray);
         let p = plane.to_screen(lab.ray.p);
         painter.circle(p, 8.0, ray, Stroke::new(2.0, plane.colors.background));
         let font = Font { size: NAMES + 1.0, color: ray, bold: true };
         labels.write("p", font, around(p, vec2(-1.0, 1.0), 13.0));
+        let (d, left) = (lab.ray.at(1.0), left_of(lab.ray.d));
+        labels.write("d", font, around(plane.to_screen(d), -left, 13.0));
     }
     for (name, at) in typed {
         let at = plane.to_screen(*at);
@@ -505,7 +510,7 @@ impl PlaneView {
     /// Draws the parametric line, dashed before p and solid after p; then the points of its trail, unless it
     /// is `None`; then the vector d.
     fn parametric(&self, line: &ParametricLine, trail: Option<&LinesLab>) {
-        let (ParametricLine { p, d }, ray) = (*line, self.colors.ray);
+        let ray = self.colors.ray;
         let (first, last) = self.range_of_t(line);
         if first < 0.0 {
             let stroke = Stroke::new(2.0, ray.gamma_multiply(0.75));
@@ -519,7 +524,12 @@ impl PlaneView {
             let stroke = Stroke::new(1.5, self.colors.background);
             self.painter.circle(self.to_screen(at), 5.5, ray, stroke);
         }
-        // d is drawn as an arrow; the size of its head is in points.
+        self.direction(line);
+    }
+
+    /// Draws d as an arrow from p; the size of its head is in points.
+    fn direction(&self, line: &ParametricLine) {
+        let (ParametricLine { p, d }, ray) = (*line, self.colors.ray);
         let [from, to] = [p, p + d].map(|end| self.to_screen(end));
         let size = 26.0_f32.min(0.8 * from.distance(to));
         let head = size * (to - from).normalized();
@@ -598,6 +608,8 @@ impl PlaneView {
         let font = Font { size: NAMES, color: self.colors.ink, bold: true };
         let below = |distance| around(at, vec2(0.0, 1.0), distance);
         labels.write(&text, font, below(17.0).chain(below(30.0)));
+        // No other label stands near enough to be about this point.
+        labels.keep_free(Rect::from_center_size(at, Vec2::splat(48.0)));
     }
 
     /// Returns the position of a handle on the screen; `None` if it is outside the drawing.

@@ -74,9 +74,8 @@ impl Player {
     /// the state at the start.
     pub fn still(&mut self) -> Still {
         if !self.begun {
-            // Nothing has moved yet. The picture is empty, as none of its pixels is scanned.
-            let scanned_pixels = (self.kind == Kind::Scan).then_some(0);
-            return Still { scanned_pixels, ..self.start.still() };
+            // Nothing has moved yet, and the picture is whole.
+            return self.start.still();
         }
         let steps = self.kind.steps(&self.start) as f64;
         let phase = match self.reduced && self.running {

@@ -21,23 +21,27 @@ const PLACE: f32 = 64.0;
 const SCAN_PLACE: f32 = 196.0;
 
 /// Shows the strip with the animation's controls. Changes that cannot be made in place are requested as
-/// actions.
-pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
+/// actions. While presenting, it is one thin line.
+pub(crate) fn ui(ui: &mut Ui, player: &mut Player, is_presenting: bool) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
-    let is_narrow = ui.available_width() < NARROW;
+    let is_narrow = ui.available_width() < NARROW && !is_presenting;
     let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
     ui.horizontal_wrapped(|ui| {
-        kinds(ui, player.kind);
+        if !is_presenting {
+            kinds(ui, player.kind);
+        }
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Resume") };
         button(ui, [text, name], PlayAction::Toggle);
-        button(ui, ["← Step", "Step back"], PlayAction::Step(-1));
-        button(ui, ["Step →", "Step forward"], PlayAction::Step(1));
-        speed(ui, &mut player.speed);
-        ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text(hint(PlayAction::Loop));
+        if !is_presenting {
+            button(ui, ["← Step", "Step back"], PlayAction::Step(-1));
+            button(ui, ["Step →", "Step forward"], PlayAction::Step(1));
+            speed(ui, &mut player.speed);
+            ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text(hint(PlayAction::Loop));
+        }
         if !is_narrow {
             ui.with_layout(right_to_left, |ui| {
-                ends(ui);
+                ends(ui, is_presenting);
                 position(ui, player);
             });
         }
@@ -46,7 +50,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player) {
         let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
         let is_stacked = row.x < STACKED && player.kind == Kind::Scan;
         ui.allocate_ui_with_layout(row, right_to_left, |ui| {
-            ends(ui);
+            ends(ui, false);
             if !is_stacked {
                 position(ui, player);
             }
@@ -67,8 +71,11 @@ fn button(ui: &mut Ui, [text, name]: [&str; 2], play: PlayAction) {
 }
 
 /// Shows, from right to left, the buttons that end or export the animation.
-fn ends(ui: &mut Ui) {
+fn ends(ui: &mut Ui, is_presenting: bool) {
     button(ui, ["Stop", "Stop and go back"], PlayAction::Close);
+    if is_presenting {
+        return;
+    }
     button(ui, ["Keep", "Keep this"], PlayAction::Keep);
     ui.button("Export…").asks(FigureAction::AskAnimation);
 }

@@ -268,7 +268,7 @@ impl Derivation {
                 matches!(line.concept, Some(Concept::Equation { .. })).then_some(Concept::Ray);
             let about = [Some(concept), line.concept, ray].into_iter().flatten();
             let spoken = about.fold(spoken, Concepts::with);
-            Some(Directed { concept, object, spoken })
+            Some(Directed { concept, object, spoken, is_of_step: false })
         })
     }
 

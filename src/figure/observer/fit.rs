@@ -6,9 +6,10 @@ use crate::observer::subject::{Bound, Drawn, Subject, balls_of, frustum_corners,
 use crate::observer::view_size::{Area, ViewSize, tame_aspect};
 use crate::observer::{DISTANCES, FOV, Observer};
 
-/// Margins at the picture's border that are kept free, as fractions of half the picture: in general, and
-/// around what is drawn, which has its own room.
+/// Margins at the picture's border that are kept free, as fractions of half the picture: in general, around what the figure
+/// is directed to, and around what is drawn, which has its own room.
 const MARGIN: f64 = 0.1;
+const MARGIN_DIRECTED: f64 = 0.06;
 const MARGIN_AT_LABELS: f64 = 0.02;
 
 /// Candidate directions of the observer, in degrees: angles to the side of the line straight behind the
@@ -23,6 +24,9 @@ const LARGE_ENOUGH: f64 = 0.15;
 /// Height in the picture, as a fraction of half of it, above which the sky must be seen over a sphere that is
 /// out of scale, such as a planet on which the camera stands.
 const HORIZON: f64 = 0.75;
+
+/// Angle between the arrows of view and up in the picture, in radians, below which they seem to have one direction.
+const CONFUSED: f64 = 0.45;
 
 /// Number of iterations when an observer is fitted. The arrows have a fixed size on the screen, so their
 /// size in the world depends on the observer and is measured again in each iteration.
@@ -313,7 +317,8 @@ impl Subject {
         let slope = 0.5 * extent_of_fov(FOV, 1.0);
         // Slopes of the rays through two borders, which are fractions of the view's width or height.
         let slopes = |low: f64, high: f64, half: f64| {
-            let margin = 0.5 * MARGIN * (high - low);
+            let margin = if size.is_directed { MARGIN_DIRECTED } else { MARGIN };
+            let margin = 0.5 * margin * (high - low);
             [2.0 * (high - margin) - 1.0, 1.0 - 2.0 * (low + margin)].map(|share| half * share)
         };
         let (w, h) = (size.width, size.height);
@@ -359,8 +364,13 @@ impl Subject {
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.around.eye, stand));
         let facing: f64 = self.around.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
         let facing = facing / self.around.walls.len().max(1) as f64;
+        // View and up must not seem to have one direction.
+        let seen = self.given.map(|vector| vector - vector.dot(back) * back);
+        let [apart, seems_apart] = [self.given, seen].map(|[view, up]| view.angle_between(up));
+        let is_confused = seems_apart < CONFUSED && apart > 2.0 * CONFUSED;
         (size / LARGE_ENOUGH).min(1.0) + 1.2 * sideways + from_front + 0.2 * facing
             - if hidden { 0.6 } else { 0.0 }
+            - if is_confused { 0.6 } else { 0.0 }
             - if self.loses_horizon(observer) { 1.0 } else { 0.0 }
     }
 

@@ -34,6 +34,11 @@ const FOV: f64 = 35.0 * std::f64::consts::PI / 180.0;
 /// direction.
 const STEEPEST: f64 = 89.0 * std::f64::consts::PI / 180.0;
 
+/// The elevation from which on the observer stands farther away and sees a narrower field, so that its view grows flat; and
+/// how many times as far it stands at the steepest elevation.
+const FLAT_FROM: f64 = 84.0 * std::f64::consts::PI / 180.0;
+const FLAT: f64 = 12.0;
+
 /// The height of the view, in diameters of a sphere that fills it.
 const MARGIN_AROUND: f64 = 1.3;
 
@@ -107,10 +112,13 @@ impl Observer {
     pub fn camera(&self, width: u32, height: u32) -> Camera {
         let size = |x: u32| x.clamp(1, ImageSize::MAX);
         let image = ImageSize::new(size(width), size(height)).unwrap_or(Camera::CANONICAL.image);
-        let extent = extent_of_fov(FOV, 1.0);
+        // Seen from above, a figure in the plane is flat: what is at the target keeps its size.
+        let steepness = (self.elevation.abs() - FLAT_FROM) / (STEEPEST - FLAT_FROM);
+        let far = 1.0 + (FLAT - 1.0) * steepness.max(0.0);
+        let extent = extent_of_fov(FOV, 1.0) / far;
         let viewport = Viewport { width: extent * image.aspect(), height: extent, distance: 1.0 };
         let back = self.back();
-        let eye = self.target + self.distance * back;
+        let eye = self.target + far * self.distance * back;
         Camera {
             eye,
             orientation: Orientation::View { view: -back, up: DVec3::Y },

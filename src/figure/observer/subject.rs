@@ -151,6 +151,8 @@ pub(super) struct Subject {
     pub(super) back: DVec3,
     /// The camera's right.
     pub(super) right: DVec3,
+    /// View and up; zero for a camera that is not given by them.
+    pub(super) given: [DVec3; 2],
 }
 
 impl Subject {
@@ -179,7 +181,11 @@ impl Subject {
         let balls = points.into_iter().map(Bound::point).chain(spheres).collect();
         let tame = |(place, _): &&(Place, bool)| is_tame(place.at) && place.along.is_finite();
         let places = drawn.places.iter().filter(tame).copied().collect();
-        Subject { balls, places, around, back, right }
+        let given = match camera.orientation {
+            Orientation::At { up, .. } | Orientation::View { up, .. } => [camera.view(), up],
+            Orientation::Basis(_) => [DVec3::ZERO; 2],
+        };
+        Subject { balls, places, around, back, right, given }
     }
 }
 

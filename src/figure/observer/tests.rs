@@ -132,8 +132,20 @@ fn azimuth_and_elevation() {
     assert!(eye(0.0, 0.0).distance(DVec3::new(1.0, 2.0, 7.0)) < 1e-12);
     assert!(eye(FRAC_PI_2, 0.0).distance(DVec3::new(5.0, 2.0, 3.0)) < 1e-12);
     // Straight up is out of range.
-    let above = eye(0.0, 10.0);
-    assert!(above.distance(DVec3::new(1.0, 6.0, 3.0)) < 0.1 && above.z > 3.0);
+    let above = (eye(0.0, 10.0) - DVec3::new(1.0, 2.0, 3.0)).normalize();
+    assert!(above.distance(DVec3::Y) < 0.02 && above.z > 0.0);
+}
+
+#[test]
+fn from_above_a_figure_is_flat_and_what_is_at_the_target_keeps_its_size() {
+    let size = |elevation: f64, height: f64| {
+        let observer = Observer::new(DVec3::ZERO, 0.0, elevation.to_radians(), 5.0);
+        let seen = |x: f64| seen_at(&observer, DVec3::new(x, height, 0.0));
+        seen(1.0).distance(seen(-1.0))
+    };
+    assert!((size(90.0, 0.0) - size(60.0, 0.0)).abs() < 1e-3);
+    // What is nearer to the observer is hardly larger.
+    assert!(size(90.0, 1.0) / size(90.0, 0.0) < 1.03 && size(60.0, 1.0) / size(60.0, 0.0) > 1.15);
 }
 
 #[test]

@@ -127,7 +127,7 @@ fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Vec<String> {
         pair(origin),
         pair(direction)
     );
-    let asked = "At which *t*, and where, does the ray's line meet the other? Does the ray itself \
+    let asked = "At which *t*, and where, does the ray's line meet the given line? Does the ray itself \
                  (*t* > 0) hit it?";
     vec![given, asked.to_owned()]
 }

@@ -61,6 +61,8 @@ pub(super) const KEYS: &[StepKey] = keys! {
     "formulas" formulas: formulas, formulas_text;
     "highlight" highlighted: highlighted,
         |one: &Option<Concept>| written(&one.map_or(NOTHING.into(), Concept::name));
+    "subject" subject: |field, objects| concepts(field, objects, "[\"up\", \"w\"]"),
+        |all: &Vec<Concept>| list(all.first().map(|_| all.clone())?, |_| true, Concept::name);
     "shade" setup.shade: |field, _| choice(field, Shade::ALL.map(|one| (one.name(), one))),
         |shade: &Shade| written(&shade.name());
     "count_from_one" setup.count_from_one: |field, _| field.boolean(), written;
@@ -151,9 +153,13 @@ fn formulas(field: &TomlField, objects: usize) -> Result<Option<Formulas>, FileE
     if field.text() == Ok(RECAP) {
         return Ok(Some(Formulas::Recap));
     }
-    let concepts = elements(field, "[\"view\", \"w\"], or \"recap\"")?;
-    let concepts = concepts.iter().map(|one| concept(one, objects)).collect::<Result<_, _>>()?;
-    Ok(Some(Formulas::About(concepts)))
+    let about = concepts(field, objects, "[\"view\", \"w\"], or \"recap\"")?;
+    Ok(Some(Formulas::About(about.into())))
+}
+
+/// Reads the names of concepts in a scene with `objects` objects.
+fn concepts(field: &TomlField, objects: usize, such_as: &str) -> Result<Vec<Concept>, FileError> {
+    elements(field, such_as)?.iter().map(|one| concept(one, objects)).collect()
 }
 
 /// Returns true if the concept exists in a scene with `objects` objects.

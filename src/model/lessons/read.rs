@@ -130,8 +130,8 @@ fn step(
         document,
         scene_from: last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from),
         shown,
-        // Without them there is no point on the ray, and no card of formulas.
-        said: last.map_or(BTreeSet::from(["t", "formulas"]), |step| step.said.clone()),
+        // Without them there is no point on the ray, no card of formulas, and no subject.
+        said: last.map_or(BTreeSet::from(["t", "formulas", "subject"]), |step| step.said.clone()),
         keep_observer: last.is_some_and(|step| step.keep_observer),
         // The camera may have changed, so the previous step's animation is not inherited.
         play: None,
@@ -163,6 +163,7 @@ fn inherited(last: Option<&Step>, is_new: bool, document: &Document) -> Shown {
         (shown.ray_point_t, shown.formulas) = (None, None);
         shown.selection = Selection::default();
     }
+    shown.subject.clear();
     shown.selection = shown.selection.inside(document.camera.image);
     if !is_in_scene(shown.highlighted, document.object_count()) {
         // The highlighted concept belonged to an object of the previous step's scene.

@@ -86,6 +86,7 @@ fn of_step(document: &Document, shown: &Shown) -> Shown {
     let mut of_step = shown.clone();
     let is_there = |one: &Concept| is_in_scene(Some(*one), document.object_count());
     of_step.highlighted = shown.highlighted.filter(is_there);
+    of_step.subject.retain(is_there);
     of_step.selection = shown.selection.inside(document.camera.image);
     of_step.setup.layout = match shown.setup.layout {
         ViewLayout::DerivationAlone => ViewLayout::Derivation,

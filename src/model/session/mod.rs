@@ -187,10 +187,14 @@ impl Session {
         hovered.or(directed).or(self.shown.highlighted)
     }
 
+    /// Returns what the figure is directed to, unless the pointer is over something else.
+    pub fn pointed_line(&self) -> Option<Directed> {
+        self.live.directed.filter(|_| self.live.hovered.is_none())
+    }
+
     /// Returns the concepts of the revealed lines, which stay as they are while the newest one is highlighted.
     pub fn spoken_lines(&self) -> Concepts {
-        let directed = self.live.directed.filter(|_| self.live.hovered.is_none());
-        directed.map_or(Concepts::default(), |directed| directed.spoken)
+        self.pointed_line().map_or(Concepts::default(), |directed| directed.spoken)
     }
 
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.

@@ -26,6 +26,9 @@ pub struct Shown {
     pub ghost: Option<Ghost>,
     /// The concept that is highlighted while the pointer is over no other one.
     pub highlighted: Option<Concept>,
+    /// What the figure is directed to while presenting, before a line of the derivation is revealed; empty for the whole
+    /// figure.
+    pub subject: Vec<Concept>,
     /// The sections of the derivation that are shown.
     pub sections: DerivationSections,
     /// The lines to which the derivation is reduced; `None` for all lines of the shown sections.

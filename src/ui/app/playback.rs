@@ -52,7 +52,8 @@ impl App {
         player.start.end = ray_point_end(self.views.derived.inspection.as_deref());
         player.reduced = self.scene.session.preferences.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
-        Panel::bottom("play").show(ui, |ui| play::ui::ui(ui, player));
+        let is_presenting = self.scene.session.presenting.is_some();
+        Panel::bottom("play").show(ui, |ui| play::ui::ui(ui, player, is_presenting));
         if player.running {
             ctx.request_repaint();
         }

@@ -198,7 +198,8 @@ impl OpenScene {
         let ghost = shown.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
         let ghost = ghost.as_ref().map(GhostCamera::frozen);
         let ray = (shown.selection, shown.ray_point_t);
-        subject(camera, scene, shown.setup.items, ray, directed, ghost.as_ref())
+        // What a question hides is in sight from the start.
+        subject(camera, scene, self.items_to_frame(), ray, directed, ghost.as_ref())
     }
 
     /// Returns what the world view draws with these items, including what is hidden while a question is open.

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use egui::{Context, Event, Key, Pos2, Ui, Vec2};
 use pinhole_core::Selection;
+use pinhole_figure::concept::Directed;
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::{Fault, ViewSize};
 
@@ -83,14 +84,15 @@ impl App {
     /// the pointer shows another ray, or the page has no derivation, that stays as it was.
     pub(super) fn note_directed(&mut self, ctx: &Context) {
         let session = &mut self.scene.session;
-        let before = session.live.directed;
-        session.live.directed = match (session.shown.revealed_lines, &self.views.derived.derivation)
-        {
+        let (shown, before) = (&session.shown, session.live.directed);
+        let of_step = Directed::to(&shown.subject).filter(|_| session.presenting.is_some());
+        session.live.directed = match (shown.revealed_lines, &self.views.derived.derivation) {
+            _ if self.question.is_some() => None,
             // What a question asks for is not pointed at.
-            _ if session.shown.is_asking || self.question.is_some() => None,
+            _ if shown.is_asking || !shown.setup.layout.reveals_lines() => of_step,
             (None, _) => None,
             (Some(count), Some(lines)) if session.live.pointed_ray.is_none() => {
-                lines.directed(count)
+                lines.directed(count).or(of_step)
             }
             _ => before,
         };

@@ -24,6 +24,13 @@ const LETTER: f32 = 0.53;
 /// Maximum number of significant digits. More do not fit.
 const DIGITS: usize = 4;
 
+/// Shows the titles of both pictures on the stage.
+pub(crate) fn headings(ui: &mut Ui, areas: [Rect; 2]) {
+    for (area, title) in areas.into_iter().zip(["The camera", "The dashed camera"]) {
+        strip_above(ui, area, |ui| drop(ui.strong(title)));
+    }
+}
+
 /// Shows, above the second picture, the choice between the ghost's picture and the map of the pixels that
 /// differ.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {

@@ -173,8 +173,8 @@ fn words(ui: &mut Ui, context: &PageContext<'_>, size: f32) {
 
 /// Returns true if a layout's main figure has lines of the derivation beside it.
 pub(crate) fn has_card(layout: ViewLayout) -> bool {
-    use ViewLayout::{Both, Camera, Derivation, Plot, World};
-    matches!(layout, Both | World | Camera | Derivation | Plot)
+    use ViewLayout::{Both, Camera, Compare, Derivation, Plot, World};
+    matches!(layout, Both | World | Camera | Compare | Derivation | Plot)
 }
 
 /// Returns the height of the card.

@@ -29,8 +29,8 @@ const MARGIN: f32 = 12.0;
 const INSET: Vec2 = vec2(0.3, 0.34);
 /// Height of the world view above the graph of f(p + t d), as a fraction of the main figure's.
 const ABOVE_GRAPH: f32 = 0.56;
-/// Height of the pictures of the right and the wrong camera, as a fraction of the main figure's.
-const COMPARED: f32 = 0.56;
+/// Height of the pictures of two cameras, as a fraction of the main figure's.
+const COMPARED: f32 = 0.47;
 
 /// The rectangles of the stage, in points.
 #[derive(Clone, Copy, Debug)]
@@ -84,7 +84,7 @@ impl Stage {
                     whole.split_top_bottom_at_y(whole.top() + ABOVE_GRAPH * whole.height());
                 areas(Some(world), None, graph)
             }
-            ViewLayout::Mistakes => {
+            ViewLayout::Mistakes | ViewLayout::Compare => {
                 let y = main.top() + COMPARED * main.height();
                 let (camera, second) = halves(main.with_max_y(y));
                 let world = Some(main.with_min_y(y - STRIP));
@@ -107,7 +107,7 @@ impl Stage {
             }
             ViewLayout::Lines if is_asking => lines::ui::asked(ui, &context.session.shown.lines),
             ViewLayout::Lines => lines::ui::figure(ui, context),
-            ViewLayout::Mistakes | ViewLayout::Exercises => {}
+            ViewLayout::Mistakes | ViewLayout::Compare | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}
             _ if is_composed => foot(ui, context),
             _ if is_asking => hidden(ui),

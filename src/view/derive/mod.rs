@@ -156,6 +156,7 @@ fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlight
         digits: session.shown.setup.digits,
         dims: session.dims(),
         spoken: session.spoken_lines(),
+        is_of_step: session.pointed_line().is_some_and(|directed| directed.is_of_step),
         growth: session.live.growth.filter(|_| session.live.hovered.is_none()).unwrap_or(1.0),
     })
 }

@@ -16,6 +16,7 @@ fn names(layout: ViewLayout) -> &'static [&'static str] {
         ViewLayout::Lines => &["Plane with both lines"],
         ViewLayout::Plot => &["World view", "Plot of f(p + t d)"],
         ViewLayout::Mistakes => &["World view", "Camera view", "Wrong camera"],
+        ViewLayout::Compare => &["World view", "Camera view", "Ghost"],
         ViewLayout::Exercises => &["World view", "Lines in the plane"],
         _ => &["World view"],
     }
@@ -54,7 +55,8 @@ pub(super) fn too_small(seen: &Seen<'_>) -> Vec<String> {
     let share = areas.sum::<f32>() / window.area();
     let least = if window.aspect_ratio() > 1.5 { 0.45 } else { 0.4 };
     // A square picture of pixels cannot fill an area that is not square.
-    let is_square = matches!(seen.layout, ViewLayout::Camera | ViewLayout::Mistakes);
+    use ViewLayout::{Camera, Compare, Mistakes};
+    let is_square = matches!(seen.layout, Camera | Compare | Mistakes);
     let least = if is_square { 0.8 * least } else { least };
     (share < least).then(|| format!("{share} of it")).into_iter().collect()
 }

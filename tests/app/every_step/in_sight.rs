@@ -52,7 +52,13 @@ pub(super) fn out_of_sight(seen: &Seen<'_>) -> Vec<String> {
     let insets = insets(seen, world);
     let is_hidden =
         |at: &Pos2| !picture.contains(*at) || insets.iter().any(|rect| rect.contains(*at));
+    // What a step is about fills the view; what else is drawn may leave it.
+    let directed = seen.app().session().live.directed;
+    let is_subject = |mark: &&Mark| {
+        directed.is_none_or(|now| mark.concept.is_some_and(|one| now.spoken.contains(one)))
+    };
     let marks = shown.marks.iter().filter(|mark| !is_endless(seen.app(), mark));
+    let marks = marks.filter(is_subject);
     let hidden = marks.map(|mark| (mark, points(mark).into_iter().filter(is_hidden)));
     let hidden = hidden.map(|(mark, at)| (mark, at.collect::<Vec<Pos2>>()));
     let hidden = hidden.filter(|(_, at)| !at.is_empty());

@@ -71,6 +71,14 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
     (
         3,
         5,
+        &[(
+            SAYS,
+            "With 600 × 400 pixels, each is as wide as high, and the middle ball is round. The outer two are 6% too wide, but that is perspective.",
+        )],
+    ),
+    (
+        3,
+        6,
         &[
             (SAYS, "A canonical camera, but the viewport is at distance 2.5 from the eye."),
             (

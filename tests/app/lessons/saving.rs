@@ -7,7 +7,7 @@ use egui::Key;
 use pinhole::model::ViewLayout;
 use pinhole::model::lessons::load;
 use pinhole_exchange::BuiltinScene;
-use pinhole_figure::Item;
+use pinhole_figure::{Concept, Item};
 
 use super::{Window, at_step, key, press};
 use crate::app::files::scene_files::drop_file;
@@ -101,6 +101,9 @@ fn a_scene_without_a_file_is_saved_whole() {
         save(&mut open, &path);
         assert_plays(&path, &open);
     }
+    let presented = load(&path).unwrap();
+    let subject = |step: usize| presented.steps[step].shown.subject.clone();
+    assert_eq!((subject(0), subject(1)), (vec![], vec![Concept::Up, Concept::W]));
     let mut empty = window("canonical");
     command(&mut empty, "File: New");
     save(&mut empty, &path);

@@ -129,14 +129,17 @@ impl CameraSketch<'_> {
         Some([if is_ray { end } else { self.spot(from)? }, end])
     }
 
-    fn arrow(&mut self, [start, tip]: [DVec2; 2], pen: LineStyle, label: (&str, LabelFont)) {
+    pub(super) fn arrow(&mut self, ends: [DVec2; 2], pen: LineStyle, label: (&str, LabelFont)) {
+        let [start, tip] = ends;
         let along = tip - start;
         let direction = along.normalize_or_zero();
         let head = f64::from(self.view.scale * (4.0 + 2.6 * pen.width)).min(0.8 * along.length());
         let (back, side) = (tip - head * direction, 0.42 * head * direction.perp());
         self.line(&[start, tip - 0.7 * head * direction], pen);
         self.add(pen, Shape::polygon(&[tip, back + side, back - side]));
-        self.label(pen, label.0, tip, direction, label.1);
+        if !label.0.is_empty() {
+            self.label(pen, label.0, tip, direction, label.1);
+        }
     }
 
     fn point(&mut self, at: DVec2, pen: LineStyle, label: (&str, LabelFont)) {

@@ -133,7 +133,8 @@ impl CameraSketch<'_> {
         let Some((loupe, position, at, inset)) = Inset::open(view) else { return };
         let end = inset.from + inset.size;
         let pen = |color: Color32, width: f32| LineStyle::new(Item::Loupe, color, width);
-        self.line(&[at, at.clamp(inset.from, end)], pen(colors.ray, 1.5));
+        // A leader along a row or a column would look like a leg of u or v.
+        self.line(&[at, 0.5 * (inset.from + end)], pen(colors.ray, 1.5));
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);

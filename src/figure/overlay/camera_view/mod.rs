@@ -46,6 +46,11 @@ pub struct CameraView {
 /// Minimum size of an image pixel, in screen pixels, at which the edges between image pixels are drawn.
 const GRID_FROM: f64 = 8.0;
 
+/// Distance of the dimension lines of W and H from the picture's edges, in points, and the share of the edge at which their
+/// labels stand.
+const EDGE: f64 = 12.0;
+const LABELLED: f64 = 0.3;
+
 /// Minimum size of the picture, in points, in which its sides and corners have names.
 const ROOM_FOR_NAMES: f64 = 160.0;
 
@@ -243,8 +248,13 @@ impl<'a> CameraSketch<'a> {
             let (ink, first) = ((pen, self.colors.background), self.view.first_number);
             self.requests.extend(numbers(ink, count, first, scale, place));
             if size.min_element() > ROOM_FOR_NAMES * scale {
-                let end = 0.5 * size * axis + size * other;
-                self.label(pen, &format!("{name} = {count}"), end, -other, POINT);
+                // A dimension line along the edge, whose label keeps off the axes of u and v.
+                let [from, label, to] = [0.0, LABELLED, 1.0]
+                    .map(|share| share * size * axis + (size - EDGE * scale) * other);
+                for tip in [from, to] {
+                    self.arrow([label, tip], LineStyle { width: 1.6, ..pen }, ("", POINT));
+                }
+                self.label(pen, &format!("{name} = {count}"), label, -other, POINT);
             }
         }
     }

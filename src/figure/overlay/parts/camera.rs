@@ -215,6 +215,9 @@ impl Parts<'_> {
             let middle: Place = eye.midpoint(at).into();
             let part = self.arrow([eye, at], Head::Filled, pen);
             part.labelled("view = at − eye", POINT, Toward::Screen(DVec2::Y)).label_at(middle);
+            if figure.is_lit(Concept::View) {
+                return;
+            }
             let part = self.arrow([at, eye], Head::Filled, back);
             part.labelled("−view", POINT, Toward::Onward).label_at(middle).beside =
                 Some(DVec3::ZERO);
@@ -258,7 +261,12 @@ impl Parts<'_> {
         let vectors = [basis.u, basis.v, basis.w].into_iter().zip(BASIS);
         for ((vector, (concept, name, head)), ((color, pattern), item)) in vectors.zip(inks) {
             let pen = LineStyle::new(item, color, THICK).about(concept).patterned(pattern);
-            self.arrow_from(eye, vector, head, pen).named(name, VECTOR);
+            // The label of the lit product names v.
+            let is_named = concept != Concept::V || !self.figure.is_lit(Concept::WCrossU);
+            let part = self.arrow_from(eye, vector, head, pen);
+            if is_named {
+                part.named(name, VECTOR);
+            }
         }
     }
 
@@ -266,8 +274,16 @@ impl Parts<'_> {
     fn order_and_angles(&mut self, resolved: &ResolvedCamera) {
         let (eye, basis, ink) = (resolved.eye(), resolved.basis(), self.colors.ink);
         let arc = LineStyle::new(Item::Ring, ink, 1.8).on_top().without_halo();
-        let square = LineStyle::new(Item::RightAngles, ink, 1.4).on_top().without_halo();
+        let square = LineStyle::new(Item::RightAngles, ink, 1.4).on_top();
         let place = |along: DVec3| Place { at: eye, along, length: Length::Arrow };
+        // While a vector is made, the right angles are those that make it.
+        let lit = self.figure.highlighted.filter(|lit| !lit.is_of_step).map(|lit| lit.concept);
+        let made = match lit.filter(|_| self.figure.camera.orientation.has_up()) {
+            Some(Concept::U | Concept::UpCrossW) => Some(basis.u),
+            Some(Concept::V | Concept::WCrossU) => Some(basis.v),
+            Some(Concept::W) => Some(basis.w),
+            _ => None,
+        };
         for (from, to) in [(basis.u, basis.v), (basis.v, basis.w), (basis.w, basis.u)] {
             let points = ARC.map(|angle| {
                 let (sin, cos) = angle.to_radians().sin_cos();
@@ -276,8 +292,10 @@ impl Parts<'_> {
             let [line @ .., last, tip] = points;
             self.add(Form::Line, &[&line[..], &[last]].concat(), arc);
             self.arrow([last, tip], Head::Filled, arc);
-            let [a, b] = [from, to].map(|axis| RIGHT_ANGLE * axis);
-            self.line([a, a + b, b].map(place), square);
+            if made.is_none_or(|made| made == from || made == to) {
+                let [a, b] = [from, to].map(|axis| RIGHT_ANGLE * axis);
+                self.line([a, a + b, b].map(place), square);
+            }
         }
     }
 
@@ -301,7 +319,8 @@ impl Parts<'_> {
             let outward = Toward::along(at(2.0 * beside * out) - at(DVec2::ZERO));
             let text = format!("{name} {}", equals(length));
             let ends = ends.map(|corner| at(corner + beside * out));
-            self.dimension(ends, pen).labelled(text, POINT, outward);
+            let label = at((half + DVec2::splat(2.2 * beside)) * out);
+            self.dimension(ends, pen).labelled(text, POINT, outward).label_at(label);
         }
         let ends = [resolved.eye(), at(DVec2::ZERO)];
         let lit = self.figure.highlighted.filter(|lit| lit.concept == Concept::Distance);

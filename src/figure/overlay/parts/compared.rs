@@ -3,11 +3,12 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, ResolvedCamera};
 use pinhole_lecture::mistakes::WrongCamera;
+use pinhole_lecture::numbers::written;
 
 use super::camera::{BASIS, corners};
 use super::{Form, Length, Parts, Place, Toward};
 use crate::overlay::{
-    BOLD_POINT, Head, LabelFont, LineStyle, MARK, MEDIUM, POINT, THIN, VECTOR, unit,
+    BOLD_POINT, Head, LABEL_DIGITS, LabelFont, LineStyle, MARK, MEDIUM, POINT, THIN, VECTOR, unit,
 };
 use crate::{AnswerMark, Item, MarkShape};
 
@@ -18,6 +19,9 @@ const FRUSTUM: f64 = 2.2;
 /// Length up to which a basis vector of the ghost is drawn to scale; longer ones are cut off here. The
 /// vectors of a wrong camera may have any length.
 const LONGEST: f64 = 2.0;
+
+/// Radius of the arc from a vector of the ghost's basis to the edited camera's, as a multiple of the basis arrows' length.
+const TURN: f64 = 0.7;
 
 /// The ghost, a camera that is compared with the edited one: a frozen camera, or a camera with a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +108,15 @@ impl Parts<'_> {
             let Some(vector) = vector.filter(|vector| Some(*vector) != own) else { continue };
             let pen = LineStyle::new(Item::Basis, color, MEDIUM).dashed();
             let vector = vector.clamp_length_max(LONGEST);
-            self.arrow_from(eye, vector, head, pen).named(format!("{name}′"), VECTOR);
+            // One that lies on an axis of the world is drawn beside it, on the other side than the camera's own.
+            let is_on_axis = figure.shows(Item::Axes)
+                && eye == DVec3::ZERO
+                && DVec3::AXES.iter().any(|axis| axis.dot(vector) > 1.0 - 1e-9);
+            let part = self.arrow_from(eye, vector, head, pen).named(format!("{name}′"), VECTOR);
+            part.beside = own.filter(|_| is_on_axis);
+            if let Some(own) = own {
+                self.turned(eye, [vector, own]);
+            }
         }
         if eye != figure.camera.eye {
             let pen = LineStyle::new(Item::Eye, ink, 2.0);
@@ -115,6 +127,21 @@ impl Parts<'_> {
             let toward = Toward::Screen(DVec2::new(-0.6, -1.0));
             self.point(eye + corners[0], 3.6, pen).labelled("(0, 0)′", MARK, toward);
         }
+    }
+
+    /// Adds the arc from a vector to where it has turned, with the angle.
+    fn turned(&mut self, eye: DVec3, [from, to]: [DVec3; 2]) {
+        let angle = from.angle_between(to);
+        let Some(side) = unit(to - to.dot(from) / from.length_squared() * from) else { return };
+        let pen = LineStyle::new(Item::RightAngles, self.colors.ink, THIN).on_top();
+        let points = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0].map(|share: f64| {
+            let (sin, cos) = (share * angle).sin_cos();
+            Place { at: eye, along: TURN * (cos * from + sin * side), length: Length::Arrow }
+        });
+        let middle = points[4];
+        let text = format!("{}°", written(angle.to_degrees(), LABEL_DIGITS));
+        let part = self.line(points, pen.without_halo());
+        part.labelled(text, POINT, Toward::along(middle.along)).label_at(middle);
     }
 
     /// Adds the answers: first the right ones, so that the student's lie on top.

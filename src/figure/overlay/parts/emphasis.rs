@@ -24,6 +24,8 @@ pub struct Highlighted {
     pub dims: bool,
     /// The concepts that are not faded, since the lines of the derivation have spoken of them.
     pub spoken: Concepts,
+    /// True if the concept is one of several that a lesson's step names, of which none is more than the others.
+    pub is_of_step: bool,
     /// The share of its lines and arrows that is drawn, from their starts: below 1 while they grow.
     pub growth: f64,
 }
@@ -91,9 +93,14 @@ impl Part {
         let is_lit = self.pen.concept == Some(lit.concept);
         let accompanies = self.pen.concept.is_some_and(|own| lit.is_made_from(own));
         match self.when {
-            When::Shown | When::Lit if is_lit => Some(Emphasis::Strong),
-            When::Unlit if is_lit => None,
-            When::Shown | When::Lit if accompanies => Some(Emphasis::Accompanying),
+            When::Shown | When::Lit if is_lit && !lit.is_of_step => Some(Emphasis::Strong),
+            When::Unlit if is_lit && !lit.is_of_step => None,
+            When::Shown if is_lit => plain.map(|_| Emphasis::Accompanying),
+            When::Shown | When::Lit if accompanies && !lit.is_of_step => {
+                Some(Emphasis::Accompanying)
+            }
+            // What explains the step's subject stays.
+            _ if lit.is_of_step && self.pen.item.is_of_one_topic() => plain,
             _ if lit.fades(self.pen.concept) => plain.map(|_| Emphasis::Faded),
             _ => plain,
         }

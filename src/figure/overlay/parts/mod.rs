@@ -248,7 +248,11 @@ impl Figure {
         parts.answers();
         parts.object();
         let drawn = |(k, part): (usize, Part)| {
-            let emphasis = part.emphasis(self.items, self.highlighted)?;
+            let mut emphasis = part.emphasis(self.items, self.highlighted)?;
+            // What a step's subject is compared with belongs to it.
+            if k < behind && self.highlighted.is_some_and(|lit| lit.is_of_step) {
+                emphasis = Emphasis::Plain;
+            }
             let growth = self.highlighted.map_or(1.0, |lit| lit.growth);
             let part = part.emphasized(emphasis, growth);
             Some(DrawnPart { part, emphasis, is_behind: k < behind })

@@ -7,8 +7,8 @@ use pinhole_lecture::RayDerivation;
 use super::sphere_figure::SphereFigure;
 use super::{CutAway, Form, Length, Parts, Place, Toward, When};
 use crate::overlay::{
-    ACCOMPANYING, BOLD_POINT, FINE, Head, LineStyle, MARK, MEDIUM, POINT, THICK, THIN, VECTOR,
-    equals, tangents, unit,
+    ACCOMPANYING, BOLD_POINT, FINE, Head, Highlighted, LineStyle, MARK, MEDIUM, POINT, THICK, THIN,
+    VECTOR, equals, tangents, unit,
 };
 use crate::{Concept, Inspection, Item};
 
@@ -74,7 +74,8 @@ impl Parts<'_> {
         }
     }
 
-    /// Adds the point where the ray passes through the viewport and, while it is highlighted, the ray without an end.
+    /// Adds the point where the ray passes through the viewport and, while it is highlighted, the ray: as far as the hit, if
+    /// that is shown, or without an end.
     fn ray_point(&mut self, inspection: &Inspection) {
         let (ray, color) = (&inspection.ray, self.colors.ray);
         let pen = LineStyle::new(Item::Ray, color, THICK);
@@ -82,7 +83,12 @@ impl Parts<'_> {
         self.point(ray.at(1.0), 3.6, point.on_viewport()).when(When::Unlit);
         self.point(ray.at(1.0), 3.6, point).named_toward("(𝑢, 𝑣)", 0.4, 1.0).when(When::Lit);
         let pen = pen.about(Concept::Ray);
-        self.line([ray.origin, self.end_of(ray)], pen).endless().when(When::Lit);
+        let hit = inspection.first_hit().filter(|_| self.figure.shows(Item::Hit));
+        let end = hit.map_or(self.end_of(ray), |hit| hit.point);
+        self.line([ray.origin, end], pen).when(When::Lit).is_endless = hit.is_none();
+        if hit.is_some() {
+            self.point(end, 6.0, pen).named_toward("hit", 0.3, 1.0).when(When::Lit);
+        }
         let toward = Toward::Screen(DVec2::Y);
         let part = self.line([ray.origin, ray.at(1.0)], pen);
         part.labelled("𝐩 + 𝑡 𝐝", POINT, toward).when(When::Lit);
@@ -95,10 +101,13 @@ impl Parts<'_> {
 
     /// Adds the components of the ray's direction as a chain of arrows from the eye: forwards, then right, then up.
     fn along(&mut self, resolved: &ResolvedCamera, inspection: &Inspection) {
-        let lit = self.figure.highlighted.map(|lit| lit.concept);
-        let Some(lit) = lit.filter(|lit| ALONG.iter().any(|(along, _)| along == lit)) else {
+        let Some(Highlighted { concept: lit, spoken, .. }) = self.figure.highlighted else {
             return;
         };
+        let grows = lit == Concept::Direction && spoken.contains(Concept::AlongW);
+        if !grows && ALONG.iter().all(|(along, _)| *along != lit) {
+            return;
+        }
         let Ok(parts) = RayDerivation::new(resolved, Selection::Uv(inspection.uv)) else { return };
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
@@ -110,8 +119,10 @@ impl Parts<'_> {
             part.labelled(text, POINT, toward).label_at(middle).when(When::Lit);
             from += vector;
         }
-        let pen = LineStyle::new(Item::Ray, self.colors.ray, 2.0).about(lit);
-        self.line([resolved.eye(), from], pen).when(When::Lit).as_wide();
+        if !grows {
+            let pen = LineStyle::new(Item::Ray, self.colors.ray, 2.0).about(lit);
+            self.line([resolved.eye(), from], pen).when(When::Lit).as_wide();
+        }
     }
 
     /// Returns the first hit, unless neither it nor the plane that is hit is drawn: a ray that ended there would end in

@@ -45,12 +45,13 @@ pub fn subject<'a>(
     let lit = directed.concept.in_views();
     let mut figure = figure(camera, scene, items, Some(ray), Some(lit), ghost);
     if let Some(lit) = &mut figure.highlighted {
-        lit.spoken = directed.spoken;
+        (lit.spoken, lit.is_of_step) = (directed.spoken, directed.is_of_step);
     }
     let parts = figure.parts(scene, &[]);
     let is_spoken = |concept| directed.spoken.contains(concept);
     let is_subject = |drawn: &&DrawnPart| {
-        drawn.emphasis.is_on_top() || drawn.part.pen.concept.is_some_and(is_spoken)
+        let is_compared = directed.is_of_step && drawn.is_behind;
+        is_compared || drawn.emphasis.is_on_top() || drawn.part.pen.concept.is_some_and(is_spoken)
     };
     let places = parts.iter().filter(is_subject).flat_map(|drawn| drawn.part.in_sight(camera));
     let object = lit.object().or(directed.object);
@@ -91,6 +92,7 @@ fn figure(
         digits: LABEL_DIGITS,
         dims: false,
         spoken: Concepts::default(),
+        is_of_step: false,
         growth: 1.0,
     });
     let near = resolved.map_or(1.0, |resolved| {

@@ -14,6 +14,9 @@ use crate::{Concept, Inspection, Item};
 /// drawn: it would be shorter than its own marks.
 const CENTRAL: f64 = 0.02;
 
+/// Distance from the sphere to the labels of what is inside it, as a fraction of the radius.
+const OUTSIDE: f64 = 0.15;
+
 /// Side of the square that marks the right angle, as a fraction of the shorter of the perpendicular and the
 /// radius.
 const RIGHT_ANGLE: f64 = 0.2;
@@ -96,20 +99,37 @@ impl Parts<'_> {
         let out = perpendicular.map_or(DVec3::ZERO, |(out, _)| out);
         let part = self.point(center, 4.0, pen);
         part.labelled("centre", POINT, Toward::along(out));
+        // Labels stand outside the ball, where no line strikes them through.
+        let thin = LineStyle { width: 1.4, ..pen };
+        let is_cut = perpendicular.is_some() && roots.len() > 1;
+        let below = at - (radius - center.distance(at) + OUTSIDE * radius) * out;
+        if is_cut {
+            self.line([at, below], thin);
+        }
         let part = self.point(at, 4.5, pen);
         // Where the line touches the sphere, the root has a label of its own.
         if roots.len() != 1 {
             let text = format!("foot: t = −b/a {}", equals(foot));
             part.labelled(text, POINT, Toward::World([(-1.0, forward), (-1.0, out)]));
+            if is_cut {
+                part.label_at(below);
+            }
         }
         // From inside the sphere and from outside, the radius goes to the first root in front of the eye; if the ray
         // misses the sphere, it keeps off the perpendicular.
         let ahead = roots.iter().find(|t| **t > 0.0).or(roots.first());
         let rim = ahead.map_or(center - radius * forward, |t| ray.at(*t));
         let toward = Toward::World([(-1.0, forward), (1.0, out)]);
-        self.line([center, rim], pen).labelled(format!("r {}", equals(radius)), POINT, toward);
+        let above = center + (1.0 + OUTSIDE) * radius * (0.8 * out - 0.6 * forward);
+        if is_cut {
+            self.line([center.midpoint(rim), above], thin);
+        }
+        let text = format!("r {}", equals(radius));
+        let part = self.line([center, rim], pen).labelled(text, POINT, toward);
+        if is_cut {
+            part.label_at(above);
+        }
         let Some((out, distance)) = perpendicular else { return };
-        let thin = LineStyle { width: 1.4, ..pen };
         let side = RIGHT_ANGLE * distance.min(radius);
         let corner = at - side * forward;
         self.line([corner, corner + side * out, at + side * out], thin);

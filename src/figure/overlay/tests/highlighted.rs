@@ -36,6 +36,7 @@ fn highlighted(stage: &Stage, concept: Concept) -> Option<Highlighted> {
         camera: stage.camera,
         digits: 5,
         dims: true,
+        is_of_step: false,
         spoken: Concepts::default(),
         growth: 1.0,
     })

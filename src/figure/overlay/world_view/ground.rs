@@ -4,7 +4,7 @@
 //! dragged.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, PixelRays, Plane};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, PixelRays, Plane, ResolvedCamera};
 
 use crate::Item;
 use crate::observer::{Bound, Surroundings};
@@ -154,12 +154,19 @@ impl WorldView {
         (ground.panes.iter().filter_map(patch).collect(), floor)
     }
 
+    /// Returns the camera without its roll, so that the ground stays while the camera rolls or loses its basis.
+    fn level_camera(&self) -> Option<ResolvedCamera> {
+        let camera = self.figure.camera;
+        let orientation = Orientation::View { view: camera.view(), up: DVec3::Y };
+        Camera { orientation, ..camera }.resolve().ok().or(self.figure.resolved)
+    }
+
     /// Returns the pane of a plane: in front of the spheres, and as large as what the camera sees of it.
     fn pane(&self, around: &Surroundings, plane: &Plane) -> Option<Pane> {
         let normal = unit(plane.normal)?;
         let height = normal.dot(plane.point);
-        let seen = self.figure.resolved.iter().flat_map(|resolved| {
-            let rays = corners(resolved).map(|uv| resolved.ray(uv));
+        let seen = self.level_camera().into_iter().flat_map(|resolved| {
+            let rays = corners(&resolved).map(|uv| resolved.ray(uv));
             rays.into_iter().filter_map(|ray| Some(ray.at(plane.roots(&ray).first_positive()?)))
         });
         let spheres = around.spheres.iter().copied();
@@ -168,9 +175,9 @@ impl WorldView {
 
     /// Returns a floor below all spheres and the camera.
     fn bare_floor(&self, around: &Surroundings) -> Option<Pane> {
-        let resolved = self.figure.resolved.iter();
+        let resolved = self.level_camera().into_iter();
         let viewport =
-            resolved.flat_map(|camera| corners(camera).map(|uv| camera.viewport_point(uv)));
+            resolved.flat_map(|camera| corners(&camera).map(|uv| camera.viewport_point(uv)));
         let points = viewport.chain([around.eye]).map(Bound::point);
         let parts: Vec<Bound> = around.spheres.iter().copied().chain(points).collect();
         let bottoms = || parts.iter().map(|ball| ball.center.y - ball.radius);
