@@ -5,6 +5,7 @@ mod back;
 mod directed;
 mod files;
 mod leaving;
+mod letters;
 mod numbers;
 mod questions;
 mod ray_pictures;
