@@ -72,6 +72,8 @@ pinhole_core::texts! {
     }
     /// The ray is substituted into the object's implicit equation.
     Substitution: "substitution ";
+    /// The coordinate along a plane's normal is solved for t.
+    Coordinate: "coordinate ";
     /// The coefficients of the equation for t are computed.
     Coefficients: "coefficients ";
     /// The quadratic equation is solved for t.

@@ -4,7 +4,6 @@
 
 use pinhole_core::{DVec2, DVec3, ImageSize, Pixel, PixelOfUv, ResolvedCamera, UpAngle};
 use pinhole_lecture::Rounding;
-use pinhole_lecture::numbers::written;
 
 use crate::symbols::{SymbolKind, meaning};
 use crate::{Concept, Inspection};
@@ -14,6 +13,8 @@ use crate::{Concept, Inspection};
 pub struct NumberStyle {
     /// Number of significant digits.
     pub digits: usize,
+    /// Number of decimals, in place of that of significant digits.
+    pub decimals: Option<usize>,
     /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
 }
@@ -134,14 +135,19 @@ impl NumberStyle {
         NumberStyle { digits: self.digits.min(digits), ..self }
     }
 
+    /// Returns the rounding of numbers.
+    pub fn rounding(self) -> Rounding {
+        self.decimals.map_or(Rounding::Significant(self.digits), Rounding::Decimals)
+    }
+
     /// Writes a number.
     pub fn number(self, x: f64) -> String {
-        written(x, self.digits)
+        self.rounding().text(x).replace('-', "−")
     }
 
     /// Returns the sign to write before numbers: `=` if all of them are written exactly, otherwise `≈`.
     pub fn relation(self, shown: &[f64]) -> char {
-        Rounding::Significant(self.digits).relation(shown)
+        self.rounding().relation(shown)
     }
 
     /// Formats a number as the right side of an equation: `= 0.5`, but `≈ 0.33333`.

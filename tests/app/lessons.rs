@@ -6,6 +6,7 @@ mod directed;
 mod files;
 mod hand;
 mod leaving;
+mod letters;
 mod numbers;
 mod questions;
 mod ray_pictures;

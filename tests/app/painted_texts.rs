@@ -15,6 +15,8 @@ pub(crate) struct Run {
     pub(crate) color: Color32,
     /// The colour of its halo or of the fills below it; `None` on a picture.
     pub(crate) ground: Option<Color32>,
+    /// The rows of the text that it is a part of.
+    pub(crate) rows: Vec<Rect>,
 }
 
 /// Returns a colour painted over another.
@@ -81,6 +83,8 @@ impl Texts {
             return;
         }
         let job = &shape.galley.job;
+        let rows = shape.galley.rows.iter().map(|row| row.rect().translate(shape.pos.to_vec2()));
+        let rows: Vec<Rect> = rows.collect();
         for section in &job.sections {
             let range = &section.byte_range;
             let text = job.text[range.start.0..range.end.0].to_owned();
@@ -89,7 +93,8 @@ impl Texts {
             let color = shape.override_text_color.unwrap_or(own);
             let color = color.gamma_multiply(shape.opacity_factor);
             if !text.trim().is_empty() && color.a() > 0 {
-                self.runs.push(Run { text, size: section.format.font_id.size, color, ground });
+                let (size, rows) = (section.format.font_id.size, rows.clone());
+                self.runs.push(Run { text, size, color, ground, rows });
             }
         }
     }

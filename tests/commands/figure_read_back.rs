@@ -146,7 +146,7 @@ fn pdftotext_finds_the_labels() {
         assert!(derivation.contains(part), "no {part} in {derivation}");
     }
     let lines = text_of(FIGURES[5].1);
-    for part in ["f > 0", "ray hits: t = 1", "𝑡 = 0.5", "sorted by t", "They meet at"] {
+    for part in ["𝑓 > 0", "ray hits: 𝑡 = 1", "𝑡 = 0.5", "sorted by 𝑡", "They meet at"] {
         assert!(lines.contains(part), "no {part} in {lines}");
     }
 }

@@ -69,7 +69,8 @@ impl Exercises {
             Asked::Direction => vec![Direction],
             Asked::T if is_sphere => vec![discriminant, root],
             Asked::Point if !has_t => vec![Ray, Ray],
-            Asked::T | Asked::Point => vec![root],
+            Asked::T => vec![equation(EquationStep::Coordinate), root],
+            Asked::Point => vec![root],
             Asked::Normal => vec![Normal],
             Asked::Hits => Vec::new(),
             // The pixel, u and v.

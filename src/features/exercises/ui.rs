@@ -14,7 +14,7 @@ use super::ui_fields;
 use crate::features::exercises::Exercises;
 use crate::features::lines;
 use crate::features::lines::state::{LinesLab, Window};
-use crate::features::lines::view::{draw_exercise, substitution};
+use crate::features::lines::view::{card, draw_exercise};
 use crate::model::Session;
 use crate::ui::action::{AnswersAction, ShareAction};
 use crate::ui::scene::views;
@@ -41,10 +41,6 @@ const ROUNDING: f32 = 6.0;
 const TICK: f32 = 14.0;
 /// Minimum width of the word *seed* and its field, in points.
 const SEED: f32 = 84.0;
-/// Height of the substitution of one line into another, as a multiple of a line's height. Most of its steps,
-/// and the verdict, take two rows.
-pub(crate) const SUBSTITUTION: f32 = 14.5;
-
 /// Name of the picture of a question in two dimensions.
 const PLANE: &str = "Lines in the plane";
 
@@ -141,11 +137,12 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 /// Returns the height of the solution.
 fn solution_height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32; 2]) -> f32 {
     let [width, size] = at;
-    match &derived.derivation {
-        Some(lines) if lab(&session.exercises).is_none() => {
-            derivation::card_height(ui, lines, width, size)
+    match (&derived.derivation, lab(&session.exercises)) {
+        (_, Some(lab)) => {
+            lines::view::card_height(ui, (&lab, session.shown.setup.digits, true), at)
         }
-        _ => SUBSTITUTION * marked_text::row_height(ui, size),
+        (Some(lines), None) => derivation::card_height(ui, lines, width, size),
+        _ => 0.0,
     }
 }
 
@@ -154,12 +151,17 @@ fn bar(ui: &Ui) -> f32 {
     if theme::installed(ui.ctx()).presenting { 0.0 } else { row(ui) }
 }
 
-/// Returns the least height of the exercise in the column below the question. If need be, the solution takes
-/// the place of the fields.
-pub(crate) fn height(ui: &mut Ui, session: &Session, derived: &Derived, at: [f32; 2]) -> f32 {
+/// Returns the least height of the exercise in the column below the question and the advice of this height. If
+/// need be, the solution takes the place of the fields; it always takes that of the advice.
+pub(crate) fn height(
+    ui: &mut Ui,
+    session: &Session,
+    derived: &Derived,
+    (at, advice): ([f32; 2], f32),
+) -> f32 {
     let answers = ui_fields::height(ui, &session.exercises, at);
-    let solution = solution_height(ui, session, derived, [at[0], WRITTEN]);
-    answers.max(solution) + bar(ui)
+    let solution = solution_height(ui, session, derived, at);
+    answers.max(solution - advice) + bar(ui)
 }
 
 /// Shows the answer fields with their verdicts, the buttons, and the solution if the user has asked for it.
@@ -279,7 +281,7 @@ fn solution(ui: &mut Ui, context: &mut PageContext<'_>, [height, size]: [f32; 2]
     match (&derived.derivation, lab(&session.exercises)) {
         (_, Some(lab)) => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
-            substitution(ui, &lab, style.digits);
+            card(ui, &lab, style.digits, true);
         }
         (Some(lines), None) => derivation::card(ui, context, lines, size),
         _ => {}

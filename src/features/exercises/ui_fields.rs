@@ -21,10 +21,11 @@ const HINT: &str =
 /// Text of the button that shows a mistake as a ghost. The spaces are as wide as its padding.
 const SHOW_ME: &str = "  Show me  ";
 
-/// Height of a row of fields, as a multiple of the text's size. It is at least that of a button.
-const ROW: f32 = 2.1;
-/// Number of lines of text below the fields: for verdicts or the hint.
-const VERDICT_LINES: f32 = 3.5;
+/// Height of a row of fields, as a multiple of the text's size, in the window and while presenting. It is at least
+/// that of a button.
+const ROW: [f32; 2] = [2.1, 1.6];
+/// Number of lines of text below the fields, for verdicts or the hint, in the window and while presenting.
+const VERDICT_LINES: [f32; 2] = [4.5, 2.0];
 /// Space between the fields and the verdicts, in points.
 const BEFORE_VERDICTS: f32 = 4.0;
 /// Maximum width of one answer field, in points.
@@ -40,13 +41,15 @@ const MARGIN: f32 = 4.0;
 pub(crate) fn height(ui: &Ui, exercises: &Exercises, [width, size]: [f32; 2]) -> f32 {
     let small = small(size);
     let hint = marked_text::height_within(ui, HINT, small, width);
-    let verdicts = hint.max(VERDICT_LINES * marked_text::row_height(ui, small));
+    let lines = VERDICT_LINES[usize::from(theme::installed(ui.ctx()).presenting)];
+    let verdicts = hint.max(lines * marked_text::row_height(ui, small));
     exercises.answers.len() as f32 * row_of_fields(ui, size) + BEFORE_VERDICTS + verdicts
 }
 
 /// Returns the height of a row of fields.
 fn row_of_fields(ui: &Ui, size: f32) -> f32 {
-    (ROW * size).max(ui.spacing().interact_size.y)
+    let row = ROW[usize::from(theme::installed(ui.ctx()).presenting)];
+    (row * size).max(ui.spacing().interact_size.y)
 }
 
 /// Returns the size of verdicts below fields with text of this size.

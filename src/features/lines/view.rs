@@ -5,6 +5,7 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
+use egui::text::{LayoutJob, LayoutSection};
 use egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, RichText, Shape, Stroke, StrokeKind, Ui,
     UiBuilder, Vec2, pos2, vec2,
@@ -102,17 +103,63 @@ pub(crate) fn hint(ui: &mut Ui, lab: &LinesLab, digits: usize, which: Range<usiz
 }
 
 fn show_steps(ui: &mut Ui, steps: &[(&str, String)]) {
-    theme::rows_of_text(ui);
     for (what, formula) in steps {
-        ui.horizontal_wrapped(|ui| {
-            ui.spacing_mut().item_spacing.x = 6.0;
-            // On the formula's baseline.
-            let weak = ui.visuals().weak_text_color();
-            notation::label(ui, &format!("{what}:"), text_size(ui), weak);
-            // A formula that does not fit into a row is broken between its parts.
-            formula.split("  ").for_each(|part| text(ui, part));
-        });
+        let job = job_of(ui, what, formula, text_size(ui));
+        let (id, spoken) =
+            (ui.label(job).id, notation::without_marks(&format!("{what}: {formula}")));
+        ui.ctx().accesskit_node_builder(id, |node| node.set_value(spoken));
     }
+}
+
+/// Lays out what a step does, and its formula. A formula that does not fit into a row is broken between its parts.
+fn job_of(ui: &Ui, what: &str, formula: &str, size: f32) -> LayoutJob {
+    let mut job = notation::formula(&format!("{what}: "), size, ui.visuals().weak_text_color());
+    let parts = notation::formula(&notation::unbroken(formula), size, ui.visuals().text_color());
+    for LayoutSection { byte_range, format, .. } in parts.sections {
+        job.append(&parts.text[byte_range.start.0..byte_range.end.0], 0.0, format);
+    }
+    job
+}
+
+/// Distance between two steps on a lesson's card, in points.
+const ON_CARD: f32 = 4.0;
+
+/// Returns what a lesson's card says of the lines, of which its text gives the equations: where they meet or, of
+/// one that is drawn alone, its equation.
+fn of_card(lab: &LinesLab, digits: usize, in_words: bool) -> Vec<(&'static str, String)> {
+    let substitution = match Substitution::new(lab.line(), lab.ray) {
+        Ok(substitution) => substitution,
+        Err(error) => return vec![("no line", typeset_message(error))],
+    };
+    let [implicit, parametric, put_in, _, added_up, zero] = steps(&substitution, lab.shown, digits);
+    match lab.shown {
+        ShownLines::Implicit => vec![implicit],
+        ShownLines::Parametric => vec![parametric],
+        ShownLines::Both => {
+            let verdict = in_words.then(|| ("in words", verdict(&substitution, digits)));
+            [put_in, added_up, zero].into_iter().chain(verdict).collect()
+        }
+    }
+}
+
+/// Shows a lesson's card. `in_words` adds where the lines meet as a sentence.
+pub(crate) fn card(ui: &mut Ui, lab: &LinesLab, digits: usize, in_words: bool) {
+    ui.spacing_mut().item_spacing.y = ON_CARD;
+    show_steps(ui, &of_card(lab, digits, in_words));
+}
+
+/// Returns the height of a lesson's card of this width and with text of this size.
+pub(crate) fn card_height(
+    ui: &Ui,
+    (lab, digits, in_words): (&LinesLab, usize, bool),
+    [width, size]: [f32; 2],
+) -> f32 {
+    let height = |(what, formula): (&str, String)| {
+        let mut job = job_of(ui, what, &formula, size);
+        job.wrap.max_width = width;
+        ui.painter().layout_job(job).size().y + ON_CARD
+    };
+    of_card(lab, digits, in_words).into_iter().map(height).sum()
 }
 
 /// Formats a number as a factor after a multiplication sign: in parentheses if it is negative.
@@ -499,12 +546,12 @@ impl PlaneView {
             [46.0, 80.0, 120.0].into_iter().flat_map(move |points| anchors(side * points, 1.0))
         };
         let font = |color| Font { size: REGIONS, color, bold: true };
-        labels.write("f > 0", font(self.colors.basis[2]), at_side(1.0));
-        labels.write("f < 0", font(self.colors.basis[0]), at_side(-1.0));
+        labels.write("𝑓 > 0", font(self.colors.basis[2]), at_side(1.0));
+        labels.write("𝑓 < 0", font(self.colors.basis[0]), at_side(-1.0));
         let font = Font { size: NAMES, color: self.colors.mark, bold: true };
         // At the other end of the line: beside another label, the two would look like one formula.
         let [low, high] = [anchors(-26.0, -1.0), anchors(26.0, -1.0)];
-        labels.write("f = 0", font, high.into_iter().chain(low));
+        labels.write("𝑓 = 0", font, high.into_iter().chain(low));
     }
 
     /// Draws the parametric line, dashed before p and solid after p; then the points of its trail, unless it
@@ -604,7 +651,7 @@ impl PlaneView {
         }
         labels.keep_free(Rect::from_center_size(at, Vec2::splat(18.0)));
         let result = if crossing.ray_hits { "ray hits" } else { "ray misses" };
-        let text = format!("{result}: t {}", equated(crossing.t, digits));
+        let text = format!("{result}: 𝑡 {}", equated(crossing.t, digits));
         let font = Font { size: NAMES, color: self.colors.ink, bold: true };
         let below = |distance| around(at, vec2(0.0, 1.0), distance);
         labels.write(&text, font, below(17.0).chain(below(30.0)));

@@ -246,7 +246,7 @@ fn passed(ui: &mut Ui, Checked { check, value, .. }: &Checked, style: NumberStyl
 pub(crate) fn card_rows(wrong: &ComparedCamera, session: &Session) -> usize {
     match about(session).len() {
         0 => 5 + 2 * wrong.failing().count(),
-        3 => 9,
+        3 => 8,
         // A wrong vector may be below the right one.
         count => 2 * count,
     }

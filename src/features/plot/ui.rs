@@ -399,7 +399,7 @@ impl PlotDrawing<'_> {
         if let Some((_, t)) = self.first_hit() {
             let at = self.at(t, 0.0);
             let is = equated(t, 5);
-            let texts = [format!("first hit: t {is}"), format!("hit: t {is}"), number(t, 5)];
+            let texts = [format!("first hit: 𝑡 {is}"), format!("hit: 𝑡 {is}"), number(t, 5)];
             let font = Font { size: DRAWN_TEXT + 1.0, color: ink, bold: true };
             let places = || around(at, Vec2::DOWN, 15.0);
             let [covered, none] = [self.covered(curves), Vec::new()];

@@ -149,16 +149,36 @@ impl fmt::Display for DerivedLine {
 }
 
 impl Derivation {
-    /// Keeps only the lines about these concepts, and those that say why the derivation fails. If there are
-    /// several objects, the first line about each names it.
+    /// Keeps only the lines about these concepts, without numbers that are read beside them, as is why the
+    /// derivation fails. If there are several objects, the first line about each names it.
     #[must_use]
     pub fn reduced_to(mut self, concepts: &[Concept]) -> Derivation {
         let are_objects =
             self.sections.iter().filter(|section| section.object.is_some()).count() > 1;
-        let is_kept = |line: &DerivedLine| {
-            line.is_fault || line.concept.is_some_and(|concept| concepts.contains(&concept))
+        let is_of_root = |line: &DerivedLine| matches!(line.concept, Some(Concept::Root { .. }));
+        // The figure's label has the area.
+        let is_area = |line: &DerivedLine| {
+            line.concept == Some(Concept::UpCrossW)
+                && matches!(line.formula.sides().first(), Some(Formula::Norm(_)))
         };
-        self.sections.iter_mut().for_each(|section| section.lines.retain(is_kept));
+        let is_kept = |line: &DerivedLine| {
+            line.concept.is_some_and(|of| concepts.contains(&of)) && !is_area(line)
+        };
+        // Of several objects, only t counts.
+        let is_hit = |line: &DerivedLine| {
+            let name = line.formula.sides().into_iter().next();
+            is_of_root(line) && !matches!(name, Some(Formula::Scalar(_) | Formula::Index(..)))
+        };
+        for DerivedSection { lines, .. } in &mut self.sections {
+            lines.retain(|line| is_kept(line) && !(are_objects && is_hit(line)));
+            // The figure's labels have what a root is.
+            lines.iter_mut().filter(|line| is_of_root(line)).for_each(|line| line.note.clear());
+            // The lines of u and v have the pixel's numbers.
+            let is_pixel = |line: &DerivedLine| line.concept == Some(Concept::Pixel);
+            if lines.iter().any(|line| is_pixel(line) && !line.is_given) {
+                lines.retain(|line| !(is_pixel(line) && line.is_given));
+            }
+        }
         self.sections.retain(|section| !section.lines.is_empty());
         for DerivedSection { object, title, lines, .. } in &mut self.sections {
             if are_objects && object.is_some() {
@@ -333,11 +353,13 @@ pub struct DerivationSettings {
     pub fault: Option<Fault>,
     /// The t whose point on the ray is computed; `None` if only the ray is.
     pub t: Option<f64>,
+    /// True if the t of a plane is computed from one coordinate where its normal is along an axis.
+    pub by_coordinate: bool,
 }
 
 /// Computes the derivation.
 pub fn derivation(inputs: &DerivationInputs) -> Derivation {
-    let DerivationSettings { selection, sections, numbers, fault, t } = inputs.settings;
+    let DerivationSettings { selection, sections, numbers, fault, t, .. } = inputs.settings;
     let camera = &inputs.document.camera;
     let mut derivation = Derivation::default();
     let mut add = |section: DerivationSection, lines: Vec<DerivedLine>| {
@@ -441,7 +463,8 @@ fn add_objects(
         let Some(shape) = scene.object(object) else { continue };
         let Ok(steps) = ObjectDerivation::new(&shape, object, exact) else { continue };
         let DerivationInputs { document, settings, .. } = *inputs;
-        let lines = objects::lines(document, object, &steps, ray, inspection, settings.numbers);
+        let how = (settings.numbers, settings.by_coordinate);
+        let lines = objects::lines(document, object, &steps, ray, inspection, how);
         derivation.sections.push(object_section(document, object, lines));
     }
 }

@@ -8,7 +8,7 @@ use pinhole_lecture::{ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDer
 use super::DerivedLine;
 use super::camera::along;
 use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, joined, minus};
-use crate::EquationStep::{self, Coefficients, Discriminant, Solution, Substitution};
+use crate::EquationStep::{self, Coefficients, Coordinate, Discriminant, Solution, Substitution};
 use crate::formula::{
     Formula, Operator, SymbolInk, fraction, index, negative, norm, number, parentheses, power, row,
     square_root,
@@ -28,6 +28,7 @@ struct ObjectLines<'a> {
     ray: Ray,
     inspection: &'a Inspection,
     numbers: NumberFormat,
+    by_coordinate: bool,
     lines: Vec<DerivedLine>,
 }
 
@@ -61,10 +62,10 @@ pub(super) fn lines(
     derivation: &ObjectDerivation,
     ray: Ray,
     inspection: &Inspection,
-    numbers: NumberFormat,
+    (numbers, by_coordinate): (NumberFormat, bool),
 ) -> Vec<DerivedLine> {
     let lines = givens(document, object, numbers);
-    let mut lines = ObjectLines { object, ray, inspection, numbers, lines };
+    let mut lines = ObjectLines { object, ray, inspection, numbers, by_coordinate, lines };
     match derivation {
         ObjectDerivation::Sphere(sphere) => lines.sphere(sphere),
         ObjectDerivation::Plane(plane) => lines.plane(plane),
@@ -132,8 +133,8 @@ impl ObjectLines<'_> {
         self.directs_to(Concept::Ray);
         let substituted = minus(self.ray_in_numbers(), numbers.vector(sphere.center));
         let radius = squared(numbers.scalar(sphere.radius));
-        self.line(Substitution, squares(substituted, radius));
-        self.directs_to(Concept::Ray);
+        let sides = squares(substituted, radius);
+        self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides));
         let from_centre = minus(P, CENTRE);
         let terms = [
             row([power(T, "2"), dot(D, D)]),
@@ -230,7 +231,29 @@ impl ObjectLines<'_> {
         self.root([name, fraction(symbols, A), substituted, numbers.scalar(root.t)], k);
     }
 
+    /// Adds the lines that solve the coordinate along a plane's normal for t, such as `0 − t = −6` and `t = 6`.
+    /// Returns false if the normal is along no axis.
+    fn coordinate(&mut self, plane: &Plane, root: &Root) -> bool {
+        let mut axes = (0..3).filter(|k| plane.normal[*k] != 0.0);
+        let (Some(k), None) = (axes.next(), axes.next()) else { return false };
+        let (numbers, d) = (self.numbers, self.ray.direction[k]);
+        let size = Some(numbers.scalar(d.abs())).filter(|size| *size != number("1"));
+        let sign = if d < 0.0 { Operator::Minus } else { Operator::Plus };
+        let along =
+            joined(numbers.scalar(self.ray.origin[k]), sign, row(size.into_iter().chain([T])));
+        let note = format!("the {} of ray and plane", ["𝑥", "𝑦", "𝑧"][k]);
+        self.noted_line(Coordinate, [along, numbers.scalar(plane.point[k])], &note);
+        self.directs_to(Concept::Ray);
+        self.root([T, numbers.scalar(root.t)], 0);
+        self.hit(T, 0, root);
+        true
+    }
+
     fn plane(&mut self, derivation: &PlaneDerivation) {
+        let root = derivation.root.filter(|_| self.by_coordinate);
+        if root.is_some_and(|root| self.coordinate(&derivation.plane, &root)) {
+            return;
+        }
         let numbers = self.numbers;
         let n = || numbers.vector(derivation.plane.normal);
         let rate = || numbers.scalar(derivation.terms.rate);

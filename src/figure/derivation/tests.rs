@@ -43,6 +43,7 @@ fn derive_as(
             numbers: NumberFormat { rounding, exact, from_one },
             fault,
             t: None,
+            by_coordinate: false,
         },
     })
 }

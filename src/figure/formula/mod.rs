@@ -310,6 +310,8 @@ fn gap(before: &Formula, after: &Formula) -> f32 {
         (_, Formula::Operator(Operator::Negative)) => THIN,
         (_, Formula::Operator(_)) => MEDIUM,
         (Formula::Word(_), _) | (_, Formula::Word(_)) => MEDIUM,
+        // The word is slanted over its end.
+        (Formula::Scalar(name), _) if name.len() > 1 => WIDE,
         _ => THIN,
     }
 }

@@ -4,7 +4,7 @@
 
 use egui::Color32;
 use pinhole_core::{DVec2, Ellipse};
-use pinhole_lecture::numbers::equated;
+use pinhole_lecture::Rounding;
 use tiny_skia::PathBuilder;
 
 use crate::{Concept, Item};
@@ -167,9 +167,12 @@ pub(super) fn half_extent(text: &str, size: f64) -> [f64; 2] {
 /// Maximum number of significant digits of a number in a label. A longer label would cover what it names.
 pub(super) const LABEL_DIGITS: usize = 4;
 
-/// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
+/// The rounding of a number in a label, as on the card while presenting.
+const ROUNDING: Rounding = Rounding::Decimals(3);
+
+/// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.333`.
 pub(super) fn equals(x: f64) -> String {
-    equated(x, LABEL_DIGITS)
+    format!("{} {}", ROUNDING.relation(&[x]), ROUNDING.text(x).replace('-', "−"))
 }
 
 /// Returns the points of a unit circle around the origin. The last point repeats the first.

@@ -68,8 +68,9 @@ pub fn unbroken(text: &str) -> String {
     for word in text.split(breaks).filter(|word| !word.is_empty()) {
         let word_length = without_marks(word).chars().count();
         let operates = is_operator(word) || is_operator(before);
-        let is_multiplied = word.starts_with('(') || word.starts_with("**") || is_letter(word);
-        let are_letters = (is_letter(before) || before.ends_with(')')) && is_letter(word);
+        let ends_in_letter = is_letter(word.trim_end_matches(')'));
+        let is_multiplied = word.starts_with('(') || word.starts_with("**") || ends_in_letter;
+        let are_letters = (is_letter(before) || before.ends_with(')')) && ends_in_letter;
         let joins = operates || is_factor(before) && is_multiplied || are_letters;
         let has_room = length + 1 + word_length <= UNBROKEN || !is_operator(word);
         if is_in_tuple || joins && has_room && length > 0 {
@@ -149,6 +150,7 @@ mod tests {
         assert_eq!(formulas("y = p_y + t d_y, (2·1 − 1·3) t"), "y = py + t dy,|(2·1 − 1·3) t");
         assert_eq!(formulas("notes print *w* ← normalize(*v*)"), "notes|print|w ← normalize(v)");
         assert_eq!(formulas("f(x, y) = 2 x + 3 (2 − t)"), "f(x, y) = 2 x + 3 (2 − t)");
+        assert_eq!(formulas("so: f(p + t d) = (1 − 3 t)"), "so:|f(p + t d) = (1 − 3 t)");
         assert_eq!(formulas("a\u{a0}tie of\n2"), "a tie|of|2");
     }
 }

@@ -224,7 +224,8 @@ pub fn install_fonts(ctx: &egui::Context) {
     ctx.set_fonts(font_definitions());
 }
 
-/// Returns the bundled fonts: Noto Sans, then Noto Sans Math for signs that Noto Sans lacks, then egui's own
+/// Returns the bundled fonts: Noto Sans, then Noto Sans Bold, which has Unicode's mathematical bold letters, too, so
+/// that a vector looks the same in both fonts, then Noto Sans Math for signs that Noto Sans lacks, then egui's own
 /// fonts where they are built in: a page has its browser's fonts instead. Code uses Hack first.
 pub fn font_definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
@@ -242,7 +243,7 @@ pub fn font_definitions() -> FontDefinitions {
         names.iter().map(|name| (*name).to_owned()).chain(defaults.iter().cloned()).collect()
     };
     fonts.families.insert(bold(), chain(&[SANS_BOLD, SANS, MATH]));
-    fonts.families.insert(FontFamily::Proportional, chain(&[SANS, MATH]));
+    fonts.families.insert(FontFamily::Proportional, chain(&[SANS, SANS_BOLD, MATH]));
     fonts.families.insert(FontFamily::Monospace, chain(&[HACK, MATH, SANS]));
     fonts
 }

@@ -12,9 +12,7 @@ pub fn question(given: &Given) -> Vec<String> {
     const CANONICAL: &str =
         "A canonical camera: eye at the origin, looking along −*z*, viewport 1 × 1 at distance 1.";
     let asked_of_basis =
-        "What are **w**, **u** and **v**? Each has length 1: **w** points backwards, away \
-                          from what the camera looks at, **u** to the right and **v** up in the \
-                          image."
+        "What are **w** (backwards), **u** (to the right) and **v** (up in the image), each of length 1?"
             .to_owned();
     match *given {
         Given::Uv(uv) => {
@@ -33,7 +31,7 @@ pub fn question(given: &Given) -> Vec<String> {
         Given::EyeAtUp { eye, at, up } => {
             let (eye, at, up) = (triple(eye), triple(at), triple(up));
             let looks =
-                format!("A camera at eye = {eye} looks at the point at = {at}, with up = {up}.");
+                format!("A camera has eye = {eye}, at = {at} and up = {up}.");
             vec![looks, asked_of_basis]
         }
         Given::Sphere { ray, sphere } => vec![
@@ -96,14 +94,13 @@ fn at_distance(uv: DVec2, distance: f64, z: f64) -> Vec<String> {
 fn turned(right: DVec3, uv: DVec2, z: f64) -> Vec<String> {
     let axis = |x: f64, name: &str| format!("{}*{name}*", if x < 0.0 { '−' } else { '+' });
     let camera = format!(
-        "A camera at the origin, with distance 1, is turned about the *y* axis: right is midway \
-         between {} and {}, up in the image is +*y*.",
+        "A camera at the origin: right is midway between {} and {}, up is +*y*.",
         axis(right.x, "x"),
         axis(right.z, "z")
     );
     let asked = format!(
-        "What are **u**, **v** and **w**, and **d** = *u* **u** + *v* **v** − **w** for {}? At which \
-         *t* does it meet the plane *z* = {}?",
+        "What are **u**, **v**, **w** and **d** = *u* **u** + *v* **v** − **w** for {}? At which *t* is \
+         the plane *z* = {}?",
         uv_text(uv),
         number(z)
     );

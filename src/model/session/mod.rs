@@ -5,7 +5,7 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
 use pinhole_figure::concept::{Concepts, Directed};
-use pinhole_figure::{Concept, HoverSource, Hovered, Scheme};
+use pinhole_figure::{Concept, HoverSource, Hovered, NumberStyle, Scheme};
 use serde::{Deserialize, Serialize};
 
 use crate::features::answers::StudentAnswers;
@@ -14,7 +14,7 @@ use crate::features::exercises::{Exercises, Progress};
 use crate::features::handles::HandleState;
 use crate::features::translator::Translator;
 use crate::features::vote::OpenVote;
-use crate::model::session::presenting::{Pen, Presenting, SMALLEST_TEXT};
+use crate::model::session::presenting::{PRESENTED_DECIMALS, Pen, Presenting, SMALLEST_TEXT};
 
 pub use shown::{Setup, Shown};
 
@@ -214,6 +214,12 @@ impl Session {
     /// Returns the ray that is shown: the one under the pointer, or else the selected one.
     pub fn shown_selection(&self) -> Selection {
         self.live.pointed_ray.unwrap_or(self.shown.selection)
+    }
+
+    /// Returns the format in which numbers are written.
+    pub fn number_style(&self) -> NumberStyle {
+        let decimals = self.presenting.map(|_| PRESENTED_DECIMALS);
+        NumberStyle { decimals, ..self.shown.setup.number_style() }
     }
 
     /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.

@@ -8,6 +8,9 @@ use pinhole_figure::typesetting::theme::WRITTEN;
 use crate::model::lessons::StepId;
 use crate::model::session::{ThemeName, ViewLayout};
 
+/// Number of decimals while presenting, low enough that the numbers are legible from the back row.
+pub(crate) const PRESENTED_DECIMALS: usize = 3;
+
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {

@@ -76,7 +76,7 @@ with_defaults! {
 impl Setup {
     /// Returns the format in which numbers are written.
     pub fn number_style(&self) -> NumberStyle {
-        NumberStyle { digits: self.digits, count_from_one: self.count_from_one }
+        NumberStyle { digits: self.digits, decimals: None, count_from_one: self.count_from_one }
     }
 }
 

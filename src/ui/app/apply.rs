@@ -354,7 +354,10 @@ impl App {
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) {
         let derivation = self.views.derived.derivation.as_deref();
-        if action == LessonAction::Next && self.scene.reveal(derivation) {
+        let reveals = action == LessonAction::Next
+            && (self.scene.reveal(derivation)
+                || self.scene.session.presenting.is_some() && self.scene.solve());
+        if reveals {
             return;
         }
         let Some(open) = &self.scene.lessons.open else { return };
@@ -362,10 +365,7 @@ impl App {
             LessonAction::Next => open.next(),
             LessonAction::Previous => open.previous(),
             LessonAction::ShowAll => {
-                let session = &mut self.scene.session;
-                if session.shows_exercise() && !session.exercises.is_solved {
-                    session.exercises.toggle_solution();
-                }
+                self.scene.solve();
                 return self.scene.show_all();
             }
             LessonAction::Close => return self.scene.close_lesson(),

@@ -400,7 +400,7 @@ impl App {
             ui.painter().rect_filled(stage.main, 0.0, theme::style(ui).colors().background);
         }
         self.show_views(ui, rects, stage.is_some());
-        let style = self.scene.session.shown.setup.number_style();
+        let style = self.scene.session.number_style();
         let is_changed = self.scene.differs_from_step();
         // Practice has its own exercise, which is not the step's.
         let is_practice =

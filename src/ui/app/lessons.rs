@@ -188,6 +188,15 @@ impl OpenScene {
         has_choices
     }
 
+    /// Shows the exercise's solution. Returns false if there is none, or if it is shown already.
+    pub(super) fn solve(&mut self) -> bool {
+        let is_new = self.session.shows_exercise() && !self.session.exercises.is_solved;
+        if is_new {
+            self.session.exercises.toggle_solution();
+        }
+        is_new
+    }
+
     /// Shows the answer to the step's question.
     pub(super) fn answer(&mut self) {
         self.session.live.vote = None;

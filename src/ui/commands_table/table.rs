@@ -108,7 +108,7 @@ fn program() -> Vec<UiCommand> {
             FileUse::Import;
         Edit, "Paste a camera", "Sets the camera from a glTF or from numbers on the clipboard, or opens a link.",
             Action::AskPaste => key(Untyped, CTRL, Key::V);
-        Lesson, "Next step", "Shows the answer to the lesson's step, or goes to the next step.",
+        Lesson, "Next step", "Shows the answer to the lesson's step, while presenting also the exercise's solution, or goes to the next step.",
             LessonAction::Next => plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight);
         Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
             LessonAction::ShowAll => plain(LessonUntyped, Key::End);

@@ -355,7 +355,7 @@ pub(crate) fn show_pointed(ui: &Ui, session: &Session, shown: &Derived, document
     if !may_explain(ui.ctx()) || session.live.scanned_pixels.is_some() {
         return;
     }
-    let style = session.shown.setup.number_style();
+    let style = session.number_style();
     let words = match (session.live.hovered, &shown.inspection) {
         (Some(Hovered { by: HoverSource::Derivation | HoverSource::Numbers, .. }), _) => return,
         (

@@ -9,10 +9,9 @@ use egui::{
 use pinhole_figure::typesetting::theme::{self, WRITTEN};
 
 use super::{Stage, navigation};
-use crate::features::lines::view::substitution;
-use crate::features::{exercises, mistakes, vote};
-use crate::model::ViewLayout;
+use crate::features::{exercises, lines, mistakes, vote};
 use crate::model::lessons::OpenLesson;
+use crate::model::{Session, ViewLayout};
 use crate::ui::widgets::{SIZES, inside, marked_text};
 use crate::ui::{PageContext, derivation};
 
@@ -22,8 +21,10 @@ const MARGIN: [f32; 2] = [14.0, 6.0];
 const GAP: f32 = 6.0;
 /// Padding around the answer, in points.
 const PADDING: f32 = 5.0;
-/// Height of the row with the buttons or the step's number, in points.
+/// Height of the row with the buttons, in points.
 const FOOT: f32 = 30.0;
+/// Height of the row with the step's number alone, in points.
+const NUMBER: f32 = 17.0;
 /// Space between the step's number and an exercise's buttons, in points.
 const BEFORE_BUTTONS: f32 = 12.0;
 /// Radius of the dot for the lecturer, in points.
@@ -36,7 +37,12 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     let whole = stage.column.shrink2(MARGIN.into());
     navigation::swipe(ui, stage.column);
     let has_foot = context.step.is_some() || theme::installed(ui.ctx()).presenting;
-    let foot = if has_foot { FOOT.max(ui.spacing().interact_size.y) } else { 0.0 };
+    let has_buttons = context.session.shows_exercise() || !theme::installed(ui.ctx()).presenting;
+    let foot = match (has_foot, has_buttons) {
+        (false, _) => 0.0,
+        (true, false) => NUMBER,
+        (true, true) => FOOT.max(ui.spacing().interact_size.y),
+    };
     let (above, foot) = whole.split_top_bottom_at_y(whole.bottom() - foot);
     let choice = exercises::ui::choice_height(ui, context);
     let (choice, above) = above.split_top_bottom_at_y(above.top() + choice);
@@ -53,56 +59,77 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     } else {
         (above, None)
     };
-    let size = size_that_fits(ui, context, texts, card);
+    let sizes = sizes_that_fit(ui, context, texts, card);
     let mut end = texts.top();
     inside(ui, texts, |ui| {
         ui.set_clip_rect(stage.column.intersect(ui.clip_rect()));
-        words(ui, context, size);
+        words(ui, context, sizes.words);
         end = ui.cursor().top();
     });
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
     inside(ui, card, |ui| {
         ui.set_clip_rect(card.intersect(ui.clip_rect()));
         match &mut context.session.live.vote {
-            Some(open) => vote::ui::below_question(ui, card, open, size),
-            None => formulas(ui, context, size),
+            Some(open) => vote::ui::below_question(ui, card, open, sizes.words),
+            None => formulas(ui, context, sizes.card),
         }
     });
     inside(ui, foot, |ui| bottom(ui, context));
 }
 
-/// Returns the largest size at which the texts and the card fit. `card` is the card's own area, if it is not
-/// below the texts. In one step and one area it never grows again, so that the text stands still under the
-/// hand while numbers get shorter and longer.
-fn size_that_fits(ui: &mut Ui, context: &PageContext, texts: Rect, card: Option<Rect>) -> f32 {
+/// The sizes of the texts and of the card, in points.
+#[derive(Clone, Copy)]
+struct TextSizes {
+    words: f32,
+    card: f32,
+    /// True if the texts have the size that fits the step as it was opened.
+    is_own: bool,
+}
+
+/// Returns the largest sizes at which the texts and the card fit. `card` is the card's own area, if it is not
+/// below the texts. What is changed in a step, as by a drag, leaves the texts as large as they are: only the card
+/// becomes smaller where its numbers get longer, and does not grow again under the hand.
+fn sizes_that_fit(
+    ui: &mut Ui,
+    context: &PageContext,
+    texts: Rect,
+    card: Option<Rect>,
+) -> TextSizes {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
-    let written = (&context.session.shown.formulas, context.style.digits);
+    let Session { shown, preferences, .. } = &*context.session;
+    let written = (&shown.formulas, context.style.digits, preferences.exact_forms);
     let step = Id::unique((paragraphs(context), width, height, written));
-    let slot = Id::unique("size of the column's text");
-    let last = ui.data(|data| data.get_temp::<(Id, f32)>(slot)).filter(|last| last.0 == step);
-    let mut fits = |size: &f32| {
-        let words = words_height(ui, context, texts.width(), *size);
-        // Laying out the formulas costs more, and a drag changes them in each frame.
-        if words > texts.height() {
-            return false;
-        }
-        let formulas = formulas_height(ui, context, card.unwrap_or(texts).width(), *size);
-        match card {
-            Some(card) => formulas <= card.height(),
-            None => words + formulas <= texts.height(),
-        }
+    let slot = Id::unique("sizes of the column's text");
+    let last = ui.data(|data| data.get_temp::<(Id, TextSizes)>(slot));
+    let last = last.filter(|last| last.0 == step).map(|(_, sizes)| sizes);
+    let of_words = |ui: &Ui, size: f32| words_height(ui, context, texts.width(), size);
+    let of_card =
+        |ui: &mut Ui, size: f32| formulas_height(ui, context, card.unwrap_or(texts).width(), size);
+    let room = |ui: &Ui, size: f32| match card {
+        Some(card) => card.height(),
+        None => texts.height() - of_words(ui, size),
     };
-    let largest = SIZES.partition_point(|size| last.is_some_and(|last| *size > last.1));
-    // Usually the largest; a new step finds its size by halves, because each costs a layout of all texts.
-    let size = match SIZES[largest..].split_first() {
-        Some((size, smaller)) if !fits(size) => {
-            smaller.get(smaller.partition_point(|size| !fits(size)))
-        }
-        first => first.map(|(size, _)| size),
+    let is_changed = context.step.as_ref().is_some_and(|step| step.is_changed);
+    let words = match last {
+        Some(last) if last.is_own || is_changed => last.words,
+        _ => largest(SIZES[0], |size| {
+            of_words(ui, *size) <= texts.height() && of_card(ui, *size) <= room(ui, *size)
+        }),
     };
-    let size = size.copied().unwrap_or(WRITTEN);
-    ui.data_mut(|data| data.insert_temp(slot, (step, size)));
-    size
+    let is_held = ui.input(|input| input.pointer.any_down());
+    let most = last.filter(|_| is_held).map_or(words, |last| last.card);
+    let room = room(ui, words);
+    let card = largest(most, |size| of_card(ui, *size) <= room);
+    let is_own = !is_changed || last.is_some_and(|last| last.is_own);
+    let sizes = TextSizes { words, card, is_own };
+    ui.data_mut(|data| data.insert_temp(slot, (step, sizes)));
+    sizes
+}
+
+/// Returns the largest size of at most `most` that fits; the smallest one, if none does. A smaller one need not fit:
+/// it may break a formula at another place.
+fn largest(most: f32, fits: impl FnMut(&f32) -> bool) -> f32 {
+    SIZES.into_iter().skip_while(|size| *size > most).find(fits).unwrap_or(WRITTEN)
 }
 
 /// Returns the height of the title, the texts and the room for the answer.
@@ -119,12 +146,20 @@ fn words_height(ui: &Ui, context: &PageContext<'_>, width: f32, size: f32) -> f3
     title + texts + answer
 }
 
-/// Returns the texts below the title: the step's text and question, and the question of an exercise.
+/// Returns the texts below the title: the step's text and question, or the question of an exercise and the step's
+/// advice.
 fn paragraphs(context: &PageContext<'_>) -> Vec<String> {
     let step = context.step.map(|step| step.open.step());
     let asked = step.and_then(|step| step.question.as_ref()).map(|question| &question.ask);
-    let of_step = step.map(|step| &step.text).into_iter().chain(asked).cloned();
-    of_step.chain(exercises::ui::texts(context.session)).collect()
+    let of_step = step.map(|step| &step.text).filter(|_| advice(context).is_none());
+    let own = of_step.into_iter().chain(asked).cloned();
+    own.chain(exercises::ui::texts(context.session)).chain(advice(context).cloned()).collect()
+}
+
+/// Returns the step's advice on its exercise, of which the solution takes the place.
+fn advice<'a>(context: &PageContext<'a>) -> Option<&'a String> {
+    let step = context.step.filter(|_| context.session.shows_exercise())?;
+    Some(&step.open.step().text)
 }
 
 /// Returns the answer to the step's question.
@@ -151,8 +186,10 @@ fn words(ui: &mut Ui, context: &PageContext<'_>, size: f32) {
         let small = FontId::proportional(title_size(size));
         ui.add(Label::new(RichText::new(title(open)).font(small).weak()).wrap());
     }
-    for text in paragraphs(context) {
-        marked_text::label(ui, &text, size);
+    let texts = paragraphs(context);
+    let is_solved = advice(context).is_some() && context.session.exercises.is_solved;
+    for text in &texts[..texts.len() - usize::from(is_solved)] {
+        marked_text::label(ui, text, size);
     }
     // A vote takes the answer's room.
     let is_voting = context.session.live.vote.is_some();
@@ -180,10 +217,16 @@ pub(crate) fn has_card(layout: ViewLayout) -> bool {
 /// Returns the height of the card.
 fn formulas_height(ui: &mut Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     if context.session.shows_exercise() {
-        return exercises::ui::height(ui, context.session, context.derived, [width, size]);
+        let advice = advice(context)
+            .map_or(0.0, |text| marked_text::height_within(ui, text, size, width) + GAP);
+        let at = ([width, size], advice);
+        return exercises::ui::height(ui, context.session, context.derived, at);
     }
     match (context.session.shown.setup.layout, &context.derived.derivation) {
-        (ViewLayout::Lines, _) => exercises::ui::SUBSTITUTION * marked_text::row_height(ui, size),
+        (ViewLayout::Lines, _) => {
+            let of_card = (&context.session.shown.lines, context.style.digits, false);
+            lines::view::card_height(ui, of_card, [width, size])
+        }
         (ViewLayout::Mistakes, _) => context.derived.wrong_camera.as_ref().map_or(0.0, |wrong| {
             let rows = mistakes::ui::card_rows(wrong, context.session) as f32;
             rows * 1.2 * marked_text::row_height(ui, size)
@@ -206,7 +249,7 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     match (session.shown.setup.layout, &derived.derivation) {
         (ViewLayout::Lines, _) if !is_asking => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
-            substitution(ui, &session.shown.lines, style.digits);
+            lines::view::card(ui, &session.shown.lines, style.digits, false);
         }
         (ViewLayout::Mistakes, _) if !is_asking => {
             if let Some(wrong) = &derived.wrong_camera {
@@ -228,7 +271,9 @@ fn bottom(ui: &mut Ui, context: &mut PageContext<'_>) {
             if let Some([number, all]) = context.step.and_then(|step| step.open.number_of_all()) {
                 let text = RichText::new(format!("{number} of {all}")).size(WRITTEN).weak();
                 let rect = ui.label(text).rect;
-                if context.session.shown.is_asking {
+                let session = &*context.session;
+                let has_solution = session.shows_exercise() && !session.exercises.is_solved;
+                if session.shown.is_asking || has_solution {
                     dot(ui, rect);
                     navigation::vote(ui, context);
                 }

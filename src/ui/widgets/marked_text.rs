@@ -84,6 +84,8 @@ fn runs(text: &str) -> Vec<(String, bool)> {
 
 /// The vectors that the user gives, whose names are also ordinary words.
 const GIVEN: [&str; 3] = ["view", "up", "at"];
+/// The points of formulas, whose names are words elsewhere.
+const POINTS: [&str; 4] = ["eye", "centre", "point", "hit"];
 
 /// Splits a run at the names of vectors, as in `view = at − eye` and `perpendicular to up`.
 fn with_named(run: &str, is_vector: bool) -> Vec<(String, bool)> {
@@ -95,8 +97,9 @@ fn with_named(run: &str, is_vector: bool) -> Vec<(String, bool)> {
     for word in run.split_inclusive(|letter: char| !letter.is_alphabetic()) {
         let name = word.trim_end_matches(|letter: char| !letter.is_alphabetic());
         let (before, after) = (&run[..start], &run[start + name.len()..]);
-        let is_name =
-            GIVEN.contains(&name) && (is_in_formula(before, after) || is_noun(name, before, after));
+        let is_given = GIVEN.contains(&name);
+        let is_name = (is_given || POINTS.contains(&name)) && is_in_formula(before, after)
+            || is_given && is_noun(name, before, after);
         for (part, is_vector) in [(name, is_name), (&word[name.len()..], false)] {
             match split.last_mut().filter(|last| last.1 == is_vector) {
                 Some((last, _)) => last.push_str(part),
@@ -146,7 +149,8 @@ mod tests {
         let vectors = |text: &str| -> Vec<String> {
             with_named(text, false).into_iter().filter(|run| run.1).map(|run| run.0).collect()
         };
-        assert_eq!(vectors("view = at − eye = (−21, −4, −15)."), ["view", "at"]);
+        assert_eq!(vectors("view = at − eye = (−21, −4, −15)."), ["view", "at", "eye"]);
+        assert_eq!(vectors("(hit − centre)/𝑟 at the eye"), ["hit", "centre"]);
         assert_eq!(vectors(" = −view / |view| = (0, 1, 0)"), ["view", "view"]);
         assert_eq!(vectors("normalize(up × "), ["up"]);
         assert_eq!(vectors(" ← normalize(view). The"), ["view"]);

@@ -14,7 +14,6 @@ use pinhole_core::{
     edge_blends, lambert,
 };
 use pinhole_exchange::document::Document;
-use pinhole_figure::Concept;
 use pinhole_figure::derivation::sections::{DerivationSections, Formulas};
 use pinhole_figure::derivation::{
     Derivation, DerivationInputs, DerivationSettings, NumberFormat, derivation,
@@ -23,8 +22,8 @@ use pinhole_figure::observer::enclosing;
 use pinhole_figure::overlay::{
     self, Backdrop, Below, CameraView, ColoredScene, Figure, Same, WorldView,
 };
+use pinhole_figure::{Concept, EquationStep};
 use pinhole_lecture::exercises::Given;
-use pinhole_lecture::numbers::Rounding;
 use rayon::prelude::*;
 
 use crate::features::handles;
@@ -303,10 +302,6 @@ fn light_on(camera: &ResolvedCamera, pixel: Pixel, t: f64, center: DVec3, toward
     (FROM_EYE * facing.abs() + (1.0 - FROM_EYE) * wrapped).clamp(0.0, 1.0)
 }
 
-/// Number of decimals in the derivation while presenting, low enough that the numbers are legible from the
-/// back row.
-const PRESENTED_DECIMALS: usize = 3;
-
 /// The inputs of a derivation: the document, the settings, and the lines to which it is reduced.
 type DerivationKey = (Document, DerivationSettings, Option<Formulas>);
 
@@ -330,10 +325,7 @@ pub(super) fn derived_lines(
             None => session.shown.sections,
         },
         numbers: NumberFormat {
-            rounding: match session.presenting {
-                Some(_) => Rounding::Decimals(PRESENTED_DECIMALS),
-                None => Rounding::Significant(session.shown.setup.digits),
-            },
+            rounding: session.number_style().rounding(),
             exact: session.preferences.exact_forms,
             from_one: session.shown.setup.count_from_one,
         },
@@ -342,6 +334,9 @@ pub(super) fn derived_lines(
             Given::PointAt { t, .. } if matches!(only, Some(Formulas::Solution(_))) => Some(t),
             _ => None,
         },
+        by_coordinate: only.iter().flat_map(Formulas::concepts).any(|concept| {
+            matches!(concept, Concept::Equation { step: EquationStep::Coordinate, .. })
+        }),
     };
     Some(last.get((document.clone(), settings, only), |(document, settings, only)| {
         let whole = derivation(&DerivationInputs {

@@ -15,7 +15,7 @@ use super::{StepId, Which, Window};
 use crate::harness::window_with;
 
 /// A window that presents at this size in points, without glides, which take frames.
-fn presented(size: Vec2) -> Window {
+pub(super) fn presented(size: Vec2) -> Window {
     let preferences = Preferences { reduced_motion: true, ..Preferences::default() };
     let settings = Settings { preferences, ..Settings::default() };
     let mut window =
@@ -58,7 +58,7 @@ fn an_arrow_grows_when_its_line_is_revealed_and_is_whole_in_the_end() {
     assert!(whole > 60.0 && length(&window, Concept::W) > 20.0, "{whole}");
 }
 
-fn open(window: &mut Window, lesson: usize, step: usize) {
+pub(super) fn open(window: &mut Window, lesson: usize, step: usize) {
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     window.state_mut().open_lesson(id, None);
     window.run();
@@ -159,8 +159,9 @@ fn all_states(size: Vec2) {
             seen.insert(name);
         }
         let state = |window: &Window| {
-            let shown = &window.state().session().shown;
-            (window.state().lesson().unwrap().id(), shown.is_asking, shown.revealed_lines)
+            let session = window.state().session();
+            let shown = (session.shown.is_asking, session.shown.revealed_lines);
+            (window.state().lesson().unwrap().id(), shown, session.exercises.clone())
         };
         let last = state(&window);
         window.key_press(Key::PageDown);
@@ -177,7 +178,7 @@ fn all_states(size: Vec2) {
 }
 
 /// The sizes in points of windows of 1920 x 1080 and 1024 x 768 pixels at the zoom with which they present.
-const SIZES: [Vec2; 2] = [vec2(819.0, 461.0), vec2(737.0, 553.0)];
+pub(super) const SIZES: [Vec2; 2] = [vec2(819.0, 461.0), vec2(737.0, 553.0)];
 
 #[test]
 fn what_a_line_is_about_is_large_and_in_sight_at_1920_x_1080() {

@@ -67,7 +67,7 @@ fn the_discriminant_is_not_named_before_it_is_introduced() {
 fn the_wrong_hit_behind_the_eye_is_marked_and_each_root_says_whose_it_is() {
     let window = at_step(13, 2);
     assert!(labels(&window).contains(&"−6".to_owned()), "{:?}", labels(&window));
-    for text in ["near ball: first hit", "rear ball: behind the eye"] {
+    for text in ["; near ball", "; rear ball"] {
         assert!(!texts_with(&window, text).is_empty(), "{text}");
     }
 }

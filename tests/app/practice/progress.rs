@@ -32,9 +32,9 @@ fn a_step_s_exercise_has_whole_buttons_and_the_step_s_text() {
             assert!(rect.right() <= size.x - 10.0 && rect.left() > column, "{size}: {rect}");
         }
         // The step's text stands over its own exercise, with whatever numbers.
-        assert_ne!(texts_with(&window, "Another quarter turn"), [""; 0]);
+        assert_ne!(texts_with(&window, "The basis first"), [""; 0]);
         command(&mut window, Exercise::Sphere.title());
-        assert_eq!(texts_with(&window, "Another quarter turn"), [""; 0]);
+        assert_eq!(texts_with(&window, "The basis first"), [""; 0]);
     }
 }
 

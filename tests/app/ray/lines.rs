@@ -40,10 +40,10 @@ fn what_is_typed_is_put_in_with_its_numbers() {
     for (field, text) in [("a", "2"), ("b", "-1"), ("c", "1")] {
         type_into(&mut window, field, text);
     }
-    assert_reads(&window, "f(x, y) = 2 x − y + 1");
-    assert_reads(&window, "= 2 t − t + 1");
-    assert_reads(&window, "= t + 1");
-    assert_reads(&window, "t = −1");
+    assert_reads(&window, "implicit: f(x, y) = 2 x − y + 1");
+    assert_reads(&window, "substituted: f(p + t d)  = 2 t − t + 1");
+    assert_reads(&window, "added up: = t + 1");
+    assert_reads(&window, "zero where: t = −1");
     assert_reads(&window, "the same as  y = 2 x + 1");
     assert_says(&window, "They meet at t = −1, at (−1, −1). t < 0, behind p: the ray misses.");
     type_into(&mut window, "p x", "-2");
