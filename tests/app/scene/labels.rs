@@ -94,7 +94,7 @@ fn the_viewports_width_lies_on_no_line_of_the_camera() {
     harness.run();
     // At 1024 x 768.
     harness.set_size(vec2(737.0, 553.0));
-    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(2), step: 4 }, None);
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(2), step: 5 }, None);
     harness.run();
     let shown = harness.state().derived().world_view.clone().unwrap();
     let label = shown.labels.iter().find(|label| label.text == "width = 1").unwrap();
