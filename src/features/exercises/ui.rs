@@ -281,7 +281,7 @@ fn solution(ui: &mut Ui, context: &mut PageContext<'_>, [height, size]: [f32; 2]
     match (&derived.derivation, lab(&session.exercises)) {
         (_, Some(lab)) => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
-            card(ui, &lab, style.digits, true);
+            card(ui, &lab, (style.digits, true), None);
         }
         (Some(lines), None) => derivation::card(ui, context, lines, size),
         _ => {}

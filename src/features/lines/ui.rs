@@ -9,7 +9,7 @@ use pinhole_lecture::numbers::{sum, written as number};
 
 use crate::features::lines::state::{LARGEST, LineHandle, LinesLab};
 use crate::features::lines::view::{
-    GRASP, PlaneView, TEXT, draw_question, parts, substitution, text,
+    GRASP, PlaneView, TEXT, draw_question, is_whole, parts, substitution, text,
 };
 use crate::ui::PageContext;
 use crate::ui::scene::views;
@@ -43,14 +43,17 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
         });
     });
     ui.data_mut(|data| data.insert_temp(lab_id(), area.size()));
-    plane(ui, left, lab, digits);
+    plane(ui, left, lab, (digits, true));
 }
 
 /// Shows only the drawing of the lab, in which the lines can be dragged.
 pub(crate) fn figure(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
-    plane(ui, area, &mut context.session.shown.lines, context.style.digits);
+    let shown = &mut context.session.shown;
+    // Where the lines meet comes with the last line of the card.
+    let shows_meeting = is_whole(&shown.lines, shown.revealed_lines);
+    plane(ui, area, &mut shown.lines, (context.style.digits, shows_meeting));
 }
 
 /// Shows both lines, but not their intersection, while a lesson asks the class where they meet.
@@ -137,14 +140,15 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
     });
 }
 
-/// Shows the drawing and handles drags in it.
-fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
+/// Shows the drawing, with where the lines meet or without it, and handles drags in it.
+fn plane(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, (digits, shows_meeting): (usize, bool)) {
     look_around(ui, rect, lab);
     let before = PlaneView::new(ui, rect, lab.window);
     let inputs = LineHandle::ALL.into_iter();
     let inputs = inputs.filter_map(|handle| Some((handle, input(ui, &before, lab, handle)?)));
     let grabbed: Vec<(LineHandle, Response)> = inputs.collect();
-    let plane = PlaneView::new(ui, rect, lab.window);
+    let mut plane = PlaneView::new(ui, rect, lab.window);
+    plane.shows_meeting = shows_meeting;
     plane.background();
     let is_held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
     if let Some(text) = plane.paint(lab, is_held, digits) {

@@ -142,10 +142,27 @@ fn of_card(lab: &LinesLab, digits: usize, in_words: bool) -> Vec<(&'static str, 
     }
 }
 
-/// Shows a lesson's card. `in_words` adds where the lines meet as a sentence.
-pub(crate) fn card(ui: &mut Ui, lab: &LinesLab, digits: usize, in_words: bool) {
+/// Returns how many lines of a lesson's card are revealed one by one: none if a line is drawn alone.
+pub(crate) fn line_count(lab: &LinesLab) -> usize {
+    if lab.shown == ShownLines::Both { of_card(lab, 3, false).len() } else { 0 }
+}
+
+/// Returns true if all lines of a lesson's card are revealed.
+pub(crate) fn is_whole(lab: &LinesLab, revealed_lines: Option<usize>) -> bool {
+    revealed_lines.is_none_or(|count| count >= line_count(lab))
+}
+
+/// Shows a lesson's card, with as many lines as are revealed. `in_words` adds where the lines meet as a sentence.
+pub(crate) fn card(
+    ui: &mut Ui,
+    lab: &LinesLab,
+    (digits, in_words): (usize, bool),
+    revealed_lines: Option<usize>,
+) {
     ui.spacing_mut().item_spacing.y = ON_CARD;
-    show_steps(ui, &of_card(lab, digits, in_words));
+    let lines = of_card(lab, digits, in_words);
+    let count = revealed_lines.filter(|_| !is_whole(lab, revealed_lines)).unwrap_or(lines.len());
+    show_steps(ui, &lines[..count]);
 }
 
 /// Returns the height of a lesson's card of this width and with text of this size.
@@ -278,6 +295,8 @@ pub(crate) struct PlaneView {
     x: Scale,
     y: Scale,
     colors: &'static Colors,
+    /// True if the point where both lines meet is drawn.
+    pub(crate) shows_meeting: bool,
 }
 
 /// Draws the lines, but nothing that shows where they meet: the trail of points may end there.
@@ -345,6 +364,7 @@ impl PlaneView {
             x: Scale::even([low.x, high.x], [rect.left(), rect.right()]),
             y: Scale::even([low.y, high.y], [rect.bottom(), rect.top()]),
             colors: theme::style(ui).colors(),
+            shows_meeting: true,
         }
     }
 
@@ -638,7 +658,7 @@ impl PlaneView {
     /// Draws a cross at the point where the two lines meet, and writes its t.
     fn meeting(&self, lab: &LinesLab, labels: &mut LabelLayout, digits: usize) {
         let both = Substitution::new(lab.line(), lab.ray);
-        let both = both.ok().filter(|_| lab.shown == ShownLines::Both);
+        let both = both.ok().filter(|_| lab.shown == ShownLines::Both && self.shows_meeting);
         let Some(Substitution { meeting: Meeting::At(crossing), .. }) = both else { return };
         let at = self.to_screen(crossing.point);
         if !self.rect.contains(at) {

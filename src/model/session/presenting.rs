@@ -1,11 +1,8 @@
 //! Presenter mode: its theme, the size of its text, the state to which it returns, and the pen's strokes
 //! over the views.
 
-use std::mem;
-
 use pinhole_figure::typesetting::theme::WRITTEN;
 
-use crate::model::lessons::StepId;
 use crate::model::session::{ThemeName, ViewLayout};
 
 /// Number of decimals while presenting, low enough that the numbers are legible from the back row.
@@ -92,8 +89,6 @@ pub struct Pen {
     pub strokes: Vec<PenStroke>,
     /// Number of the pen's colour, below [`PEN_COLORS`].
     pub color: usize,
-    /// The strokes over other steps of lessons, which are there again when their step is.
-    kept: Vec<(StepId, Vec<PenStroke>)>,
 }
 
 /// Number of the pen's colours.
@@ -112,15 +107,6 @@ impl Pen {
     /// Begins a stroke.
     pub fn press(&mut self, at: [f32; 2]) {
         self.strokes.push(PenStroke { color: self.color, points: vec![at] });
-    }
-
-    /// Keeps the strokes over the step `from`, and takes up those over the step `to`.
-    pub fn turn(&mut self, from: Option<StepId>, to: StepId) {
-        let strokes = mem::take(&mut self.strokes);
-        self.kept.extend(from.map(|from| (from, strokes)));
-        if let Some(at) = self.kept.iter().position(|(step, _)| *step == to) {
-            self.strokes = self.kept.swap_remove(at).1;
-        }
     }
 
     /// Extends the last stroke to this point.

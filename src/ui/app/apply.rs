@@ -453,12 +453,7 @@ fn zoom_by(session: &mut Session, by: i32) {
 
 fn present_or_end(session: &mut Session) {
     match session.presenting.take() {
-        None => {
-            session.presenting = Some(Presenting::begin());
-            // The derivation answers the open question, so it is revealed line by line.
-            let derives = session.shown.setup.layout.reveals_lines();
-            session.shown.revealed_lines = (session.shown.is_asking && derives).then_some(0);
-        }
+        None => session.presenting = Some(Presenting::begin()),
         Some(presenting) => {
             session.shown.setup.layout = presenting.before(session.shown.setup.layout);
             session.live.pen = None;

@@ -1,5 +1,6 @@
 //! Opening lessons, moving through their steps, and closing them.
 
+use std::mem;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -10,9 +11,11 @@ use pinhole_figure::Observer;
 use pinhole_figure::derivation::Derivation;
 
 use super::scene::{OpenScene, Opened};
+use crate::features::lines;
 use crate::features::vote::OpenVote;
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
+use crate::model::session::presenting::PenStroke;
 use crate::model::{Session, Shown, ViewLayout};
 use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
@@ -26,6 +29,8 @@ pub(super) struct Lessons {
     pub(super) file: Option<Arc<Lesson>>,
     /// The observer (the world view's camera) with which the step began, fitted to the world view.
     seen_from: Option<Observer>,
+    /// The pen's strokes over other steps, which are there again when their step is.
+    ink: Vec<(StepId, Vec<PenStroke>)>,
     /// The session before the first step.
     pub(super) before: Option<Session>,
     /// The command-line argument that opens the scene from before the first step.
@@ -52,6 +57,15 @@ impl Lessons {
         }
     }
 
+    /// Keeps the strokes over the open step, and takes up those over the step `to`.
+    fn turn_ink(&mut self, strokes: &mut Vec<PenStroke>, to: StepId) {
+        let before = mem::take(strokes);
+        self.ink.extend(self.open.as_ref().map(|open| (open.id(), before)));
+        if let Some(at) = self.ink.iter().position(|(step, _)| *step == to) {
+            *strokes = self.ink.swap_remove(at).1;
+        }
+    }
+
     /// Returns the open step for the column of the stage.
     pub(super) fn step(&self, is_changed: bool) -> Option<OpenStep<'_>> {
         let (open, file) = (self.open.as_ref()?, self.file.as_deref());
@@ -66,6 +80,11 @@ impl Lessons {
             Which::File => None,
         }
     }
+}
+
+/// Returns true if a step in this layout is shown line by line while presenting.
+fn comes_in_lines(layout: ViewLayout) -> bool {
+    layout.reveals_lines() || layout == ViewLayout::Lines
 }
 
 impl OpenScene {
@@ -105,8 +124,9 @@ impl OpenScene {
         }
         // The vote was on the previous step's question.
         self.session.live.vote = None;
-        let before = lessons.open.as_ref().map(OpenLesson::id);
-        self.session.live.pen.iter_mut().for_each(|pen| pen.turn(before, next.id()));
+        if let Some(pen) = &mut self.session.live.pen {
+            lessons.turn_ink(&mut pen.strokes, next.id());
+        }
         let play = next.step().play;
         lessons.open = Some(next);
         Ok(Opened { is_another: !same_scene, play })
@@ -120,16 +140,22 @@ impl OpenScene {
         if is_asking {
             self.answer();
         }
-        let session = &mut self.session;
-        let shown = session.shown.revealed_lines.zip(derivation);
-        let Some((count, derivation)) = shown else { return is_asking };
-        let all = derivation.lines_through(session.shown.highlighted);
+        let shown = &mut self.session.shown;
+        let Some(count) = shown.revealed_lines else { return is_asking };
+        let layout = shown.setup.layout;
+        let (all, next) = match derivation {
+            _ if layout == ViewLayout::Lines => (lines::view::line_count(&shown.lines), count + 1),
+            Some(derivation) => {
+                let all = derivation.lines_through(shown.highlighted);
+                (all, derivation.lines_after(count, all))
+            }
+            None => return is_asking,
+        };
         let is_left = count < all;
         if is_left {
-            // Beside the graph, the answer says what comes out, and the lines how.
-            let is_whole = is_asking && session.shown.setup.layout != ViewLayout::Plot;
-            let next = derivation.lines_after(count, all);
-            session.shown.revealed_lines = Some(if is_whole { all } else { next });
+            // Beside the graph and the plane, the answer says what comes out, and the lines how.
+            let is_beside = matches!(layout, ViewLayout::Plot | ViewLayout::Lines);
+            shown.revealed_lines = Some(if is_asking && !is_beside { all } else { next });
         }
         is_asking || is_left
     }
@@ -141,24 +167,26 @@ impl OpenScene {
         let shown = &self.session.shown;
         self.session.presenting?;
         let layout = step.layout().unwrap_or(shown.setup.layout);
-        if !layout.reveals_lines() {
+        if !comes_in_lines(layout) {
             return None;
         }
         let is_same = self.open.document == step.document
             && shown.selection == step.shown.selection
             // Beside the graph, each step has lines of its own.
             && (layout != ViewLayout::Plot || step.shown.formulas == shown.formulas)
+            && (layout != ViewLayout::Lines || step.shown.lines == shown.lines)
             && (!step.says("derivation") || step.shown.sections == shown.sections);
-        let was_derived = shown.setup.layout.reveals_lines();
+        let was_derived = comes_in_lines(shown.setup.layout);
         if is_same && was_derived && !shown.is_asking { shown.revealed_lines } else { Some(0) }
     }
 
-    /// Keeps back the lines of a step without a question when presenting begins, so that they come one by one there, too.
+    /// Keeps back the lines of a step when presenting begins, so that they come one by one, unless its question is answered.
     pub(super) fn keep_lines_back(&mut self) {
         let step = self.lessons.open.as_ref().map(OpenLesson::step);
-        let asks_nothing = step.is_some_and(|step| step.question.is_none());
+        let is_answered = step.is_none_or(|step| step.question.is_some());
         let (shown, presenting) = (&mut self.session.shown, self.session.presenting.is_some());
-        if presenting && asks_nothing && shown.setup.layout.reveals_lines() {
+        let is_open = shown.is_asking || !is_answered;
+        if presenting && is_open && comes_in_lines(shown.setup.layout) {
             shown.revealed_lines = Some(0);
         }
     }
@@ -235,6 +263,7 @@ impl OpenScene {
         if lessons.open.take().is_some() && shown.observer == lessons.seen_from {
             shown.observer = None;
         }
+        lessons.ink.clear();
         if let Some(before) = lessons.before.take() {
             let Shown { selection, observer, .. } = *shown;
             *shown = Shown { selection, observer, ..before.shown };

@@ -249,7 +249,8 @@ fn formulas(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     match (session.shown.setup.layout, &derived.derivation) {
         (ViewLayout::Lines, _) if !is_asking => {
             ui.style_mut().override_font_id = Some(FontId::proportional(size));
-            lines::view::card(ui, &session.shown.lines, style.digits, false);
+            let shown = &session.shown;
+            lines::view::card(ui, &shown.lines, (style.digits, false), shown.revealed_lines);
         }
         (ViewLayout::Mistakes, _) if !is_asking => {
             if let Some(wrong) = &derived.wrong_camera {

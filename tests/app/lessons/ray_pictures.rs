@@ -142,3 +142,25 @@ fn a_single_curve_is_the_function_on_the_card_at_20_values_of_t() {
     }
     assert!(count >= 100, "{count}");
 }
+
+#[test]
+fn one_line_is_put_into_the_other_line_by_line_and_where_they_meet_comes_last() {
+    let mut window = window("canonical");
+    key(&mut window, Key::F5);
+    let id = StepId { lesson: Which::Builtin(10), step: 2 };
+    window.state_mut().open_lesson(id, None);
+    window.run();
+    let lines = ["substituted", "added up", "zero where"];
+    let shown = |window: &Window| {
+        let card = lines.map(|line| !texts_with(window, line).is_empty());
+        let meets = texts(window).iter().any(|run| run.text.starts_with("ray hits"));
+        (card.into_iter().filter(|is_there| *is_there).count(), meets)
+    };
+    assert_eq!(shown(&window), (0, false));
+    for wanted in [(1, false), (2, false), (3, true)] {
+        key(&mut window, Key::PageDown);
+        assert_eq!(shown(&window), wanted);
+    }
+    key(&mut window, Key::PageDown);
+    assert_eq!(window.state().lesson().unwrap().id().step, 3);
+}
