@@ -18,8 +18,9 @@ use crate::ui::widgets::{
 const HINT: &str =
     "You may type 5*sqrt(2), -1/sqrt(2) or 3/7, or a decimal of at least four digits.";
 
-/// Text of the button that shows a mistake as a ghost. The spaces are as wide as its padding.
-const SHOW_ME: &str = "  Show me  ";
+/// Text of the button that shows a mistake as a ghost, and text as wide as the button with its padding. A space at its
+/// end would take no room.
+const SHOW_ME: [&str; 2] = ["Show me", "  Show\u{a0}me\u{a0}\u{a0}m"];
 
 /// Height of a row of fields, as a multiple of the text's size, in the window and while presenting. It is at least
 /// that of a button.
@@ -158,7 +159,7 @@ struct Said {
 
 impl Said {
     fn height(&self, ui: &Ui, width: f32) -> f32 {
-        let button = self.shown.map_or("", |_| SHOW_ME);
+        let button = self.shown.map_or("", |_| SHOW_ME[1]);
         marked_text::height_within(ui, &format!("{}{button}", self.text.text()), self.size, width)
     }
 
@@ -170,7 +171,7 @@ impl Said {
         ui.horizontal_wrapped(|ui| {
             ui.add(label);
             let is_shown = exercises.shown_mistake == self.shown;
-            let text = RichText::new(SHOW_ME.trim()).size(self.size).underline();
+            let text = RichText::new(SHOW_ME[0]).size(self.size).underline();
             let hint =
                 "Draws the camera with this mistake, from the question's numbers, in the figure";
             let button = egui::Button::selectable(is_shown, text).small();
