@@ -7,8 +7,8 @@ use std::sync::Arc;
 use pinhole_exchange::host::host;
 use pinhole_exchange::scene_file::with_table;
 use pinhole_exchange::scenes::{BuiltinScene, SceneSource};
-use pinhole_figure::Observer;
 use pinhole_figure::derivation::Derivation;
+use pinhole_figure::{Formulas, Observer};
 
 use super::scene::{OpenScene, Opened};
 use crate::features::lines;
@@ -160,8 +160,8 @@ impl OpenScene {
         is_asking || is_left
     }
 
-    /// Returns how many lines of the derivation are visible when a lesson's step opens while presenting: as
-    /// many as before if the derivation stays the same, otherwise none. Returns `None` if lines are not
+    /// Returns how many lines of the derivation are visible when a lesson's step opens while presenting: those that the
+    /// step before has shown, if the derivation stays the same, otherwise none. Returns `None` if lines are not
     /// revealed one by one.
     fn lines_to_begin_with(&self, step: &Step) -> Option<usize> {
         let shown = &self.session.shown;
@@ -177,7 +177,16 @@ impl OpenScene {
             && (layout != ViewLayout::Lines || step.shown.lines == shown.lines)
             && (!step.says("derivation") || step.shown.sections == shown.sections);
         let was_derived = comes_in_lines(shown.setup.layout);
-        if is_same && was_derived && !shown.is_asking { shown.revealed_lines } else { Some(0) }
+        if !is_same || !was_derived || shown.is_asking {
+            return Some(0);
+        }
+        let known = match (&shown.formulas, &step.shown.formulas) {
+            (Some(Formulas::About(before)), Some(Formulas::About(now))) if before != now => {
+                now.iter().take_while(|concept| before.contains(concept)).count()
+            }
+            _ => usize::MAX,
+        };
+        shown.revealed_lines.map(|count| count.min(known))
     }
 
     /// Keeps back the lines of a step when presenting begins, so that they come one by one, unless its question is answered.
