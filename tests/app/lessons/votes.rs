@@ -125,7 +125,6 @@ fn options_are_seen(size: Vec2) {
             lowest = lowest.min(rect.height());
         }
     }
-    println!("{size}: the lowest option is {lowest} points high");
     assert!(lowest >= 24.0, "{lowest} at {size}");
 }
 
