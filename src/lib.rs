@@ -95,7 +95,7 @@
 //! | --- | --- |
 //! | how a pixel gets its colour, and the error bounds | the page of `core/render/mod.rs` |
 //! | a line of the derivation | `figure/derivation/camera.rs`, `figure/derivation/objects.rs`; its numbers in `lecture/derivation.rs` |
-//! | a mistake; a vote on it | `lecture/mistakes/table.rs`; `lecture/mistakes/vote.rs`, in the window `features/vote/` |
+//! | a mistake; a vote on it | `lecture/mistakes/table.rs`; `lecture/mistakes/vote.rs`, in the window `features/vote/`; a step's `choices` in `model/lessons/read.rs` |
 //! | a class's answers | `features/class/ui.rs`; as tables of the command `check`: `cli/check_class.rs` |
 //! | a scene file's keys, such as those of `[observer]` | `exchange/scene_file/read.rs` and `write.rs`; `exchange/document.rs` |
 //! | another program's format; a language | `exchange/programs/writers.rs`; `exchange/code.rs`; the text of each in `exchange/templates/` |

@@ -144,7 +144,9 @@ impl Player {
             Kind::Walk => format!("t {}", equated(self.phase * self.start.end, 3)),
             Kind::Scan => {
                 let steps = self.kind.steps(&self.start);
-                let so_far = (self.phase * steps as f64).round() as u64;
+                // Before it begins, the picture is whole.
+                let share = if self.begun { self.phase } else { 1.0 };
+                let so_far = (share * steps as f64).round() as u64;
                 format!("{} of {} pixels", grouped(so_far), grouped(steps))
             }
         }

@@ -61,10 +61,12 @@ impl OpenVote {
         OpenVote::new(options, vote.right)
     }
 
-    /// Opens a vote on the answers to a question, of which the first is right. They are shown in alphabetical order.
+    /// Opens a vote on the answers to a question, of which the first is right. Their order depends on their texts alone.
     pub fn on_choices(choices: &[String]) -> OpenVote {
         let mut sorted: Vec<&String> = choices.iter().collect();
         sorted.sort();
+        let letters: usize = choices.iter().map(String::len).sum();
+        sorted.rotate_left(letters % choices.len().max(1));
         let right = sorted.iter().position(|text| Some(*text) == choices.first());
         let options = sorted.into_iter().map(|text| VoteOption::Choice(text.clone())).collect();
         OpenVote::new(options, right.unwrap_or(0))

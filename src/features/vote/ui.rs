@@ -3,8 +3,8 @@
 
 use egui::accesskit::Role;
 use egui::{
-    Align2, Color32, Context, CornerRadius, Event, FontId, Id, Rect, RichText, ScrollArea, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, Context, CornerRadius, Event, FontId, Id, Pos2, Rect, RichText, ScrollArea,
+    Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use pinhole_figure::typesetting::theme::{WRITTEN, error_color};
 use pinhole_lecture::mistakes::{ComparedCamera, Vote};
@@ -54,13 +54,15 @@ const LETTER_WIDTH: f32 = 46.0;
 /// Width of the column for the sign that marks right and wrong, in points.
 const SIGN_WIDTH: f32 = 44.0;
 
-/// Height of an option, in points, above which it also shows its formula.
-const WITH_FORMULA: f32 = 54.0;
+/// Height of an option, in points, above which its bars are below its text.
+const BARS_BELOW: f32 = 54.0;
 
 /// Width of the field for the hands, in points.
 const HANDS: f32 = 96.0;
 /// Share of an option's text that is its name, if it has bars.
 const NAMED: f32 = 0.5;
+/// The same if the bars are beside it.
+const BESIDE_BARS: f32 = 0.72;
 /// Space between two bars, in points.
 const BETWEEN: f32 = 3.0;
 /// Maximum size of the number of hands, in points.
@@ -148,7 +150,8 @@ const LEAST_HEIGHT: f32 = 8.0;
 
 /// Shows the vote on a step's question below it, with texts of this size.
 pub(crate) fn below_question(ui: &mut Ui, area: Rect, open: &mut OpenVote, size: f32) {
-    let bar = ui.spacing().interact_size.y + AROUND_BUTTONS;
+    let row = ui.spacing().interact_size.y + BETWEEN;
+    let bar = 2.0 * row + AROUND_BUTTONS;
     let tiles = area.with_max_y(area.bottom() - bar);
     let count = open.options.len();
     let height = |rows: usize| tiles.height() / rows as f32 - GAP;
@@ -157,14 +160,24 @@ pub(crate) fn below_question(ui: &mut Ui, area: Rect, open: &mut OpenVote, size:
     let (tiles, below) = area.split_top_bottom_at_y(tiles.top() + height);
     options(ui, tiles, rows, open, size);
     inside(ui, below.with_max_y(below.top() + bar), |ui| {
-        ui.spacing_mut().item_spacing.x = BETWEEN;
-        ui.horizontal(|ui| {
-            hands(ui, open);
-            reveal(ui, open.is_revealed);
-            let close = ui.button("×").on_hover_text("Ends the vote");
-            close.named("End the vote").asks(VoteAction::End);
+        ui.spacing_mut().item_spacing.y = BETWEEN;
+        ui.horizontal(|ui| hands(ui, open));
+        ui.horizontal(|ui| match problem(ui, open) {
+            Some(problem) => drop(ui.add(egui::Label::new(fault_text(ui, problem)).wrap())),
+            None => {
+                reveal(ui, open.is_revealed);
+                let close = ui.button("End the vote").on_hover_text("The question stays open");
+                close.asks(VoteAction::End);
+            }
         });
     });
+}
+
+/// Returns what is wrong with the typed hands, once they are typed.
+fn problem(ui: &Ui, open: &OpenVote) -> Option<String> {
+    let is_typing = ui.ctx().memory(|memory| memory.has_focus(hands_id()));
+    let is_shown = !is_typing && !open.is_revealed && !open.typed.trim().is_empty();
+    open.read_typed().err().filter(|_| is_shown)
 }
 
 /// Shows the options in this many rows, with texts of this size.
@@ -173,6 +186,7 @@ fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote, size: f32)
     let columns = count.div_ceil(rows);
     let cells = vec2(columns as f32, rows as f32);
     let cell = (area.size() + vec2(GAP, 0.0)) / cells;
+    let size = common_size(ui, open, cell - vec2(GAP, GAP), size);
     for index in 0..count {
         let place = vec2((index % columns) as f32, (index / columns) as f32);
         let rect = Rect::from_min_size(area.min + place * cell, cell - vec2(GAP, GAP));
@@ -182,6 +196,20 @@ fn options(ui: &mut Ui, area: Rect, rows: usize, open: &mut OpenVote, size: f32)
             open.choose(index);
         }
     }
+}
+
+/// Returns the largest size of at most `most` at which the texts of all options fit into their tiles.
+fn common_size(ui: &Ui, open: &OpenVote, tile: Vec2, most: f32) -> f32 {
+    let tile = Rect::from_min_size(Pos2::ZERO, tile - vec2(LETTER_WIDTH + SIGN_WIDTH, 0.0));
+    let (room, _) = parts(tile, open.counted().next().is_some());
+    let fits = |size: &f32| {
+        let height = |option: &VoteOption| {
+            marked_text::height_within(ui, option.text(), *size, room.width())
+        };
+        open.options.iter().all(|option| height(option) <= room.height())
+    };
+    let sizes = (0..).map(|k| most - k as f32).take_while(|size| *size > WRITTEN);
+    sizes.into_iter().find(fits).unwrap_or(WRITTEN)
 }
 
 /// Shows an option. Returns true if the user votes for it.
@@ -229,28 +257,26 @@ fn parts(text: Rect, has_bars: bool) -> (Rect, Rect) {
     if !has_bars {
         return (text, Rect::NOTHING);
     }
-    let (named, drawn) = match text.height() >= WITH_FORMULA {
+    let (named, drawn) = match text.height() >= BARS_BELOW {
         true => text.split_top_bottom_at_fraction(NAMED),
-        false => text.split_left_right_at_fraction(NAMED),
+        false => text.split_left_right_at_fraction(BESIDE_BARS),
     };
     (named, drawn.shrink2(vec2(0.0, BETWEEN)))
 }
 
 /// Writes an option's text and, if it fits, the formula of a mistake below it.
 fn texts(ui: &Ui, rect: Rect, option: &VoteOption, size: f32, ink: Color32) {
-    let line = |text: &str, size: f32| {
-        let width = marked_text::galley(ui, text, size).size().x;
-        let scale = (rect.width() / width.max(1.0)).min(1.0);
-        marked_text::galley(ui, text, size * scale.max(0.6))
-    };
+    let line = |text: &str, size: f32| marked_text::galley(ui, text, size, rect.width());
     let mut shown = vec![line(option.text(), size)];
-    if let VoteOption::Mistake(mistake) = option
-        && rect.height() >= WITH_FORMULA
-    {
+    let mut height = shown[0].size().y;
+    if let VoteOption::Mistake(mistake) = option {
         let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
-        shown.push(line(formula, FORMULA));
+        let formula = line(formula, FORMULA);
+        if height + formula.size().y <= rect.height() {
+            height += formula.size().y;
+            shown.push(formula);
+        }
     }
-    let height = shown.iter().map(|galley| galley.size().y).sum::<f32>();
     let mut at = pos2(rect.left(), rect.center().y - 0.5 * height);
     let painter = ui.painter_at(rect);
     for galley in shown {
@@ -299,10 +325,7 @@ fn bars(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, ink: Color32) {
 /// right, in the largest text that fits.
 fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
     let lines = if open.is_revealed { explanation(open, wrong) } else { vec![instructions(open)] };
-    let is_typing = ui.ctx().memory(|memory| memory.has_focus(hands_id()));
-    let problem = open.read_typed().err();
-    let is_shown = !is_typing && !open.is_revealed && !open.typed.trim().is_empty();
-    if let Some(problem) = problem.filter(|_| is_shown) {
+    if let Some(problem) = problem(ui, open) {
         ui.label(fault_text(ui, problem).size(REASON));
         return;
     }
@@ -323,15 +346,15 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
 fn instructions(open: &OpenVote) -> String {
     let hollow = "Filled bars are the second round, hollow ones the first. ";
     let bars = if open.counted().count() > 1 { hollow } else { "" };
-    let letters = letters("or");
+    let letters = letters(open, "or");
     format!(
         "{bars}Compare it with the correct picture on its left. Vote, {letters}; then reveal it."
     )
 }
 
 /// Returns the letters of the options in words, such as `A, B, C or D`.
-fn letters(last: &str) -> String {
-    let [letters @ .., end] = Vote::LETTERS;
+fn letters(open: &OpenVote, last: &str) -> String {
+    let [letters @ .., end] = &Vote::LETTERS[..open.options.len()] else { return String::new() };
     format!("{} {last} {end}", letters.join(", "))
 }
 
@@ -365,9 +388,11 @@ fn buttons(ui: &mut Ui, view: &mut MistakesView, can_ask: bool, is_wide: bool) {
 
 /// Shows the field for the hands of the current round, and the button for the next round.
 fn hands(ui: &mut Ui, open: &mut OpenVote) {
-    let about = format!("The hands raised for {}, drawn as bars", letters("and"));
+    let about = format!("The hands raised for {}, drawn as bars", letters(open, "and"));
     ui.label("Hands").on_hover_text(&about);
-    let field = line_field(&mut open.typed).id(hands_id()).hint_text(Vote::LETTERS.join(", "));
+    let field = line_field(&mut open.typed)
+        .id(hands_id())
+        .hint_text(Vote::LETTERS[..open.options.len()].join(", "));
     let response = ui.add_enabled(!open.is_revealed, field.desired_width(HANDS));
     let name = format!("hands in round {}", open.round + 1);
     let response = response.on_hover_text(about).named(name);

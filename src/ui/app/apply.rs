@@ -111,26 +111,8 @@ impl App {
             // An exercise has no pixel to select.
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
-            Action::Look(LookAction::Fill(ViewLayout::DerivationAlone))
-                if self.scene.why_no_derivation().is_some() =>
-            {
-                let why = self.scene.why_no_derivation().unwrap_or_default();
-                self.say("Nothing to enlarge".to_owned(), vec![why.to_owned()]);
-            }
-            Action::Look(action) => {
-                change_look(&mut self.scene.session, action);
-                if action == LookAction::Present {
-                    self.scene.keep_lines_back();
-                }
-            }
-            Action::Vote(VoteAction::Ask) => {
-                if !self.scene.open_vote() {
-                    let how =
-                        "A lesson's file has them beside ask: choices = [\"right\", \"wrong\"].";
-                    let title = "This question has no answers to vote on";
-                    self.say(title.to_owned(), vec![how.to_owned()]);
-                }
-            }
+            Action::Look(action) => self.look_action(action),
+            Action::Vote(VoteAction::Ask) => self.ask_class(),
             Action::Vote(action) => vote::ui::apply(ctx, &mut self.scene.session, action),
             Action::OpenContents => {
                 let now = self.lesson().and_then(OpenLesson::number_of_all);
@@ -141,6 +123,28 @@ impl App {
             Action::ShowKeys => self.over.shows_keys = true,
             Action::ShowConventions => self.over.open(help::conventions()),
             Action::ShowAbout => self.over.open(help::about()),
+        }
+    }
+
+    /// Changes what is shown, or says why there is nothing to show.
+    fn look_action(&mut self, action: LookAction) {
+        if action == LookAction::Fill(ViewLayout::DerivationAlone)
+            && let Some(why) = self.scene.why_no_derivation()
+        {
+            return self.say("Nothing to enlarge".to_owned(), vec![why.to_owned()]);
+        }
+        change_look(&mut self.scene.session, action);
+        if action == LookAction::Present {
+            self.scene.presenting_changed();
+        }
+    }
+
+    /// Opens a vote on the question of the lesson's step.
+    fn ask_class(&mut self) {
+        if !self.scene.open_vote() {
+            let how = "A lesson's file has them beside ask: choices = [\"right\", \"wrong\"].";
+            let title = "This question has no answers to vote on";
+            self.say(title.to_owned(), vec![how.to_owned()]);
         }
     }
 
@@ -428,6 +432,7 @@ pub(super) fn change_look(session: &mut Session, action: LookAction) {
         }
         LookAction::ShowMe(mistake) => session.exercises.toggle_shown(mistake),
         LookAction::Vote => {
+            session.live.vote = None;
             session.shown.mistakes_view.wants_vote = true;
             *layout = ViewLayout::Mistakes;
         }

@@ -20,7 +20,7 @@ use crate::model::fault::caught;
 use crate::model::session::Split;
 use crate::model::{Session, Shown, ViewLayout, Workspace};
 use crate::ui::action::{
-    Action, Available, FileUse, Leave, LookAction, Switch, is_any_requested, request,
+    Action, Available, FileUse, Leave, LookAction, Switch, VoteAction, is_any_requested, request,
     take_requested,
 };
 use crate::ui::app::scene::OpenScene;
@@ -187,17 +187,20 @@ impl App {
                 None => request(ctx, action),
             }
         }
-        // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus, or puts the
-        // code or the pen away.
+        // Before Escape ends presenter mode, it ends a drag, closes a menu, releases the focus, ends a vote on a
+        // step's question, or puts the code or the pen away.
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
             if self.over.code.take().is_some() {
                 return;
             }
-            let puts_away = self.scene.session.live.pen.is_some();
-            let ends = LookAction::Toggle(Switch::Pen);
-            request(ctx, if puts_away { ends } else { LookAction::Present });
+            let live = &self.scene.session.live;
+            match (&live.vote, &live.pen) {
+                (Some(_), _) => request(ctx, VoteAction::End),
+                (None, Some(_)) => request(ctx, LookAction::Toggle(Switch::Pen)),
+                (None, None) => request(ctx, LookAction::Present),
+            }
         }
     }
 

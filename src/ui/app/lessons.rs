@@ -15,7 +15,7 @@ use crate::features::lines;
 use crate::features::vote::OpenVote;
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Step, StepId, Which, apply};
-use crate::model::session::presenting::PenStroke;
+use crate::model::session::presenting::{Pen, PenStroke};
 use crate::model::{Session, Shown, ViewLayout};
 use crate::ui::OpenStep;
 use crate::ui::dialogs::Question;
@@ -60,10 +60,21 @@ impl Lessons {
     /// Keeps the strokes over the open step, and takes up those over the step `to`.
     fn turn_ink(&mut self, strokes: &mut Vec<PenStroke>, to: StepId) {
         let before = mem::take(strokes);
-        self.ink.extend(self.open.as_ref().map(|open| (open.id(), before)));
+        if let Some(from) = self.open.as_ref().map(OpenLesson::id) {
+            self.ink.retain(|(step, _)| *step != from);
+            self.ink.push((from, before));
+        }
         if let Some(at) = self.ink.iter().position(|(step, _)| *step == to) {
             *strokes = self.ink.swap_remove(at).1;
         }
+    }
+
+    /// Takes over the ink of the lessons that were open before going back to these, with the strokes of the pen.
+    pub(super) fn keep_ink(&mut self, mut before: Lessons, pen: Option<&mut Pen>) {
+        if let (Some(pen), Some(open)) = (pen, &self.open) {
+            before.turn_ink(&mut pen.strokes, open.id());
+        }
+        self.ink = before.ink;
     }
 
     /// Returns the open step for the column of the stage.
@@ -190,12 +201,16 @@ impl OpenScene {
     }
 
     /// Keeps back the lines of a step when presenting begins, so that they come one by one, unless its question is answered.
-    pub(super) fn keep_lines_back(&mut self) {
+    /// When it ends, forgets the ink.
+    pub(super) fn presenting_changed(&mut self) {
         let step = self.lessons.open.as_ref().map(OpenLesson::step);
+        if self.session.presenting.is_none() {
+            self.lessons.ink.clear();
+            return;
+        }
         let is_answered = step.is_none_or(|step| step.question.is_some());
-        let (shown, presenting) = (&mut self.session.shown, self.session.presenting.is_some());
-        let is_open = shown.is_asking || !is_answered;
-        if presenting && is_open && comes_in_lines(shown.setup.layout) {
+        let shown = &mut self.session.shown;
+        if (shown.is_asking || !is_answered) && comes_in_lines(shown.setup.layout) {
             shown.revealed_lines = Some(0);
         }
     }
@@ -204,7 +219,9 @@ impl OpenScene {
     pub(super) fn why_no_derivation(&self) -> Option<&'static str> {
         let (shown, presenting) = (&self.session.shown, self.session.presenting?);
         self.lessons.open.as_ref()?;
-        if !column::has_card(presenting.before(shown.setup.layout)) {
+        let is_empty =
+            matches!(&shown.formulas, Some(Formulas::About(concepts)) if concepts.is_empty());
+        if is_empty || !column::has_card(presenting.before(shown.setup.layout)) {
             return Some("This step has no derivation.");
         }
         shown.is_asking.then_some("The derivation comes with the answer.")
@@ -219,7 +236,8 @@ impl OpenScene {
     /// Opens a vote on the step's question while it is asked. Returns false if the step has no answers to vote on.
     pub(super) fn open_vote(&mut self) -> bool {
         let question = self.lessons.open.as_ref().and_then(|open| open.step().question.as_ref());
-        let Some(question) = question.filter(|_| self.session.shown.is_asking) else { return true };
+        let can = self.session.shown.is_asking && self.session.live.vote.is_none();
+        let Some(question) = question.filter(|_| can) else { return true };
         let has_choices = !question.choices.is_empty();
         self.session.live.vote = has_choices.then(|| OpenVote::on_choices(&question.choices));
         has_choices
@@ -273,6 +291,7 @@ impl OpenScene {
             shown.observer = None;
         }
         lessons.ink.clear();
+        self.session.live.vote = None;
         if let Some(before) = lessons.before.take() {
             let Shown { selection, observer, .. } = *shown;
             *shown = Shown { selection, observer, ..before.shown };

@@ -351,8 +351,10 @@ impl OpenScene {
         if shown.setup.layout == ViewLayout::Answers && now.answers.is_none() {
             shown.setup.layout = ViewLayout::Both;
         }
-        let Live { pen, directed, .. } = now.live;
+        let Live { mut pen, directed, .. } = now.live;
+        let mut lessons = to.lessons;
+        lessons.keep_ink(std::mem::take(&mut self.lessons), pen.as_mut());
         let live = Live { pen, directed, ..Live::default() };
-        *self = OpenScene { session: Session { shown, live, exercises, ..now }, ..to };
+        *self = OpenScene { session: Session { shown, live, exercises, ..now }, lessons, ..to };
     }
 }

@@ -20,9 +20,9 @@ const SYNONYMS: [(&str, &str); 9] = [
 ];
 
 /// Returns the commands that match every typed word, best first; before all others, the step whose number was
-/// typed, such as 6.2. If nothing was typed, returns all commands in their order.
+/// typed, such as 6.2, alone or last. If nothing was typed, returns all commands in their order.
 pub fn found<'a>(typed: &str, commands: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
-    let asked = match LessonArgument::parse(typed.trim()) {
+    let asked = match LessonArgument::parse(typed.split_whitespace().last().unwrap_or_default()) {
         Ok(LessonArgument::Builtin(id)) => Some(Action::from(Leave::GoTo(id))),
         _ => None,
     };
@@ -105,6 +105,7 @@ mod tests {
             ("add wall", "Objects: + Plane"),
             ("gimbal", "Scene: almost-parallel-up"),
             ("6.2", "Contents: Lesson 6: 45 degrees, by hand, 2. What a camera's basis must be"),
+            ("contents 5.2", "Contents: Lesson 5: Orientation, 2. Turned by 45°"),
             ("contents", "Contents: Lesson 1: The canonical camera, 1. The camera in its world"),
             ("svg", "File: Export a figure…"),
             ("three.js", "File: Save the camera for another program…"),

@@ -188,7 +188,7 @@ fn voting() -> Vec<UiCommand> {
             VoteAction::CountHands => plain(VoteUntyped, Key::H);
         Vote, "Second round", "Lets the class vote again; the first round's bars stay.",
             VoteAction::NextRound => plain(VoteUntyped, Key::V);
-        Vote, "Reveal", "Shows which option is right, and why.",
+        Vote, "Reveal", "Shows which option is right, and then why.",
             VoteAction::Reveal => plain(Vote, Key::PageDown), plain(VoteUnfocused, Key::Enter);
     ]);
     commands

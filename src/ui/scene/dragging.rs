@@ -300,10 +300,10 @@ impl Dragging {
                 let outcome = match (drag.grabbed, world) {
                     (Grabbed::Handle(handle), Some(view)) => {
                         let settings = session.settings();
-                        let begun = view.handle_drag(ctx, handle, &drag, &settings);
-                        let is_beside = drag.is_beside_view;
-                        drag.is_beside_view =
-                            is_beside.or(Some(begun.begins_beside_view(view.uv(at))));
+                        if drag.is_beside_view.is_none() {
+                            let begun = view.handle_drag(ctx, handle, &drag, &settings);
+                            drag.is_beside_view = Some(begun.begins_beside_view(view.uv(at)));
+                        }
                         let dragged = view.handle_drag(ctx, handle, &drag, &settings);
                         dragged.to(view.uv(at)).map(|dragged| {
                             dragged.values.put(document, &mut session.shown.selection);

@@ -21,16 +21,16 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     ui.add(Label::new(job).wrap()).spoken(without_marks(&instruction(ui.ctx(), text)));
 }
 
-/// Lays the text out in one line.
-pub(crate) fn galley(ui: &Ui, text: &str, size: f32) -> Arc<Galley> {
-    ui.painter().layout_job(laid_out(ui, text, size))
+/// Lays the text out, wrapped to this width.
+pub(crate) fn galley(ui: &Ui, text: &str, size: f32, width: f32) -> Arc<Galley> {
+    let mut job = laid_out(ui, text, size);
+    job.wrap.max_width = width;
+    ui.painter().layout_job(job)
 }
 
 /// Returns the height of the text when it is wrapped to this width.
 pub(crate) fn height_within(ui: &Ui, text: &str, size: f32, width: f32) -> f32 {
-    let mut job = laid_out(ui, text, size);
-    job.wrap.max_width = width;
-    ui.painter().layout_job(job).size().y
+    galley(ui, text, size, width).size().y
 }
 
 fn laid_out(ui: &Ui, text: &str, size: f32) -> LayoutJob {

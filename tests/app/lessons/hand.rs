@@ -1,7 +1,7 @@
 //! What a lecturer has at hand while presenting: ink, contents, the enlarged derivation and lines that come one by one.
 
 use egui::accesskit::Role;
-use egui::{Key, vec2};
+use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::ViewLayout;
 
@@ -13,6 +13,14 @@ fn open(window: &mut Window, lesson: usize, step: usize) {
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     window.state_mut().open_lesson(id, None);
     window.run();
+}
+
+/// Goes to the step of this number by the list of all steps.
+fn go_to(window: &mut Window, number: &str) {
+    key(window, Key::O);
+    window.get_by_label("Command").type_text(number);
+    window.run();
+    key(window, Key::Enter);
 }
 
 #[test]
@@ -30,6 +38,11 @@ fn ink_stays_with_its_step() {
     assert_eq!(strokes(&window), Some(0));
     open(&mut window, 5, 1);
     assert_eq!(strokes(&window), Some(1));
+    go_to(&mut window, "5.2");
+    assert_eq!((shown_step(&window), strokes(&window)), ((5, 2), Some(0)));
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    window.run();
+    assert_eq!((shown_step(&window), strokes(&window)), ((5, 1), Some(1)), "undo, too");
     key(&mut window, Key::Escape);
     key(&mut window, Key::P);
     assert_eq!(strokes(&window), Some(0), "Escape has wiped it off");
@@ -49,9 +62,8 @@ fn the_contents_open_at_the_step_and_find_another_one_while_presenting() {
         })
     };
     assert!(chosen(&window).is_some_and(|name| name.contains("Right: u")), "{:?}", chosen(&window));
-    window.get_by_label("Command").type_text("12.5");
-    window.run();
-    key(&mut window, Key::Enter);
+    key(&mut window, Key::Escape);
+    go_to(&mut window, "12.5");
     assert_eq!(shown_step(&window), (12, 5));
     assert!(window.state().session().presenting.is_some());
 }
@@ -60,9 +72,11 @@ fn the_contents_open_at_the_step_and_find_another_one_while_presenting() {
 fn a_step_without_a_derivation_says_so_and_stays() {
     let mut window = window("canonical");
     key(&mut window, Key::F5);
-    for (lesson, step, why) in
-        [(11, 1, "This step has no derivation."), (7, 2, "The derivation comes with the answer.")]
-    {
+    for (lesson, step, why) in [
+        (11, 1, "This step has no derivation."),
+        (8, 3, "This step has no derivation."),
+        (7, 2, "The derivation comes with the answer."),
+    ] {
         open(&mut window, lesson, step);
         let layout = window.state().session().shown.setup.layout;
         key(&mut window, Key::Num1);
