@@ -94,13 +94,13 @@ fn at_distance(uv: DVec2, distance: f64, z: f64) -> Vec<String> {
 fn turned(right: DVec3, uv: DVec2, z: f64) -> Vec<String> {
     let axis = |x: f64, name: &str| format!("{}*{name}*", if x < 0.0 { '−' } else { '+' });
     let camera = format!(
-        "A camera at the origin: right is midway between {} and {}, up is +*y*.",
+        "A camera at the origin, distance 1: right is midway between {} and {}, up is +*y*.",
         axis(right.x, "x"),
         axis(right.z, "z")
     );
     let asked = format!(
-        "What are **u**, **v**, **w** and **d** = *u* **u** + *v* **v** − **w** for {}? At which *t* is \
-         the plane *z* = {}?",
+        "What are **u**, **v**, **w** and **d** = *u* **u** + *v* **v** − **w** for {}? At which *t* \
+         does it meet *z* = {}?",
         uv_text(uv),
         number(z)
     );

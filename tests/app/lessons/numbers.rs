@@ -115,7 +115,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         6,
         &[(
             SAYS,
-            "What are u, v, w and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t is the plane z = 4?",
+            "What are u, v, w and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t does it meet z = 4?",
         )],
     ),
     // View is (0, -0.2, -4), of length √16.04.
