@@ -10,8 +10,8 @@ use crate::reader::IMAGE;
 use crate::screen::{Dots, SIZE, Screen, wait_for, wait_or_say};
 use crate::window::built_in;
 
-/// Colour of the pen, which nothing else has.
-const INK: [u8; 3] = [0xff, 0xe6, 0x00];
+/// Colour of the pen on light ground, which nothing else has.
+const INK: [u8; 3] = [0x10, 0x10, 0x18];
 
 /// The dots of a view, in a window that fills the screen.
 fn dots_of(screen: &Screen, view: Rect) -> Dots {
