@@ -33,10 +33,15 @@ fn press(window: &mut Window, button: &str) {
 }
 
 fn go_to(window: &mut Window, lesson: usize, step: usize) {
+    begin(window, lesson, step);
+    answer(window);
+}
+
+/// Opens a step, both counted from 1, as it begins.
+fn begin(window: &mut Window, lesson: usize, step: usize) {
     let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
     window.state_mut().open_lesson(id, None);
     window.run();
-    answer(window);
 }
 
 /// Shows the answer to the step's question, if it has one.

@@ -161,7 +161,8 @@ pub(crate) fn card(
 ) {
     ui.spacing_mut().item_spacing.y = ON_CARD;
     let lines = of_card(lab, digits, in_words);
-    let count = revealed_lines.filter(|_| !is_whole(lab, revealed_lines)).unwrap_or(lines.len());
+    let revealed = revealed_lines.filter(|_| lab.shown == ShownLines::Both);
+    let count = revealed.map_or(lines.len(), |count| count.min(lines.len()));
     show_steps(ui, &lines[..count]);
 }
 

@@ -208,8 +208,13 @@ fn common_size(ui: &Ui, open: &OpenVote, tile: Vec2, most: f32) -> f32 {
         };
         open.options.iter().all(|option| height(option) <= room.height())
     };
-    let sizes = (0..).map(|k| most - k as f32).take_while(|size| *size > WRITTEN);
-    sizes.into_iter().find(fits).unwrap_or(WRITTEN)
+    largest(most, fits)
+}
+
+/// Returns the largest size of at most `most` that fits; the smallest one, if none does.
+fn largest(most: f32, fits: impl FnMut(&f32) -> bool) -> f32 {
+    let mut sizes = (0..).map(|k| most - k as f32).take_while(|size| *size > WRITTEN);
+    sizes.find(fits).unwrap_or(WRITTEN)
 }
 
 /// Shows an option. Returns true if the user votes for it.
@@ -335,8 +340,7 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
         let height = |line: &String| marked_text::height_within(ui, line, *size, room.x) + BETWEEN;
         lines.iter().map(height).sum::<f32>() <= room.y
     };
-    let sizes = (0..).map(|k| REASON - k as f32).take_while(|size| *size > WRITTEN);
-    let size = sizes.into_iter().find(fits).unwrap_or(WRITTEN);
+    let size = largest(REASON, fits);
     for (k, line) in lines.iter().enumerate() {
         let text = RichText::new(line).size(size);
         ui.label(if k == 0 && open.is_revealed { text.strong() } else { text });

@@ -5,15 +5,8 @@ use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::session::ViewLayout;
 
-use super::{StepId, Which, Window, key, shown_step};
+use super::{Window, begin, key, shown_step};
 use crate::harness::{assert_says, drag_from, window};
-
-/// Opens a step, both counted from 1, as it begins.
-fn open(window: &mut Window, lesson: usize, step: usize) {
-    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
-    window.state_mut().open_lesson(id, None);
-    window.run();
-}
 
 /// Goes to the step of this number by the list of all steps.
 fn go_to(window: &mut Window, number: &str) {
@@ -26,7 +19,7 @@ fn go_to(window: &mut Window, number: &str) {
 #[test]
 fn ink_stays_with_its_step() {
     let mut window = window("canonical");
-    open(&mut window, 5, 1);
+    begin(&mut window, 5, 1);
     key(&mut window, Key::F5);
     key(&mut window, Key::P);
     let strokes =
@@ -34,9 +27,9 @@ fn ink_stays_with_its_step() {
     let center = window.get_by_label("World view").rect().center();
     drag_from(&mut window, center, vec2(60.0, 40.0));
     assert_eq!(strokes(&window), Some(1));
-    open(&mut window, 5, 2);
+    begin(&mut window, 5, 2);
     assert_eq!(strokes(&window), Some(0));
-    open(&mut window, 5, 1);
+    begin(&mut window, 5, 1);
     assert_eq!(strokes(&window), Some(1));
     go_to(&mut window, "5.2");
     assert_eq!((shown_step(&window), strokes(&window)), ((5, 2), Some(0)));
@@ -51,7 +44,7 @@ fn ink_stays_with_its_step() {
 #[test]
 fn the_contents_open_at_the_step_and_find_another_one_while_presenting() {
     let mut window = window("canonical");
-    open(&mut window, 7, 3);
+    begin(&mut window, 7, 3);
     key(&mut window, Key::F5);
     key(&mut window, Key::O);
     let chosen = |window: &Window| {
@@ -77,7 +70,7 @@ fn a_step_without_a_derivation_says_so_and_stays() {
         (8, 3, "This step has no derivation."),
         (7, 2, "The derivation comes with the answer."),
     ] {
-        open(&mut window, lesson, step);
+        begin(&mut window, lesson, step);
         let layout = window.state().session().shown.setup.layout;
         key(&mut window, Key::Num1);
         assert_says(&window, why);
@@ -91,7 +84,7 @@ fn a_step_without_a_derivation_says_so_and_stays() {
 #[test]
 fn a_step_that_is_open_comes_line_by_line_when_it_is_presented() {
     let mut window = window("canonical");
-    open(&mut window, 7, 3);
+    begin(&mut window, 7, 3);
     let lines = |window: &Window| window.state().session().shown.revealed_lines;
     assert_eq!(lines(&window), None);
     key(&mut window, Key::F5);

@@ -6,15 +6,8 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::features::vote::OpenVote;
 use pinhole::model::lessons::builtin;
 
-use super::{StepId, Which, Window, key, press};
+use super::{Window, begin, key, press};
 use crate::harness::{assert_says, says, window};
-
-/// Opens a step, both counted from 1, with its question open.
-fn ask(window: &mut Window, lesson: usize, step: usize) {
-    let id = StepId { lesson: Which::Builtin(lesson - 1), step: step - 1 };
-    window.state_mut().open_lesson(id, None);
-    window.run();
-}
 
 fn open_vote(window: &Window) -> Option<OpenVote> {
     window.state().session().live.vote.clone()
@@ -43,7 +36,7 @@ fn every_question_has_answers_to_vote_on_and_the_right_one_has_no_place_of_its_o
 #[test]
 fn a_class_votes_twice_sees_what_is_right_and_then_why() {
     let mut window = window("canonical");
-    ask(&mut window, 7, 2);
+    begin(&mut window, 7, 2);
     key(&mut window, Key::F5);
     assert_eq!(open_vote(&window), None);
     key(&mut window, Key::V);
@@ -69,7 +62,7 @@ fn a_class_votes_twice_sees_what_is_right_and_then_why() {
 #[test]
 fn another_step_ends_a_vote_and_a_button_does() {
     let mut window = window("canonical");
-    ask(&mut window, 10, 2);
+    begin(&mut window, 10, 2);
     press(&mut window, "Vote");
     assert!(window.query_by_role_and_label(Role::Button, "Vote").is_none());
     press(&mut window, "End the vote");
@@ -77,7 +70,7 @@ fn another_step_ends_a_vote_and_a_button_does() {
     press(&mut window, "Vote");
     key(&mut window, Key::PageUp);
     assert_eq!(open_vote(&window), None);
-    ask(&mut window, 10, 2);
+    begin(&mut window, 10, 2);
     key(&mut window, Key::F5);
     key(&mut window, Key::V);
     key(&mut window, Key::Escape);
@@ -87,14 +80,14 @@ fn another_step_ends_a_vote_and_a_button_does() {
     key(&mut window, Key::V);
     press(&mut window, "Close the lesson");
     assert_eq!(open_vote(&window), None, "a vote ends with its lesson");
-    ask(&mut window, 7, 1);
+    begin(&mut window, 7, 1);
     assert!(window.query_by_role_and_label(Role::Button, "Vote").is_none(), "it asks nothing");
 }
 
 #[test]
 fn a_wrong_count_of_hands_says_what_is_wrong() {
     let mut window = window("canonical");
-    ask(&mut window, 4, 2);
+    begin(&mut window, 4, 2);
     key(&mut window, Key::V);
     key(&mut window, Key::H);
     window.event(egui::Event::Text("12 40 9".to_owned()));
@@ -131,7 +124,7 @@ fn options_are_seen(size: Vec2) {
     let whole = Rect::from_min_size(egui::Pos2::ZERO, size);
     let mut lowest = f32::INFINITY;
     for (lesson, step) in asked() {
-        ask(&mut window, lesson, step);
+        begin(&mut window, lesson, step);
         key(&mut window, Key::V);
         let question = builtin::all()[lesson - 1].steps[step - 1].question.as_ref().unwrap();
         let start = question.ask.split('*').next().unwrap().to_owned();
